@@ -1,0 +1,15 @@
+# The command `limn`: bin/limn below the build folder.
+
+file(GLOB command_sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/apps/limn/*.cpp)
+if(LIMN_FUZZ)
+  # Only the library and the fuzzers.
+elseif(command_sources)
+  add_executable(limn_command ${command_sources})
+  limn_flags(limn_command)
+  set_target_properties(limn_command PROPERTIES OUTPUT_NAME limn)
+  target_compile_definitions(limn_command PRIVATE LIMN_VERSION="${PROJECT_VERSION}")
+  target_link_libraries(limn_command PRIVATE
+    limn::limn CLI11::CLI11 fmt::fmt nlohmann_json::nlohmann_json)
+else()
+  message(STATUS "apps/limn has no sources: the command is not built")
+endif()

@@ -1,0 +1,21 @@
+# The packages of section [product] of packages.txt; those of the tests and benchmarks are
+# found in LimnTests.cmake and LimnBench.cmake.
+
+find_package(Eigen3 3.4 REQUIRED NO_MODULE)
+find_package(fmt REQUIRED)
+find_package(nlohmann_json REQUIRED)
+find_package(FastFloat REQUIRED)
+find_package(CLI11 REQUIRED)
+find_package(Boost 1.74 REQUIRED)  # headers only
+find_path(LIMN_TOML_INCLUDE_DIR toml++/toml.h REQUIRED)  # as headers, whatever its package builds
+find_package(Threads REQUIRED)
+
+set(LIMN_HAS_TBB OFF)
+if(LIMN_TBB)
+  find_package(TBB QUIET)
+  if(TBB_FOUND)
+    set(LIMN_HAS_TBB ON)
+  else()
+    message(STATUS "oneTBB not found: loops run on one thread")
+  endif()
+endif()

@@ -1,0 +1,37 @@
+# The library: every source below src/limn, and the shipped schemes as one generated source.
+
+file(GLOB_RECURSE limn_sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/limn/*.cpp)
+file(GLOB_RECURSE limn_headers CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/limn/*.h)
+
+# The command names every scheme file, so that it also runs again when one is added or removed.
+file(GLOB scheme_files CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/schemes/*.toml)
+set(shipped_files ${PROJECT_BINARY_DIR}/generated/limn/scheme/shipped_files.cpp)
+add_custom_command(
+  OUTPUT ${shipped_files}
+  COMMAND ${CMAKE_COMMAND} -D OUT=${shipped_files} -P ${PROJECT_SOURCE_DIR}/cmake/EmbedSchemes.cmake
+          -- ${scheme_files}
+  DEPENDS ${scheme_files} ${PROJECT_SOURCE_DIR}/cmake/EmbedSchemes.cmake
+  COMMENT "Embedding the shipped schemes"
+  VERBATIM)
+add_custom_target(shipped_files DEPENDS ${shipped_files})
+
+add_library(limn ${limn_sources} ${shipped_files})
+add_library(limn::limn ALIAS limn)
+limn_flags(limn)
+set_target_properties(limn PROPERTIES
+  VERSION ${PROJECT_VERSION}
+  SOVERSION ${PROJECT_VERSION_MAJOR}
+  POSITION_INDEPENDENT_CODE ON)
+target_sources(limn PUBLIC
+  FILE_SET HEADERS BASE_DIRS ${PROJECT_SOURCE_DIR}/src FILES ${limn_headers})
+# Libraries that only our sources use, as headers, are no business of those who use an installed limn.
+target_link_libraries(limn
+  PUBLIC Eigen3::Eigen Boost::headers
+  PRIVATE fmt::fmt Threads::Threads
+          $<BUILD_INTERFACE:nlohmann_json::nlohmann_json>
+          $<BUILD_INTERFACE:FastFloat::fast_float>)
+target_include_directories(limn SYSTEM PRIVATE ${LIMN_TOML_INCLUDE_DIR})
+if(LIMN_HAS_TBB)
+  target_compile_definitions(limn PRIVATE LIMN_HAS_TBB=1)
+  target_link_libraries(limn PRIVATE TBB::tbb)
+endif()

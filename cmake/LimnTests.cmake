@@ -1,0 +1,77 @@
+# Every folder below tests/ that holds a *_test.cpp becomes one program, of all its sources:
+# tests/mesh → limn_test_mesh, tests/mesh/io → limn_test_mesh_io. Every TEST in it is a ctest of
+# its own, called FOLDER:Suite.Name. A new file or folder needs no edit here.
+# Sources in tests/support, if any, are linked to all of them.
+
+find_package(GTest REQUIRED)
+find_package(rapidcheck REQUIRED)
+include(GoogleTest)
+
+add_library(limn_test_support INTERFACE)
+file(GLOB support_sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/tests/support/*.cpp)
+if(support_sources)
+  add_library(limn_test_support_sources STATIC ${support_sources})
+  limn_flags(limn_test_support_sources)
+  target_link_libraries(limn_test_support_sources PRIVATE limn_test_support)
+  target_link_libraries(limn_test_support INTERFACE $<LINK_ONLY:limn_test_support_sources>)
+endif()
+target_include_directories(limn_test_support INTERFACE ${PROJECT_SOURCE_DIR}/tests)
+target_link_libraries(limn_test_support INTERFACE
+  limn::limn fmt::fmt nlohmann_json::nlohmann_json
+  GTest::gtest GTest::gtest_main rapidcheck rapidcheck_gtest)
+target_compile_definitions(limn_test_support INTERFACE
+  LIMN_TEST_DATA="${PROJECT_SOURCE_DIR}/tests/data"
+  LIMN_SCHEMES="${PROJECT_SOURCE_DIR}/schemes"
+  LIMN_EXAMPLES="${PROJECT_SOURCE_DIR}/examples")
+
+file(GLOB_RECURSE test_sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/tests/*_test.cpp)
+set(test_folders ${test_sources})
+list(TRANSFORM test_folders REPLACE "/[^/]*$" "")
+list(REMOVE_DUPLICATES test_folders)
+
+foreach(folder IN LISTS test_folders)
+  cmake_path(RELATIVE_PATH folder BASE_DIRECTORY ${PROJECT_SOURCE_DIR}/tests OUTPUT_VARIABLE name)
+  if(name MATCHES "^consumer" OR (name MATCHES "^peers" AND NOT LIMN_PEERS))
+    continue()
+  endif()
+  string(REPLACE "/" "_" target limn_test_${name})
+  file(GLOB sources CONFIGURE_DEPENDS ${folder}/*.cpp)
+  add_executable(${target} ${sources})
+  limn_flags(${target})
+  # The macros of GoogleTest provoke these: EXPECT_… after a bare `if`, a lambda's `info`.
+  target_compile_options(${target} PRIVATE -Wno-dangling-else -Wno-shadow)
+  target_link_libraries(${target} PRIVATE limn_test_support)
+  if(name MATCHES "^peers")
+    include(LimnPeers)
+    target_link_libraries(${target} PRIVATE
+      limn_peer_cgal limn_peer_openmesh limn_peer_opensubdiv)
+  endif()
+  if(name MATCHES "^(apps|command)" AND TARGET limn_command)
+    target_compile_definitions(${target} PRIVATE LIMN_COMMAND="$<TARGET_FILE:limn_command>")
+    add_dependencies(${target} limn_command)
+  endif()
+  gtest_discover_tests(${target}
+    TEST_PREFIX "${name}:"
+    NO_PRETTY_VALUES
+    DISCOVERY_MODE PRE_TEST
+    DISCOVERY_TIMEOUT 60
+    PROPERTIES TIMEOUT 300 LABELS ${name})
+endforeach()
+
+# Somebody else's project that finds an installed limn; sanitizers would have to be theirs too.
+if(PROJECT_IS_TOP_LEVEL AND NOT LIMN_SANITIZE)
+  add_test(NAME consumer:find_package
+    COMMAND ${CMAKE_COMMAND} -D BUILD=${PROJECT_BINARY_DIR} -D COMPILER=${CMAKE_CXX_COMPILER}
+            -P ${PROJECT_SOURCE_DIR}/tests/consumer/run.cmake)
+  set_tests_properties(consumer:find_package PROPERTIES TIMEOUT 180 LABELS consumer)
+endif()
+
+# The rules of tools/floors.txt, and that their checker finds what it should.
+find_package(Python3 COMPONENTS Interpreter)
+if(Python3_FOUND)
+  add_test(NAME tools:floors_hold
+    COMMAND Python3::Interpreter ${PROJECT_SOURCE_DIR}/tools/check_floors)
+  add_test(NAME tools:check_floors
+    COMMAND Python3::Interpreter ${PROJECT_SOURCE_DIR}/tests/tools/check_floors_test.py)
+  set_tests_properties(tools:floors_hold tools:check_floors PROPERTIES TIMEOUT 60 LABELS tools)
+endif()

@@ -1,0 +1,26 @@
+#pragma once
+/// Exact rationals of any size. A literal in a scheme file is one; so is everything that
+/// is computed exactly from it.
+
+#include <boost/multiprecision/cpp_int.hpp>
+#include <string>
+
+namespace limn {
+
+using Integer = boost::multiprecision::number<boost::multiprecision::cpp_int_backend<>,
+                                              boost::multiprecision::et_off>;
+using Rational = boost::multiprecision::number<
+    boost::multiprecision::rational_adaptor<boost::multiprecision::cpp_int_backend<>>,
+    boost::multiprecision::et_off>;
+
+/// The nearest double (to within one unit in the last place).
+[[nodiscard]] inline double to_double(const Rational& q) { return q.convert_to<double>(); }
+
+/// "3", "-7/24".
+[[nodiscard]] inline std::string to_string(const Rational& q) { return q.str(); }
+
+[[nodiscard]] inline bool is_integer(const Rational& q) {
+  return boost::multiprecision::denominator(q) == 1;
+}
+
+}  // namespace limn

@@ -1,0 +1,123 @@
+/// Binary glTF 2.0, written only: one mesh of triangles (n-gons as fans), float positions,
+/// optional unit normals, 32-bit indices. [glTF 2.0 §4.4 GLB file format, §3.7 meshes]
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <nlohmann/json.hpp>
+
+#include "limn/mesh/io/bytes.h"
+#include "limn/mesh/io/formats.h"
+
+namespace limn::io {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+// Constants of the format.
+constexpr std::uint32_t kMagic = 0x46546C67;      // "glTF"
+constexpr std::uint32_t kJsonChunk = 0x4E4F534A;  // "JSON"
+constexpr std::uint32_t kBinaryChunk = 0x004E4942;
+constexpr int kFloat = 5126, kUnsignedInt = 5125;
+constexpr int kArrayBuffer = 34962, kElementArrayBuffer = 34963;
+
+char* store(char* to, Point3 p) {
+  to = store_little(to, static_cast<float>(p.x));
+  to = store_little(to, static_cast<float>(p.y));
+  return store_little(to, static_cast<float>(p.z));
+}
+
+/// glTF demands unit normals; where there is none any direction does.
+Point3 unit(Point3 normal) {
+  const double length = std::hypot(normal.x, normal.y, normal.z);
+  return length > 0 && std::isfinite(length) ? (1 / length) * normal : Point3{0, 0, 1};
+}
+
+/// The bounds of the positions as they are written, in floats.
+void add_bounds(Json& accessor, const Polygons& mesh) {
+  const Point3 first = mesh.positions.front();
+  Point3 low = first, high = first;
+  for (const Point3& p : mesh.positions) {
+    low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
+    high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
+  }
+  const auto rounded = [](double x) { return double{static_cast<float>(x)}; };
+  accessor["min"] = {rounded(low.x), rounded(low.y), rounded(low.z)};
+  accessor["max"] = {rounded(high.x), rounded(high.y), rounded(high.z)};
+}
+
+/// Adds a buffer view of `bytes` and its accessor; returns the index of both.
+std::size_t add_block(Json& gltf, std::size_t& offset, std::size_t bytes, int target,
+                      Json accessor) {
+  const std::size_t index = gltf["bufferViews"].size();
+  gltf["bufferViews"].push_back(
+      {{"buffer", 0}, {"byteOffset", offset}, {"byteLength", bytes}, {"target", target}});
+  accessor["bufferView"] = index;
+  gltf["accessors"].push_back(std::move(accessor));
+  offset += bytes;
+  return index;
+}
+
+Json description(const Polygons& mesh, bool normals, std::size_t indices) {
+  const std::size_t vertices = mesh.positions.size();
+  Json gltf;
+  gltf["asset"] = {{"version", "2.0"}, {"generator", "limn"}};
+  gltf["scene"] = 0;
+  gltf["scenes"] = Json::array({{{"nodes", {0}}}});
+  gltf["nodes"] = Json::array({{{"mesh", 0}}});
+  gltf["bufferViews"] = Json::array();
+  gltf["accessors"] = Json::array();
+
+  std::size_t size = 0;
+  Json attributes;
+  Json positions = {{"componentType", kFloat}, {"count", vertices}, {"type", "VEC3"}};
+  add_bounds(positions, mesh);
+  attributes["POSITION"] = add_block(gltf, size, 12 * vertices, kArrayBuffer, positions);
+  if (normals) {
+    attributes["NORMAL"] =
+        add_block(gltf, size, 12 * vertices, kArrayBuffer,
+                  {{"componentType", kFloat}, {"count", vertices}, {"type", "VEC3"}});
+  }
+  const std::size_t triangles =
+      add_block(gltf, size, 4 * indices, kElementArrayBuffer,
+                {{"componentType", kUnsignedInt}, {"count", indices}, {"type", "SCALAR"}});
+  Json primitive = {{"attributes", attributes}, {"indices", triangles}, {"mode", 4}};
+  gltf["meshes"] = Json::array({{{"primitives", Json::array({primitive})}}});
+  gltf["buffers"] = Json::array({{{"byteLength", size}}});
+  return gltf;
+}
+
+}  // namespace
+
+std::string format_glb(const Polygons& mesh, const WriteOptions& options) {
+  const bool normals = !options.normals.empty();
+  const std::size_t indices = 3 * triangle_count(mesh);
+  const Json gltf = description(mesh, normals, indices);
+  std::string json = gltf.dump();
+  json.resize((json.size() + 3) / 4 * 4, ' ');
+  const std::size_t data = gltf["buffers"][0]["byteLength"];  // a multiple of 4 already
+
+  std::string out(12 + 8 + json.size() + 8 + data, '\0');
+  char* to = out.data();
+  const auto put = [&to](std::size_t value) {
+    to = store_little(to, static_cast<std::uint32_t>(value));
+  };
+  put(kMagic);
+  put(2);
+  put(out.size());
+  put(json.size());
+  put(kJsonChunk);
+  to = std::copy(json.begin(), json.end(), to);
+  put(data);
+  put(kBinaryChunk);
+  for (const Point3& point : mesh.positions) to = store(to, point);
+  for (const Point3& normal : options.normals) to = store(to, unit(normal));
+  for_each_triangle(mesh, [&put](Index a, Index b, Index c) {
+    put(static_cast<std::size_t>(a));
+    put(static_cast<std::size_t>(b));
+    put(static_cast<std::size_t>(c));
+  });
+  return out;
+}
+
+}  // namespace limn::io

@@ -1,0 +1,190 @@
+#include "limn/mesh/io/mesh_file.h"
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <cmath>
+#include <limits>
+
+#include "limn/base/file.h"
+#include "limn/mesh/io/formats.h"
+
+namespace limn {
+namespace io {
+namespace {
+
+struct Format {
+  std::string_view extension;
+  Result<Polygons> (*parse)(std::string_view, const std::string&, Warnings*);  ///< null: not read
+  std::string (*format)(const Polygons&, const WriteOptions&);
+  bool keeps_floats;
+  bool is_gltf;
+};
+
+constexpr std::array<Format, 5> kFormats{{
+    {"obj", parse_obj, format_obj, false, false},
+    {"off", parse_off, format_off, false, false},
+    {"ply", parse_ply, format_ply, false, false},
+    {"stl", parse_stl, format_stl, true, false},
+    {"glb", nullptr, format_glb, true, true},
+}};
+
+std::string lower_case(std::string_view text) {
+  std::string lower(text);
+  for (char& c : lower) {
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  }
+  return lower;
+}
+
+std::string extension_of(const std::string& path) {
+  const std::size_t name = path.rfind('/') == std::string::npos ? 0 : path.rfind('/') + 1;
+  const std::size_t dot = path.rfind('.');
+  return dot == std::string::npos || dot < name ? std::string() : path.substr(dot + 1);
+}
+
+/// "obj, off, ply, stl": those that are read, or all.
+std::string known_extensions(bool for_reading) {
+  std::string list;
+  for (const Format& format : kFormats) {
+    if (for_reading && format.parse == nullptr) continue;
+    list += (list.empty() ? "" : ", ") + std::string(format.extension);
+  }
+  return list;
+}
+
+Error unknown_extension(std::string_view extension, const std::string& path, bool for_reading) {
+  Error error;
+  error.file = path;
+  error.message = extension.empty() ? "the file name has no extension that tells its format"
+                                    : "unknown mesh format " + in_quotes(extension);
+  if (for_reading && lower_case(extension) == "glb") {
+    error.message = "glb files are written only, not read";
+  }
+  error.hint =
+      std::string("limn ") + (for_reading ? "reads " : "writes ") + known_extensions(for_reading);
+  return error;
+}
+
+const Format* find_format(std::string_view extension, bool for_reading) {
+  const std::string lower = lower_case(extension);
+  for (const Format& format : kFormats) {
+    if (format.extension == lower && !(for_reading && format.parse == nullptr)) return &format;
+  }
+  return nullptr;
+}
+
+bool fits(Point3 p, double limit) {
+  // Not `<= limit` on each: NaN must fail, and one test per vector is enough.
+  return std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)}) <= limit && !std::isnan(p.x) &&
+         !std::isnan(p.y) && !std::isnan(p.z);
+}
+
+/// Says what a writer could not write so that it reads back, or nothing.
+std::string unwritable(const Format& format, const Polygons& mesh, const WriteOptions& options) {
+  const double largest = format.keeps_floats ? double{std::numeric_limits<float>::max()}
+                                             : std::numeric_limits<double>::max();
+  const char* const kind = format.keeps_floats ? "a finite float" : "a finite number";
+  for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
+    if (fits(mesh.positions[v], largest)) continue;
+    return "vertex " + std::to_string(v) + " has a coordinate that is not " + kind;
+  }
+  for (std::size_t v = 0; v < options.normals.size(); ++v) {
+    if (fits(options.normals[v], largest)) continue;
+    return "the normal of vertex " + std::to_string(v) + " is not finite";
+  }
+  // No format needs 64 bytes a triangle; this can only happen where addresses have 32 bits.
+  if (triangle_count(mesh) > std::numeric_limits<std::size_t>::max() / 64) {
+    return "the file would be too large for this machine";
+  }
+  if (!format.is_gltf) return {};
+  // The size of the file is a 32-bit field; 64 KiB are more than its JSON needs.
+  const std::size_t bytes = 24 * mesh.positions.size() + 12 * triangle_count(mesh);
+  if (bytes > std::numeric_limits<std::uint32_t>::max() - 65536u) {
+    return "the mesh needs more than the 4 GiB of a glb file";
+  }
+  return emptiness(mesh);  // glTF has no empty accessors
+}
+
+[[maybe_unused]] bool is_consistent(const Polygons& mesh, const WriteOptions& options) {
+  const bool normals_match =
+      options.normals.empty() || options.normals.size() == mesh.positions.size();
+  const bool faces_match = !mesh.face_begin.empty() && mesh.face_begin.front() == 0 &&
+                           mesh.face_begin.back() == static_cast<Index>(mesh.corners.size());
+  return normals_match && faces_match &&
+         std::all_of(mesh.corners.begin(), mesh.corners.end(),
+                     [&](Index vertex) { return vertex >= 0 && vertex < mesh.vertex_count(); });
+}
+
+}  // namespace
+
+std::string count_of(std::size_t count, const char* one, const char* many) {
+  return std::to_string(count) + " " + (count == 1 ? one : many);
+}
+
+std::string emptiness(const Polygons& mesh) {
+  if (mesh.positions.empty()) return "the mesh has no vertices";
+  if (mesh.face_count() == 0) {
+    return "the mesh has no faces, only " + count_of(mesh.positions.size(), "vertex", "vertices");
+  }
+  return {};
+}
+
+std::size_t triangle_count(const Polygons& mesh) {
+  std::size_t count = 0;
+  for (Index face = 0; face < mesh.face_count(); ++face) {
+    count += static_cast<std::size_t>(std::max<Index>(mesh.degree(face) - 2, 0));
+  }
+  return count;
+}
+
+}  // namespace io
+
+Result<Polygons> parse_mesh(std::string_view content, std::string_view extension,
+                            const std::string& path, Warnings* warnings) {
+  const io::Format* format = io::find_format(extension, true);
+  if (format == nullptr) return io::unknown_extension(extension, path, true);
+  if (content.empty()) return Error{"the file is empty", "", path, 1, 1};
+  return format->parse(content, path, warnings);
+}
+
+Result<Polygons> read_mesh(const std::string& path, Warnings* warnings) {
+  if (Status known = check_readable(path); !known) return known.error();
+  const Result<std::string> content = read_file(path);
+  if (!content) return content.error();
+  return parse_mesh(*content, io::extension_of(path), path, warnings);
+}
+
+Result<std::string> format_mesh(std::string_view extension, const Polygons& mesh,
+                                const WriteOptions& options) {
+  const io::Format* format = io::find_format(extension, false);
+  if (format == nullptr) return io::unknown_extension(extension, "", false);
+  assert(io::is_consistent(mesh, options));
+  std::string fault = io::unwritable(*format, mesh, options);
+  if (!fault.empty()) return Error{std::move(fault), "", "", 0, 0};
+  return format->format(mesh, options);
+}
+
+Status write_mesh(const std::string& path, const Polygons& mesh, const WriteOptions& options) {
+  if (Status known = check_writable(path); !known) return known;
+  Result<std::string> content = format_mesh(io::extension_of(path), mesh, options);
+  if (!content) {
+    content.error().file = path;
+    return content.error();
+  }
+  return write_file(path, *content);
+}
+
+Status check_readable(const std::string& path) {
+  const std::string extension = io::extension_of(path);
+  if (io::find_format(extension, true) != nullptr) return Done{};
+  return io::unknown_extension(extension, path, true);
+}
+
+Status check_writable(const std::string& path) {
+  const std::string extension = io::extension_of(path);
+  if (io::find_format(extension, false) != nullptr) return Done{};
+  return io::unknown_extension(extension, path, false);
+}
+
+}  // namespace limn

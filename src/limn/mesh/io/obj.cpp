@@ -1,0 +1,198 @@
+/// Wavefront OBJ: `v` and `f` are read, all else is left out.
+
+#include <cstdint>
+
+#include "limn/mesh/io/formats.h"
+#include "limn/mesh/io/text_writer.h"
+
+namespace limn::io {
+namespace {
+
+class ObjReader {
+ public:
+  ObjReader(std::string_view content, const std::string& path, Warnings* warnings)
+      : in_(content, path, {.comments = true, .continuation = true}), remarks_(warnings, path) {}
+
+  Result<Polygons> read() {
+    while (in_.next_content()) {
+      if (!statement()) return in_.error();
+      in_.skip_line();
+    }
+    if (!check_end()) return in_.error();
+    return std::move(mesh_);
+  }
+
+ private:
+  bool statement() {
+    const std::string_view keyword = in_.take_word();
+    if (keyword == "v") return vertex();
+    if (keyword == "f") return face();
+    return other(keyword);
+  }
+
+  bool vertex() {
+    const Place place = in_.last_place();
+    double numbers[7];
+    int count = 0;
+    while (in_.line_has_more() && count < 7) {
+      if (!in_.read_number(numbers[count], "a coordinate")) return false;
+      ++count;
+    }
+    if (in_.line_has_more() || count < 3 || count == 5) return bad_vertex(place, count);
+    if (count >= 6) remarks_.left_out(place, "vertex colours are");
+    if (count == 4 && numbers[3] != 1.0) remarks_.left_out(place, "the weight w of vertices is");
+    if (mesh_.positions.size() == kMaxCorners) {
+      return in_.fail(place, "more than 2^31 - 1 vertices");
+    }
+    mesh_.positions.push_back({numbers[0], numbers[1], numbers[2]});
+    return true;
+  }
+
+  bool bad_vertex(Place place, int count) {
+    if (count < 3) {
+      return in_.fail(in_.place(),
+                      "expected three coordinates of the vertex, found the end of "
+                      "the line after " +
+                          std::to_string(count));
+    }
+    const std::string found = in_.line_has_more() ? "more than seven" : std::to_string(count);
+    return in_.fail(place,
+                    "a vertex of " + found + " numbers, expected x y z, x y z w or x y z r g b");
+  }
+
+  bool face() {
+    const Place place = in_.last_place();
+    const std::size_t begin = mesh_.corners.size();
+    while (in_.line_has_more()) {
+      if (!corner()) return false;
+    }
+    const std::size_t degree = mesh_.corners.size() - begin;
+    if (degree < 3) {
+      return in_.fail(
+          place, "a face of " + count_of(degree, "corner", "corners") + ", expected three or more");
+    }
+    mesh_.face_begin.push_back(static_cast<Index>(mesh_.corners.size()));
+    return true;
+  }
+
+  /// One of v, v/t, v//n, v/t/n; indices from 1, or from -1 backwards.
+  bool corner() {
+    const std::string_view word = in_.take_word();
+    const char* const end = word.data() + word.size();
+    std::int64_t index = 0;
+    const char* rest = parse_integer(word.data(), end, index);
+    if (rest == nullptr || !is_attribute_list(rest, end)) {
+      return in_.fail(in_.last_place(),
+                      "expected a corner like 1, 1/2, 1//3 or 1/2/3, found " + in_quotes(word));
+    }
+    const auto vertices = static_cast<std::int64_t>(mesh_.positions.size());
+    if (index == 0 || index < -vertices) return bad_index(word, in_.last_place());
+    const std::int64_t vertex = index > 0 ? index - 1 : vertices + index;
+    if (vertex > last_vertex_) {
+      last_vertex_ = vertex;
+      last_vertex_place_ = in_.last_place();
+    }
+    if (mesh_.corners.size() == kMaxCorners) {
+      return in_.fail(in_.last_place(), "more than 2^31 - 1 corners");
+    }
+    // One beyond the range of Index is beyond the vertices too: refused in `check_end`.
+    mesh_.corners.push_back(static_cast<Index>(vertex));
+    return true;
+  }
+
+  /// Up to two of "/", "/number".
+  static bool is_attribute_list(const char* p, const char* end) {
+    std::int64_t ignored = 0;
+    for (int k = 0; k < 2 && p != end && *p == '/'; ++k) {
+      ++p;
+      if (p != end && *p != '/') p = parse_integer(p, end, ignored);
+      if (p == nullptr) return false;
+    }
+    return p == end;
+  }
+
+  bool bad_index(std::string_view word, Place place) {
+    const std::string_view index = word.substr(0, word.find('/'));
+    if (index.find_first_not_of("+-0") == std::string_view::npos) {
+      return in_.fail(place, "vertex index 0, expected 1 or more", "OBJ counts from 1");
+    }
+    return in_.fail(
+        place, "vertex index " + std::string(index.substr(0, 40)) + " is out of range: " +
+                   count_of(mesh_.positions.size(), "vertex", "vertices") + " before this line");
+  }
+
+  bool other(std::string_view keyword) {
+    for (const char c : keyword) {
+      if (static_cast<unsigned char>(c) > 0x20 && static_cast<unsigned char>(c) != 0x7f) continue;
+      return in_.fail(in_.last_place(), "expected an OBJ keyword, found " + in_quotes(keyword),
+                      "is this a binary file?");
+    }
+    if (keyword == "vt" || keyword == "vn") {
+      remarks_.texture_or_normals(in_.last_place());
+    } else if (keyword == "l") {
+      remarks_.left_out(in_.last_place(), "lines ('l') are");
+    } else if (keyword == "p") {
+      remarks_.left_out(in_.last_place(), "points ('p') are");
+    } else if (!is_grouping(keyword)) {
+      remarks_.left_out(in_.last_place(), "statements of kind " + in_quotes(keyword) + " are");
+    }
+    return true;
+  }
+
+  static bool is_grouping(std::string_view keyword) {
+    return keyword == "g" || keyword == "o" || keyword == "s" || keyword == "usemtl" ||
+           keyword == "mtllib";
+  }
+
+  /// A face may come before its vertices; only now is it known which are missing.
+  bool check_end() {
+    if (std::string fault = emptiness(mesh_); !fault.empty()) return in_.fail(in_.place(), fault);
+    const auto vertices = static_cast<std::int64_t>(mesh_.positions.size());
+    if (last_vertex_ < vertices) return true;
+    return in_.fail(last_vertex_place_, "vertex index " + std::to_string(last_vertex_ + 1) +
+                                            " is out of range: the "
+                                            "file has " +
+                                            count_of(mesh_.positions.size(), "vertex", "vertices"));
+  }
+
+  TextScanner in_;
+  Remarks remarks_;
+  Polygons mesh_;
+  std::int64_t last_vertex_ = -1;  ///< the largest index seen
+  Place last_vertex_place_;
+};
+
+}  // namespace
+
+Result<Polygons> parse_obj(std::string_view content, const std::string& path, Warnings* warnings) {
+  return ObjReader(content, path, warnings).read();
+}
+
+std::string format_obj(const Polygons& mesh, const WriteOptions& options) {
+  std::string out;
+  out.reserve(48 * (mesh.positions.size() + options.normals.size()) + 9 * mesh.corners.size());
+  for (const Point3& point : mesh.positions) {
+    out += "v ";
+    append(out, point);
+    out += '\n';
+  }
+  for (const Point3& normal : options.normals) {
+    out += "vn ";
+    append(out, normal);
+    out += '\n';
+  }
+  for (Index face = 0; face < mesh.face_count(); ++face) {
+    out += 'f';
+    for (Index c = mesh.face_begin[face]; c < mesh.face_begin[face + 1]; ++c) {
+      out += ' ';
+      append(out, mesh.corners[c] + 1);
+      if (options.normals.empty()) continue;
+      out += "//";
+      append(out, mesh.corners[c] + 1);
+    }
+    out += '\n';
+  }
+  return out;
+}
+
+}  // namespace limn::io

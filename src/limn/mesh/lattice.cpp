@@ -1,0 +1,179 @@
+#include "limn/mesh/lattice.h"
+
+#include <algorithm>
+#include <cassert>
+#include <initializer_list>
+
+namespace limn {
+namespace {
+
+// faces one after the other; then the mesh, which must be one
+class FaceList {
+ public:
+  void add(std::initializer_list<Index> corners) {
+    polygons_.corners.insert(polygons_.corners.end(), corners);
+    polygons_.face_begin.push_back(static_cast<Index>(polygons_.corners.size()));
+  }
+  void add_ngon(Index n) {  // corners 0 … n-1
+    for (Index i = 0; i < n; ++i) polygons_.corners.push_back(i);
+    polygons_.face_begin.push_back(static_cast<Index>(polygons_.corners.size()));
+  }
+  [[nodiscard]] Mesh mesh(Index vertices) {
+    polygons_.positions.resize(static_cast<std::size_t>(vertices));
+    Result<Mesh> built = Mesh::build(polygons_);
+    assert(built.ok());
+    return *std::move(built);
+  }
+
+ private:
+  Polygons polygons_;
+};
+
+// ring r of the triangle star: n sectors of r vertices; position k of sector s lies k steps of
+// r on the way from spoke s to spoke s+1
+struct TriangleRings {
+  Index n;
+  [[nodiscard]] Index size(Index rings) const { return 1 + n * (rings * (rings + 1) / 2); }
+  [[nodiscard]] Index vertex(Index s, Index r, Index k) const {
+    if (r == 0) return 0;
+    return size(r - 1) + (s * r + k) % (n * r);
+  }
+};
+
+// the quad star: sector s is a quadrant with x along spoke s and y along spoke s+1, ring r its
+// points with max(x, y) = r
+struct QuadRings {
+  Index n;
+  [[nodiscard]] Index size(Index rings) const { return 1 + n * rings * (rings + 1); }
+  [[nodiscard]] Index vertex(Index s, Index x, Index y) const {
+    const Index r = std::max(x, y);
+    if (r == 0) return 0;
+    const Index k = x == r ? y : 2 * r - x;
+    return size(r - 1) + (2 * r * s + k) % (2 * r * n);
+  }
+};
+
+// the dual star: sector s is the quadrant x, y ≥ 1 beyond corner s of the middle face, its x
+// axis towards sector s-1's y axis
+struct DualRings {
+  Index n;
+  [[nodiscard]] Index size(Index rings) const { return n * rings * rings; }
+  [[nodiscard]] Index vertex(Index s, Index x, Index y) const {
+    const Index r = std::max(x, y);
+    const Index k = x == r ? y - 1 : 2 * r - 1 - x;
+    return size(r - 1) + s % n * (2 * r - 1) + k;
+  }
+};
+
+Mesh triangle_star(Index n, Index rings) {
+  const TriangleRings at{n};
+  FaceList faces;
+  for (Index r = 1; r <= rings; ++r) {
+    for (Index s = 0; s < n; ++s) {
+      for (Index k = 0; k < r; ++k) {
+        faces.add({at.vertex(s, r - 1, k), at.vertex(s, r, k), at.vertex(s, r, k + 1)});
+        if (k + 1 < r)
+          faces.add({at.vertex(s, r - 1, k), at.vertex(s, r, k + 1), at.vertex(s, r - 1, k + 1)});
+      }
+    }
+  }
+  return faces.mesh(at.size(rings));
+}
+
+Mesh quad_star(Index n, Index rings) {
+  const QuadRings at{n};
+  FaceList faces;
+  const auto add = [&](Index s, Index x, Index y) {
+    faces.add({at.vertex(s, x, y), at.vertex(s, x + 1, y), at.vertex(s, x + 1, y + 1),
+               at.vertex(s, x, y + 1)});
+  };
+  for (Index r = 0; r < rings; ++r) {
+    for (Index s = 0; s < n; ++s) {
+      for (Index y = 0; y <= r; ++y) add(s, r, y);
+      for (Index x = r; x-- > 0;) add(s, x, r);
+    }
+  }
+  return faces.mesh(at.size(rings));
+}
+
+}  // namespace
+
+Mesh torus(Lattice lattice, Index nx, Index ny) {
+  assert(nx >= 3 && ny >= 3);
+  FaceList faces;
+  for (Index j = 0; j < ny; ++j) {
+    for (Index i = 0; i < nx; ++i) {
+      const Index right = (i + 1) % nx, up = (j + 1) % ny;
+      const Index a = j * nx + i, b = j * nx + right, c = up * nx + right, d = up * nx + i;
+      if (lattice == Lattice::quad) {
+        faces.add({a, b, c, d});
+      } else {
+        faces.add({a, b, c});
+        faces.add({a, c, d});
+      }
+    }
+  }
+  return faces.mesh(nx * ny);
+}
+
+Mesh star(Lattice lattice, Index n, Index rings) {
+  assert(n >= 3 && rings >= 1);
+  return lattice == Lattice::triangle ? triangle_star(n, rings) : quad_star(n, rings);
+}
+
+Index star_size(Lattice lattice, Index n, Index rings) {
+  return lattice == Lattice::triangle ? TriangleRings{n}.size(rings) : QuadRings{n}.size(rings);
+}
+
+Mesh face_star(Index n, Index rings) {
+  assert(n >= 3 && rings >= 1);
+  const DualRings at{n};
+  FaceList faces;
+  faces.add_ngon(n);
+  for (Index r = 1; r < rings; ++r) {
+    for (Index s = 0; s < n; ++s) {
+      const auto add = [&](Index x, Index y) {
+        faces.add({at.vertex(s, x, y), at.vertex(s, x + 1, y), at.vertex(s, x + 1, y + 1),
+                   at.vertex(s, x, y + 1)});
+      };
+      for (Index y = 1; y <= r; ++y) add(r, y);
+      for (Index x = r; x-- > 1;) add(x, r);
+      // across the edge between this corner's quadrant and the next one's
+      faces.add({at.vertex(s + 1, r, 1), at.vertex(s, 1, r), at.vertex(s, 1, r + 1),
+                 at.vertex(s + 1, r + 1, 1)});
+    }
+  }
+  return faces.mesh(at.size(rings));
+}
+
+Index face_star_size(Index n, Index rings) { return DualRings{n}.size(rings); }
+
+Mesh tree(Lattice lattice, int depth) {
+  assert(depth >= 0);
+  struct Side {
+    Index from, to;  // a half-edge that waits for its neighbour
+  };
+  FaceList faces;
+  std::vector<Side> open, next;
+  Index vertices = lattice == Lattice::quad ? 4 : 3;
+  faces.add_ngon(vertices);
+  for (Index i = 0; i < vertices; ++i) open.push_back({i, (i + 1) % vertices});
+  for (int level = 0; level < depth; ++level) {
+    next.clear();
+    for (const Side& side : open) {
+      const Index a = vertices++;
+      if (lattice == Lattice::triangle) {
+        faces.add({side.to, side.from, a});
+        next.insert(next.end(), {{side.from, a}, {a, side.to}});
+      } else {
+        const Index b = vertices++;
+        faces.add({side.to, side.from, a, b});
+        next.insert(next.end(), {{side.from, a}, {a, b}, {b, side.to}});
+      }
+    }
+    open.swap(next);
+  }
+  return faces.mesh(vertices);
+}
+
+}  // namespace limn

@@ -1,0 +1,44 @@
+#pragma once
+/// Meshes that the analyses live on: regular tori, and the star around one extraordinary
+/// vertex (or face, for dual splits) in an otherwise regular mesh.
+
+#include <vector>
+
+#include "limn/mesh/mesh.h"
+#include "limn/mesh/split.h"
+
+namespace limn {
+
+/// The regular torus of nx × ny vertices (both ≥ 3; vertex (i, j) has index j*nx + i).
+/// Lattice basis: e1 = (1, 0) and, on triangles, e2 = (-1/2, sqrt(3)/2), so that the edge
+/// directions are e1, e2 and e1 + e2; on quads e2 = (0, 1).
+/// Triangles 2c and 2c+1 of cell c = j*nx + i are (i,j) (i+1,j) (i+1,j+1) and
+/// (i,j) (i+1,j+1) (i,j+1); quad c is (i,j) (i+1,j) (i+1,j+1) (i,j+1).
+[[nodiscard]] Mesh torus(Lattice lattice, Index nx, Index ny);
+
+/// The disc of `rings` rings round one vertex of valence n, every other interior vertex
+/// regular. Vertex 0 is the centre. Ring r of triangles holds n*r vertices, ring r of quads
+/// 2*n*r (all vertices of the faces that touch ring r-1); rings follow one another, each
+/// counterclockwise from the spoke of sector 0, so rotation by one sector adds r (2r) within
+/// ring r. Half-edge 0 runs from the centre along the spoke of sector 0, in sector 0's face.
+/// n ≥ 3 (quads: n ≥ 3 too), rings ≥ 1.
+[[nodiscard]] Mesh star(Lattice lattice, Index n, Index rings);
+
+/// The dual star on quads: `rings` rings of vertices round a face of n corners (face 0), every
+/// other face a quad and every interior vertex of valence 4. Ring r = 1 is the n corners of the
+/// face; ring r holds n*(2r-1) vertices; order as in `star`, each ring counterclockwise,
+/// ring r of sector s being the 2r-1 vertices that a corner of ring r's square contributes, the
+/// diagonal one in the middle. Half-edge 0 has origin vertex 0.
+[[nodiscard]] Mesh face_star(Index n, Index rings);
+
+/// Number of vertices in rings 0 … rings of `star`, or 1 … rings of `face_star`.
+[[nodiscard]] Index star_size(Lattice lattice, Index n, Index rings);
+[[nodiscard]] Index face_star_size(Index n, Index rings);
+
+/// Faces glued along a tree, so that no fan ever closes and no two walks of fewer than `depth`
+/// face crossings meet by accident: grown `depth` faces deep from
+/// face 0. Two words of flag moves end at the same vertex here if and only if they do so on
+/// every mesh of that lattice, whatever its valences.
+[[nodiscard]] Mesh tree(Lattice lattice, int depth);
+
+}  // namespace limn

@@ -1,0 +1,108 @@
+#pragma once
+/// Half-edge connectivity of an oriented 2-manifold with or without boundary; no positions.
+///
+/// A *half-edge* is a corner of a face: half-edge h of face f runs from its origin vertex to
+/// the origin of next(h), and f's half-edges are the consecutive indices
+/// face_begin(f) … face_begin(f+1)-1, counterclockwise. Only faces have half-edges: the
+/// boundary has none, and twin(h) = kNone says that h lies on it. Everything is an array of
+/// indices, so the splits (split.h) compute a refined mesh by index arithmetic alone
+/// [in the manner of Dupuy & Vanhoey, A Halfedge Refinement Rule for Parallel
+/// Catmull-Clark Subdivision, 2021].
+///
+/// Laws (tested): next is a permutation with a cycle per face; twin is an involution without
+/// fixed points off the boundary; edge(h) = edge(twin(h)); halfedge_of_edge(e) has edge e.
+
+#include <vector>
+
+#include "limn/base/error.h"
+#include "limn/mesh/polygons.h"
+
+namespace limn {
+
+class Mesh {
+ public:
+  /// Connectivity of `polygons`. Refused, with the vertices named (0-based; a caller who knows
+  /// the file puts it into the error): an index out of range; a face with fewer than three corners or with a
+  /// repeated vertex; an edge in more than two faces; two neighbours that run through their
+  /// edge in the same direction (flipped); a vertex whose faces form more than one fan
+  /// (bow-tie). Isolated vertices are kept, with one warning. Cost O(V + corners).
+  static Result<Mesh> build(const Polygons& polygons, Warnings* warnings = nullptr);
+
+  [[nodiscard]] Index vertex_count() const { return static_cast<Index>(vertex_halfedge_.size()); }
+  [[nodiscard]] Index edge_count() const { return static_cast<Index>(edge_halfedge_.size()); }
+  [[nodiscard]] Index face_count() const { return face_count_; }
+  [[nodiscard]] Index halfedge_count() const { return static_cast<Index>(origin_.size()); }
+
+  /// The common degree of all faces, or 0 where they differ (or there are none).
+  [[nodiscard]] Index uniform_degree() const { return degree_; }
+  [[nodiscard]] Index face_begin(Index f) const { return degree_ > 0 ? f * degree_ : face_begin_[f]; }
+  [[nodiscard]] Index degree(Index f) const { return face_begin(f + 1) - face_begin(f); }
+
+  [[nodiscard]] Index origin(Index h) const { return origin_[h]; }
+  [[nodiscard]] Index target(Index h) const { return origin_[next(h)]; }
+  [[nodiscard]] Index twin(Index h) const { return twin_[h]; }  ///< kNone on the boundary
+  [[nodiscard]] Index edge(Index h) const { return edge_[h]; }
+  [[nodiscard]] Index face(Index h) const { return degree_ > 0 ? h / degree_ : face_[h]; }
+  [[nodiscard]] Index next(Index h) const {
+    const Index f = face(h);
+    return h + 1 == face_begin(f + 1) ? face_begin(f) : h + 1;
+  }
+  [[nodiscard]] Index prev(Index h) const {
+    const Index f = face(h);
+    return h == face_begin(f) ? face_begin(f + 1) - 1 : h - 1;
+  }
+
+  /// The half-edge that stands for edge e: the lower of the two; on a boundary edge its only one.
+  [[nodiscard]] Index halfedge_of_edge(Index e) const { return edge_halfedge_[e]; }
+  /// A half-edge out of v: on a boundary vertex the one that lies on the boundary, so that
+  /// rotating counterclockwise from it meets every face of v; kNone for an isolated vertex.
+  [[nodiscard]] Index halfedge_of_vertex(Index v) const { return vertex_halfedge_[v]; }
+
+  /// The next half-edge out of origin(h), counterclockwise; kNone past the last face of a fan.
+  [[nodiscard]] Index rotate(Index h) const { return twin_[prev(h)]; }
+
+  [[nodiscard]] bool is_isolated(Index v) const { return vertex_halfedge_[v] == kNone; }
+  [[nodiscard]] bool is_boundary_vertex(Index v) const {
+    const Index h = vertex_halfedge_[v];
+    return h != kNone && twin_[h] == kNone;
+  }
+  [[nodiscard]] bool is_boundary_edge(Index e) const { return twin_[edge_halfedge_[e]] == kNone; }
+  [[nodiscard]] bool has_boundary() const;
+
+  /// Number of edges at v (0 for an isolated vertex). Cost O(valence).
+  [[nodiscard]] Index valence(Index v) const;
+
+  /// The largest vertex valence and the largest face degree. Cost O(V + corners) and O(F).
+  [[nodiscard]] Index max_valence() const;
+  [[nodiscard]] Index max_degree() const;
+
+  /// Faces and corners as polygons, with the given positions (one per vertex).
+  [[nodiscard]] Polygons polygons(std::vector<Point3> positions) const;
+
+  /// The arrays of a mesh whose arithmetic is known; for splits and generators. What can be
+  /// derived from them (edge_halfedge, vertex_halfedge, face of half-edge) is derived here.
+  struct Arrays {
+    Index vertex_count = 0;
+    Index edge_count = 0;
+    Index degree = 0;               ///< common face degree; 0: see face_begin
+    std::vector<Index> face_begin;  ///< F+1 offsets; empty where degree > 0
+    std::vector<Index> origin;      ///< vertex of each half-edge
+    std::vector<Index> twin;        ///< kNone on the boundary
+    std::vector<Index> edge;        ///< edge of each half-edge
+  };
+  /// Precondition: the arrays obey the laws above (asserted by `check`, in tests).
+  static Mesh from_arrays(Arrays arrays);
+
+  /// The first law that the arrays break, in words; empty where they keep them all. For tests.
+  [[nodiscard]] std::string check() const;
+
+ private:
+  Index degree_ = 0;
+  Index face_count_ = 0;
+  std::vector<Index> face_begin_;  // only where degrees differ
+  std::vector<Index> face_;        // only where degrees differ
+  std::vector<Index> origin_, twin_, edge_;
+  std::vector<Index> edge_halfedge_, vertex_halfedge_;
+};
+
+}  // namespace limn

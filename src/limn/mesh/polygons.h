@@ -1,0 +1,40 @@
+#pragma once
+/// A control mesh exactly as a file or a caller gives it: points and polygons, in
+/// order, with nothing merged, dropped, triangulated or reoriented. It may be
+/// non-manifold; `Mesh::build` (mesh.h) is where that is refused.
+
+#include <cstdint>
+#include <vector>
+
+namespace limn {
+
+/// Indices of vertices, edges, faces and half-edges. A mesh holds fewer than 2^31 half-edges.
+using Index = std::int32_t;
+inline constexpr Index kNone = -1;
+
+struct Point3 {
+  double x = 0, y = 0, z = 0;
+  friend bool operator==(const Point3&, const Point3&) = default;
+};
+
+inline Point3 operator+(Point3 a, Point3 b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
+inline Point3 operator-(Point3 a, Point3 b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
+inline Point3 operator*(double s, Point3 a) { return {s * a.x, s * a.y, s * a.z}; }
+
+struct Polygons {
+  std::vector<Point3> positions;    ///< one per vertex
+  std::vector<Index> face_begin{0};  ///< F+1 offsets into `corners`
+  std::vector<Index> corners;       ///< vertex of each corner, face by face, in the order given
+
+  [[nodiscard]] Index vertex_count() const { return static_cast<Index>(positions.size()); }
+  [[nodiscard]] Index face_count() const { return static_cast<Index>(face_begin.size()) - 1; }
+  [[nodiscard]] Index degree(Index face) const { return face_begin[face + 1] - face_begin[face]; }
+
+  friend bool operator==(const Polygons&, const Polygons&) = default;
+};
+
+/// Every polygon of more than three corners cut into triangles by a fan from its first
+/// corner; vertices and triangles keep their order. [what `limn refine --triangulate` does]
+[[nodiscard]] Polygons triangulated(const Polygons& polygons);
+
+}  // namespace limn

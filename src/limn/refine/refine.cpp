@@ -1,0 +1,126 @@
+#include "limn/refine/refine.h"
+
+#include <cmath>
+#include <fstream>
+#include <limits>
+#include <string>
+
+#include <fmt/core.h>
+
+namespace limn {
+namespace {
+
+constexpr double kLargestHalfedgeCount = 2147483647.0;
+
+/// Counts of a mesh; what a split does to them is linear.
+struct Counts {
+  double vertices = 0, edges = 0, faces = 0, halfedges = 0;
+};
+
+/// After one step, as for a closed mesh; boundaries change little and only downwards but for
+/// the boundary edges of sqrt3, which triple in two steps.
+Counts after_step(const Split& split, const Counts& c) {
+  Counts r;
+  if (split.births_corners) {
+    r.vertices = c.halfedges;
+    r.faces = c.vertices + c.edges + c.faces;
+    r.halfedges = 4 * c.halfedges;
+    r.edges = 2 * c.halfedges;
+    return r;
+  }
+  r.vertices = c.vertices + (split.births_edges ? c.edges : 0) + (split.births_faces ? c.faces : 0);
+  if (split.trisects_boundary) {
+    r.vertices += 2 * (2 * c.edges - c.halfedges);
+    r.faces = c.halfedges;
+    r.halfedges = 3 * c.halfedges;
+    r.edges = c.edges + c.halfedges + 2 * (2 * c.edges - c.halfedges);
+  } else if (split.any_polygons) {
+    r.faces = c.halfedges;
+    r.halfedges = 4 * c.halfedges;
+    r.edges = 2 * c.edges + c.halfedges;
+  } else {
+    r.faces = 4 * c.faces;
+    r.halfedges = 12 * c.faces;
+    r.edges = 2 * c.edges + 3 * c.faces;
+  }
+  return r;
+}
+
+double bytes_of(const Counts& c, std::size_t bytes_per_value) {
+  constexpr double kIndex = sizeof(Index);
+  const double mesh = kIndex * (5 * c.halfedges + c.edges + c.vertices + c.faces);
+  return mesh + static_cast<double>(bytes_per_value) * c.vertices;
+}
+
+std::string bytes_text(double bytes) {
+  constexpr double kGiB = 1024.0 * 1024.0 * 1024.0;
+  if (bytes >= 0.1 * kGiB) return fmt::format("{:.1f} GiB", bytes / kGiB);
+  return fmt::format("{:.1f} MiB", bytes / (1024.0 * 1024.0));
+}
+
+struct Forecast {
+  Counts last;
+  double peak_bytes = 0;
+};
+
+Forecast forecast(const Split& split, const Mesh& mesh, int levels, std::size_t bytes_per_value) {
+  Counts counts{static_cast<double>(mesh.vertex_count()), static_cast<double>(mesh.edge_count()),
+                static_cast<double>(mesh.face_count()), static_cast<double>(mesh.halfedge_count())};
+  Forecast result{counts, bytes_of(counts, bytes_per_value)};
+  for (int i = 0; i < levels; ++i) {
+    const Counts next = after_step(split, counts);
+    result.peak_bytes =
+        std::max(result.peak_bytes,
+                 bytes_of(counts, bytes_per_value) + bytes_of(next, bytes_per_value));
+    counts = next;
+  }
+  result.last = counts;
+  return result;
+}
+
+}  // namespace
+
+RefineEstimate estimate_refinement(const Split& split, const Mesh& mesh, int levels,
+                                   std::size_t bytes_per_value) {
+  const Forecast result = forecast(split, mesh, levels, bytes_per_value);
+  return {result.last.vertices, result.last.faces, result.peak_bytes};
+}
+
+double available_memory() {
+  std::ifstream meminfo("/proc/meminfo");
+  std::string word;
+  while (meminfo >> word) {
+    double kilobytes = 0;
+    if (word == "MemAvailable:" && meminfo >> kilobytes) return kilobytes * 1024;
+  }
+  return std::numeric_limits<double>::infinity();
+}
+
+Status check_refinable(const Scheme& scheme, const Mesh& mesh, int levels,
+                       std::size_t bytes_per_value, double memory_limit) {
+  const Split& split = *scheme.split;
+  if (levels < 0)
+    return Error{fmt::format("{} is no number of levels", levels), "give 0 or more", {}, 0, 0};
+  if (!split.any_polygons && mesh.uniform_degree() != 3)
+    for (Index f = 0; f < mesh.face_count(); ++f)
+      if (mesh.degree(f) != 3)
+        return Error{fmt::format("scheme '{}' refines triangles, but face {} has {} corners",
+                                 scheme.name, f, mesh.degree(f)),
+                     "--triangulate cuts polygons into triangles", {}, 0, 0};
+  const Forecast result = forecast(split, mesh, levels, bytes_per_value);
+  const std::string size =
+      fmt::format("{} levels would make about {:.3g} vertices and {:.3g} faces", levels,
+                  result.last.vertices, result.last.faces);
+  if (result.last.halfedges > kLargestHalfedgeCount)
+    return Error{size + ", more than 2^31 half-edges", "use fewer levels", {}, 0, 0};
+  if (result.peak_bytes > memory_limit)
+    return Error{fmt::format("{} and need about {} of memory; {} are free", size,
+                             bytes_text(result.peak_bytes), bytes_text(memory_limit)),
+                 "use fewer levels", {}, 0, 0};
+  return Done{};
+}
+
+template Result<Refined<Point3>> refine<Point3, double>(const Scheme&, Mesh, std::vector<Point3>,
+                                                        int, const RefineProgress&);
+
+}  // namespace limn

@@ -1,0 +1,134 @@
+#include "limn/refine/rule_tables.h"
+
+#include <fmt/core.h>
+
+namespace limn {
+namespace {
+
+constexpr double kSumTolerance = 1e-9;
+
+Error at_element(Error error, RuleKind kind, Index example) {
+  const bool of_face = kind == RuleKind::face || kind == RuleKind::corner;
+  if (rule_has_valence(kind))
+    error.message += fmt::format(", needed at {} {}", of_face ? "face" : "vertex", example);
+  return error;
+}
+
+}  // namespace
+
+Program compile(const RuleCase& rule_case, RuleKind kind, Lattice lattice) {
+  Program program;
+  for (const Weight& weight : rule_case.weights) {
+    // the reader has refused roles that cannot be placed
+    const Placement placement = place(kind, lattice, weight.walk).value();
+    for (const Start& start : placement.starts)
+      program.push_back({weight.walk, start.flag, placement.per_sector, start.extension,
+                         start.share, &weight});
+  }
+  return program;
+}
+
+template <class Number>
+Result<Row<Number>> RuleTables<Number>::tabulate(RuleKind kind, int n) const {
+  const Result<const RuleCase*> rule_case = applicable_case(*scheme_, kind, n);
+  if (!rule_case) return rule_case.error();
+  Row<Number> row;
+  if (*rule_case == nullptr) {
+    if (kind == RuleKind::edge_end) return row;
+    return missing_rule(*scheme_, kind, n);
+  }
+  const bool checked_on_reading = n >= kSmallestValence && n <= kLargestCheckedValence;
+  if (!checked_on_reading && n <= kLargestExactValence)
+    if (Status status = check_rule(*scheme_, kind, n); !status) return status.error();
+  auto program = std::make_shared<Program>(compile(**rule_case, kind, scheme_->split->lattice));
+  std::optional<long long> valence;
+  if (rule_has_valence(kind)) valence = n;
+  double sum = 0;
+  for (const Step& step : *program) {
+    const int repeats = step.walk.repeated ? n : 1;
+    for (int k = 0; k < repeats; ++k) {
+      Scope<Number> scope(*scheme_, valence,
+                          step.walk.repeated ? std::optional<long long>(k) : std::nullopt);
+      Result<Number> value = scope(step.weight->value);
+      if (!value) return value.error();
+      row.weights.push_back(Arithmetic<Number>::from(step.share) * *value);
+      sum += Arithmetic<Number>::approx(row.weights.back()) * (step.per_sector ? n : 1);
+    }
+  }
+  if (!(std::abs(sum - 1) < kSumTolerance))
+    return Error{fmt::format("the {} rule has weights that sum to about {} at n = {}",
+                             rule_name(kind), sum, n),
+                 {}, scheme_->file, 0, 0};
+  row.program = std::move(program);
+  return row;
+}
+
+template <class Number>
+Status RuleTables<Number>::add(RuleKind kind, Index n, Index example) {
+  const auto i = static_cast<std::size_t>(kind);
+  const auto at = static_cast<std::size_t>(rule_has_valence(kind) ? n : 0);
+  if (known_[i].size() <= at) {
+    known_[i].resize(at + 1);
+    rows_[i].resize(at + 1);
+  }
+  if (known_[i][at]) return Done{};
+  Result<Row<Number>> row = tabulate(kind, n);
+  if (!row) return at_element(row.error(), kind, example);
+  rows_[i][at] = std::move(*row);
+  known_[i][at] = true;
+  return Done{};
+}
+
+template <class Number>
+Status RuleTables<Number>::prepare_vertices(const Mesh& mesh, bool boundary_refined) {
+  const bool ends = scheme_->rule(RuleKind::edge_end).has_value();
+  for (Index v = 0; v < mesh.vertex_count(); ++v) {
+    if (mesh.is_isolated(v)) continue;
+    const bool boundary = mesh.is_boundary_vertex(v);
+    if (boundary && !boundary_refined) continue;
+    const Index n = mesh.valence(v);
+    const RuleKind kind = boundary ? RuleKind::boundary_vertex : RuleKind::vertex;
+    if (Status status = add(kind, n, v); !status) return status;
+    if (!boundary && ends)
+      if (Status status = add(RuleKind::edge_end, n, v); !status) return status;
+  }
+  return Done{};
+}
+
+template <class Number>
+Status RuleTables<Number>::prepare_faces(const Mesh& mesh) {
+  const RuleKind kind = scheme_->split->births_faces ? RuleKind::face : RuleKind::corner;
+  for (Index f = 0; f < mesh.face_count(); ++f)
+    if (Status status = add(kind, mesh.degree(f), f); !status) return status;
+  return Done{};
+}
+
+template <class Number>
+Status RuleTables<Number>::prepare_edges(const Mesh& mesh, const Births& births) {
+  if (births.from_edges == 0) return Done{};
+  if (!births.edge_ends.empty()) return add(RuleKind::boundary_edge_end, 0, 0);
+  bool interior = false;
+  bool boundary = false;
+  for (Index e = 0; e < mesh.edge_count() && !(interior && boundary); ++e)
+    (mesh.is_boundary_edge(e) ? boundary : interior) = true;
+  if (interior)
+    if (Status status = add(RuleKind::edge, 0, 0); !status) return status;
+  if (boundary) return add(RuleKind::boundary_edge, 0, 0);
+  return Done{};
+}
+
+template <class Number>
+Status RuleTables<Number>::prepare(const Mesh& mesh, const Births& births) {
+  const Split& split = *scheme_->split;
+  const bool boundary_refined = !split.trisects_boundary || !births.edge_ends.empty();
+  if (split.births_vertices)
+    if (Status status = prepare_vertices(mesh, boundary_refined); !status) return status;
+  if (split.births_faces || split.births_corners)
+    if (Status status = prepare_faces(mesh); !status) return status;
+  return prepare_edges(mesh, births);
+}
+
+template class RuleTables<double>;
+template class RuleTables<Exact>;
+
+}  // namespace limn

@@ -1,0 +1,130 @@
+#pragma once
+/// Weights, tabulated per (rule, n, k) before a run, and the programs that walk from an anchor
+/// to the vertices they weigh. No expression is evaluated inside a mesh loop.
+
+#include <memory>
+#include <vector>
+
+#include "limn/mesh/split.h"
+#include "limn/scheme/check.h"
+#include "limn/scheme/placement.h"
+#include "limn/scheme/scheme.h"
+
+namespace limn {
+
+/// One walk of a rule's case, from one of the anchor's flags.
+struct Step {
+  Walk walk;
+  int flag = 0;
+  bool per_sector = false;
+  Extension extension;
+  Rational share = 1;
+  const Weight* weight = nullptr;  // in the scheme that the tables were made for
+};
+using Program = std::vector<Step>;
+
+/// The weights of a rule at one valence: `weights` in the order of the program's steps, a
+/// repeated step having n of them. `program` is null where no case applies (edge ends only).
+template <class Number>
+struct Row {
+  std::shared_ptr<const Program> program;
+  std::vector<Number> weights;
+};
+
+/// What a weight weighs: an old vertex, or the new vertex of an old face.
+struct Source {
+  Index index;
+  bool is_face;
+};
+
+template <class Number>
+class RuleTables {
+ public:
+  /// `scheme` must outlive the tables.
+  explicit RuleTables(const Scheme& scheme) : scheme_(&scheme) {}
+
+  /// Tabulates every row that one step on `mesh` needs and that is not there yet. Fails, naming
+  /// the rule, the valence and a vertex that has it, where a rule is missing or its weights do not
+  /// sum to 1. Up to valence kLargestExactValence that is decided exactly; beyond, to 1e-9.
+  [[nodiscard]] Status prepare(const Mesh& mesh, const Births& births);
+
+  /// Precondition: `prepare` saw a mesh with this rule at this n.
+  [[nodiscard]] const Row<Number>& row(RuleKind kind, Index n) const {
+    return rows_[static_cast<std::size_t>(kind)][rule_has_valence(kind) ? n : 0];
+  }
+
+ private:
+  Status add(RuleKind kind, Index n, Index example);
+  Result<Row<Number>> tabulate(RuleKind kind, int n) const;
+  Status prepare_vertices(const Mesh& mesh, bool boundary_refined);
+  Status prepare_faces(const Mesh& mesh);
+  Status prepare_edges(const Mesh& mesh, const Births& births);
+
+  const Scheme* scheme_;
+  std::array<std::vector<Row<Number>>, kRuleKinds> rows_;
+  std::array<std::vector<bool>, kRuleKinds> known_;
+};
+
+inline constexpr int kLargestExactValence = 64;
+
+/// The program of one case; the same for every number type.
+[[nodiscard]] Program compile(const RuleCase& rule_case, RuleKind kind, Lattice lattice);
+
+// ---------------------------------------------------------------------------------------------
+
+/// Calls sink(Source, weight) for everything that the rule weighs at the anchor named by h (and
+/// `at_target`; see AnchorFlags). A vertex may come more than once: the weights add.
+/// Cost: the moves of the program's walks.
+template <class Number, class Sink>
+void visit_stencil(const Mesh& mesh, RuleKind kind, Index h, bool at_target,
+                   const Row<Number>& row, Sink&& sink) {
+  const auto walk_from = [&](const Step& step, Flag flag, const Number& weight) {
+    const Flag start = flag;
+    if (apply(mesh, step.walk.before, flag)) {
+      if (step.walk.reads_face)
+        sink(Source{mesh.face(flag.halfedge), true}, weight);
+      else
+        sink(Source{vertex_of(mesh, flag), false}, weight);
+      return;
+    }
+    const Extension outside = step.extension;
+    Flag across = start;
+    Flag aside = start;
+    (void)apply(mesh, Move::vertex, across);
+    (void)apply(mesh, Move::edge, aside);
+    (void)apply(mesh, Move::vertex, aside);
+    sink(Source{vertex_of(mesh, start), false},
+         Number(Number(1 - outside.along - outside.aside) * weight));
+    sink(Source{vertex_of(mesh, across), false}, Number(Number(outside.along) * weight));
+    sink(Source{vertex_of(mesh, aside), false}, Number(Number(outside.aside) * weight));
+  };
+  const Number* weight = row.weights.data();
+  const AnchorFlags anchor = anchor_flags(kind, mesh, h, at_target);
+  for (const Step& step : *row.program) {
+    if (step.per_sector) {
+      Index sector = h;
+      do {
+        walk_from(step, anchor_flags(kind, mesh, sector).flags[step.flag], *weight);
+        sector = kind == RuleKind::face ? mesh.next(sector) : mesh.rotate(sector);
+      } while (sector != h);
+      ++weight;
+    } else if (step.walk.repeated) {
+      Flag flag = anchor.flags[step.flag];
+      (void)apply(mesh, step.walk.before, flag);
+      const Flag first = flag;
+      do {
+        Flag end = flag;
+        (void)apply(mesh, step.walk.after, end);
+        if (step.walk.reads_face)
+          sink(Source{mesh.face(end.halfedge), true}, *weight++);
+        else
+          sink(Source{vertex_of(mesh, end), false}, *weight++);
+        (void)apply(mesh, step.walk.step, flag);
+      } while (!(flag == first));
+    } else {
+      walk_from(step, anchor.flags[step.flag], *weight++);
+    }
+  }
+}
+
+}  // namespace limn

@@ -1,0 +1,26 @@
+#pragma once
+/// The laws every rule must keep, decided in exact arithmetic: at each valence some case of the
+/// rule applies, every parameter lies in its range, the weights sum to exactly 1, and weights
+/// that depend on k are the same in both directions (w_k = w_{n-k}).
+
+#include "limn/scheme/scheme.h"
+
+namespace limn {
+
+inline constexpr int kSmallestValence = 3;
+inline constexpr int kLargestCheckedValence = 24;  // of every rule, when a file is read
+
+/// All rules of the scheme at valences kSmallestValence … kLargestCheckedValence.
+[[nodiscard]] Status check_rules(const Scheme& scheme);
+
+/// One rule at one valence (ignored for rules without n).
+[[nodiscard]] Status check_rule(const Scheme& scheme, RuleKind kind, int n);
+
+/// The case of `rule` that applies at valence n: nullptr where none does. Guards are decided in
+/// exact arithmetic, so every number type takes the same case.
+[[nodiscard]] Result<const RuleCase*> applicable_case(const Scheme& scheme, RuleKind kind, int n);
+
+/// The error that names a missing rule or case; `what` as "the vertex rule at valence 5".
+[[nodiscard]] Error missing_rule(const Scheme& scheme, RuleKind kind, int n);
+
+}  // namespace limn

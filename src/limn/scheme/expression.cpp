@@ -1,0 +1,215 @@
+#include "limn/scheme/expression.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+
+namespace limn {
+namespace {
+
+constexpr int kDeepestNesting = 200;  // so that a hostile file cannot exhaust the stack
+
+bool is_name_start(char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0 || c == '_'; }
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
+
+}  // namespace
+
+/// Recursive descent over the text; emits the postfix program as it goes.
+class ExpressionParser {
+ public:
+  explicit ExpressionParser(std::string_view text) { result_.text_ = text; }
+
+  Result<Expression> run() {
+    if (!disjunction()) return error_;
+    skip_blanks();
+    if (at_ < text().size()) return fail("an operator or the end", at_).error();
+    return std::move(result_);
+  }
+
+ private:
+  using Op = Expression::Op;
+  struct Spelling {
+    std::string_view text;
+    Op op;
+  };
+
+  [[nodiscard]] std::string_view text() const { return result_.text_; }
+
+  void skip_blanks() {
+    while (at_ < text().size() && (text()[at_] == ' ' || text()[at_] == '\t')) ++at_;
+  }
+
+  Status fail(const std::string& expected, std::size_t where) {
+    const std::string found =
+        where >= text().size() ? "the end" : "'" + std::string(text().substr(where, 12)) + "'";
+    error_ = {"found " + found + ", expected " + expected, {}, {}, 0, static_cast<int>(where) + 1};
+    return error_;
+  }
+  bool refuse(std::string message, std::string hint, std::size_t where) {
+    error_ = {std::move(message), std::move(hint), {}, 0, static_cast<int>(where) + 1};
+    return false;
+  }
+
+  void emit(Op op, std::size_t where, int operand = 0) {
+    result_.program_.push_back({op, operand, static_cast<int>(where) + 1});
+  }
+
+  /// Whether `symbol` (or, if it is a word, that whole word) comes next; consumes it.
+  bool accept(std::string_view symbol) {
+    skip_blanks();
+    if (text().substr(at_, symbol.size()) != symbol) return false;
+    const std::size_t after = at_ + symbol.size();
+    if (is_name_start(symbol[0]) && after < text().size() &&
+        (is_name_start(text()[after]) || is_digit(text()[after])))
+      return false;
+    at_ = after;
+    return true;
+  }
+
+  /// left { operator right }, all operators of one precedence.
+  template <std::size_t N>
+  bool chain(bool (ExpressionParser::*operand)(), const std::array<Spelling, N>& operators,
+             bool repeat = true) {
+    if (!(this->*operand)()) return false;
+    for (bool again = true; again;) {
+      again = false;
+      skip_blanks();
+      const std::size_t where = at_;
+      for (const Spelling& spelling : operators) {
+        if (!accept(spelling.text)) continue;
+        if (!(this->*operand)()) return false;
+        emit(spelling.op, where);
+        again = repeat;
+        break;
+      }
+    }
+    return true;
+  }
+
+  bool disjunction() {
+    if (++depth_ > kDeepestNesting) return refuse("the expression is nested too deeply", {}, at_);
+    const bool ok = chain(&ExpressionParser::conjunction,
+                          std::array<Spelling, 1>{{{"or", Op::either}}});
+    --depth_;
+    return ok;
+  }
+  bool conjunction() {
+    return chain(&ExpressionParser::negation, std::array<Spelling, 1>{{{"and", Op::both}}});
+  }
+  bool negation() {
+    skip_blanks();
+    const std::size_t where = at_;
+    std::size_t count = 0;
+    while (accept("not")) ++count;
+    if (!comparison()) return false;
+    for (; count > 0; --count) emit(Op::invert, where);
+    return true;
+  }
+  bool comparison() {
+    return chain(&ExpressionParser::sum,
+                 std::array<Spelling, 6>{{{"==", Op::equal}, {"!=", Op::differ},
+                                          {"<=", Op::less_equal}, {">=", Op::greater_equal},
+                                          {"<", Op::less}, {">", Op::greater}}},
+                 false);
+  }
+  bool sum() {
+    return chain(&ExpressionParser::product,
+                 std::array<Spelling, 2>{{{"+", Op::add}, {"-", Op::subtract}}});
+  }
+  bool product() {
+    return chain(&ExpressionParser::signed_power,
+                 std::array<Spelling, 3>{
+                     {{"*", Op::multiply}, {"/", Op::divide}, {"%", Op::modulo}}});
+  }
+  bool signed_power() {
+    skip_blanks();
+    const std::size_t where = at_;
+    std::size_t count = 0;
+    while (accept("-")) ++count;
+    if (!power()) return false;
+    if (count % 2 == 1) emit(Op::negate, where);
+    return true;
+  }
+  bool power() {
+    if (!primary()) return false;
+    skip_blanks();
+    const std::size_t where = at_;
+    if (!accept("^")) return true;
+    if (++depth_ > kDeepestNesting) return refuse("the expression is nested too deeply", {}, at_);
+    if (!signed_power()) return false;
+    --depth_;
+    emit(Op::power, where);
+    return true;
+  }
+
+  bool primary() {
+    skip_blanks();
+    const std::size_t where = at_;
+    if (accept("(")) {
+      if (!disjunction()) return false;
+      return accept(")") || fail("')'", at_).ok();
+    }
+    if (at_ < text().size() && is_digit(text()[at_])) return integer();
+    if (at_ < text().size() && is_name_start(text()[at_])) return name();
+    return fail("a number, a name or '('", where).ok();
+  }
+
+  bool integer() {
+    const std::size_t where = at_;
+    while (at_ < text().size() && is_digit(text()[at_])) ++at_;
+    if (at_ < text().size() && (text()[at_] == '.' || text()[at_] == 'e' || text()[at_] == 'E'))
+      return refuse("a decimal stands for a fraction here", "write the fraction itself, as 3/8",
+                    where);
+    if (at_ - where > 100) return refuse("the number has more than 100 digits", {}, where);
+    result_.constants_.emplace_back(Integer(std::string(text().substr(where, at_ - where))));
+    emit(Op::constant, where, static_cast<int>(result_.constants_.size()) - 1);
+    return true;
+  }
+
+  bool name() {
+    const std::size_t where = at_;
+    while (at_ < text().size() && (is_name_start(text()[at_]) || is_digit(text()[at_]))) ++at_;
+    const std::string word(text().substr(where, at_ - where));
+    constexpr std::array<Spelling, 3> functions{
+        {{"cos", Op::cosine}, {"sin", Op::sine}, {"sqrt", Op::root}}};
+    for (const Spelling& function : functions) {
+      if (word != function.text) continue;
+      if (!accept("(")) return fail("'(' after " + word, at_).ok();
+      if (!disjunction()) return false;
+      if (!accept(")")) return fail("')'", at_).ok();
+      emit(function.op, where);
+      return true;
+    }
+    if (word == "pi") {
+      emit(Op::pi, where);
+      return true;
+    }
+    if (word == "and" || word == "or" || word == "not")
+      return fail("a number, a name or '('", where).ok();
+    skip_blanks();
+    if (at_ < text().size() && text()[at_] == '(')
+      return refuse("unknown function '" + word + "'", "there are cos, sin and sqrt", where);
+    auto& names = result_.names_;
+    const auto found = std::find(names.begin(), names.end(), word);
+    emit(Op::name, where, static_cast<int>(found - names.begin()));
+    if (found == names.end()) names.push_back(word);
+    return true;
+  }
+
+  Expression result_;
+  Error error_;
+  std::size_t at_ = 0;
+  int depth_ = 0;
+};
+
+Result<Expression> Expression::parse(std::string_view text) { return ExpressionParser(text).run(); }
+
+Expression Expression::constant(Rational value) {
+  Expression result;
+  result.text_ = to_string(value);
+  result.constants_.push_back(std::move(value));
+  result.program_.push_back({Op::constant, 0, 1});
+  return result;
+}
+
+}  // namespace limn

@@ -1,0 +1,168 @@
+/// Rules from a mask: every old vertex that a new one weighs is reached by a walk from the new
+/// vertex's anchor; vertices that the anchor's symmetries exchange form one role.
+
+#include <algorithm>
+#include <deque>
+#include <set>
+
+#include <fmt/core.h>
+
+#include "limn/mesh/lattice.h"
+#include "limn/scheme/mask.h"
+
+#include "limn/scheme/placement.h"
+
+namespace limn {
+namespace {
+
+constexpr int kSide = 64;  // of the torus; masks reach less than half of it
+
+using Offset = std::array<int, 2>;
+
+int centred(int d, int period) { return ((d + period / 2) % period + period) % period - period / 2; }
+
+/// Four times a vertex's lattice coordinates: refined coordinates, doubled as a mask's offsets are.
+Offset quadrupled(Index vertex) { return {4 * (vertex % kSide), 4 * (vertex / kSide)}; }
+
+/// Where the anchor's new vertex lies, in the same units.
+Offset birth_place(RuleKind kind, const Mesh& mesh, Index h) {
+  const Offset v = quadrupled(mesh.origin(h));
+  const auto towards = [&](Index w, int part) {
+    const Offset p = quadrupled(w);
+    return Offset{v[0] + centred(p[0] - v[0], 4 * kSide) / part,
+                  v[1] + centred(p[1] - v[1], 4 * kSide) / part};
+  };
+  const Index diagonal = mesh.target(mesh.next(h));
+  switch (kind) {
+    case RuleKind::edge: return towards(mesh.target(h), 2);
+    case RuleKind::face: return towards(diagonal, 2);
+    case RuleKind::corner: return towards(diagonal, 4);
+    default: return v;
+  }
+}
+
+/// The shortest walk from `start` to each vertex that is wanted.
+std::map<Index, Moves> shortest_walks(const Mesh& mesh, Flag start, std::set<Index> wanted) {
+  std::map<Index, Moves> walks;
+  std::set<std::pair<Index, bool>> seen{{start.halfedge, start.at_target}};
+  std::deque<std::pair<Flag, Moves>> queue{{start, {}}};
+  while (!queue.empty() && !wanted.empty()) {
+    auto [flag, moves] = std::move(queue.front());
+    queue.pop_front();
+    if (wanted.erase(vertex_of(mesh, flag)) > 0) walks[vertex_of(mesh, flag)] = moves;
+    for (const Move move : {Move::vertex, Move::edge, Move::face}) {
+      Flag next = flag;
+      if (!apply(mesh, move, next) || !seen.insert({next.halfedge, next.at_target}).second)
+        continue;
+      Moves longer = moves;
+      longer.push_back(move);
+      queue.emplace_back(next, std::move(longer));
+    }
+  }
+  return walks;
+}
+
+/// All flags of the anchor: a sector's two for every sector, or the flat list.
+std::vector<Flag> all_flags(RuleKind kind, const Mesh& mesh, Index h) {
+  std::vector<Flag> flags;
+  const bool sectors = kind == RuleKind::vertex || kind == RuleKind::face;
+  Index sector = h;
+  do {
+    const AnchorFlags part = anchor_flags(kind, mesh, sector);
+    flags.insert(flags.end(), part.flags, part.flags + part.count);
+    sector = kind == RuleKind::face ? mesh.next(sector) : mesh.rotate(sector);
+  } while (sectors && sector != h);
+  return flags;
+}
+
+std::set<Index> ends(const Mesh& mesh, const std::vector<Flag>& flags, const Moves& moves) {
+  std::set<Index> result;
+  for (Flag flag : flags) {
+    (void)apply(mesh, moves, flag);
+    result.insert(vertex_of(mesh, flag));
+  }
+  return result;
+}
+
+std::string name_of(RuleKind kind, Lattice lattice, const Mesh& mesh,
+                    const std::vector<Flag>& flags, const std::set<Index>& orbit,
+                    const Walk& walk) {
+  for (const NamedRole& role : named_roles(kind, lattice)) {
+    const Walk named = parse_walk(role.walk).value();
+    if (!named.repeated && !named.reads_face && ends(mesh, flags, named.before) == orbit)
+      return std::string(role.name);
+  }
+  return to_string(walk);
+}
+
+/// The weights of one kind of new vertex; nothing where the mask lacks the anchor's symmetry.
+std::optional<std::vector<Weight>> weights_of(const Mask& mask, RuleKind kind, const Mesh& mesh,
+                                              const Place& place) {
+  const Index h = (kSide / 2 * kSide + kSide / 2) * (mesh.uniform_degree() == 3 ? 6 : 4);
+  const Offset birth = birth_place(kind, mesh, h);
+  std::map<Index, Rational> values;
+  std::set<Index> wanted;
+  for (Index v = 0; v < mesh.vertex_count(); ++v) {
+    const Offset p = quadrupled(v);
+    const auto found = mask.coefficients.find(
+        {centred(birth[0] - p[0], 4 * kSide), centred(birth[1] - p[1], 4 * kSide)});
+    if (found == mask.coefficients.end()) continue;
+    values[v] = found->second;
+    wanted.insert(v);
+  }
+  const std::vector<Flag> flags = all_flags(kind, mesh, h);
+  std::map<Index, Moves> walks = shortest_walks(mesh, flags.front(), wanted);
+  std::vector<Weight> weights;
+  while (!walks.empty()) {
+    const auto shortest =
+        std::min_element(walks.begin(), walks.end(), [](const auto& a, const auto& b) {
+          return a.second.size() < b.second.size();
+        });
+    Walk walk;
+    walk.before = shortest->second;
+    const std::set<Index> orbit = ends(mesh, flags, walk.before);
+    const Rational value = values[shortest->first];
+    for (const Index v : orbit) {
+      const auto found = values.find(v);
+      if (found == values.end() || found->second != value) return std::nullopt;
+      walks.erase(v);
+    }
+    weights.push_back({name_of(kind, mask.lattice, mesh, flags, orbit, walk), walk,
+                       {Expression::constant(value), place}});
+  }
+  return weights;
+}
+
+}  // namespace
+
+Status add_rules_from_mask(Scheme& scheme) {
+  const Place place = scheme.mask ? scheme.mask->place : scheme.factors->place;
+  const Result<Mask> mask = scheme.mask ? mask_from_rows(scheme, *scheme.mask)
+                                        : mask_from_factors(scheme, *scheme.factors);
+  if (!mask) return mask.error();
+  const Split& split = *scheme.split;
+  std::vector<RuleKind> kinds;
+  if (split.births_vertices) kinds.push_back(RuleKind::vertex);
+  if (split.births_edges) kinds.push_back(RuleKind::edge);
+  if (split.births_faces) kinds.push_back(RuleKind::face);
+  if (split.births_corners) kinds.push_back(RuleKind::corner);
+  const Mesh mesh = torus(split.lattice, kSide, kSide);
+  std::array<std::optional<Rule>, kRuleKinds> rules;
+  for (const RuleKind kind : kinds) {
+    std::optional<std::vector<Weight>> weights = weights_of(*mask, kind, mesh, place);
+    if (!weights) {
+      scheme.rules = {};
+      return Done{};
+    }
+    RuleCase regular{std::nullopt, std::move(*weights), place};
+    if (rule_has_valence(kind)) {
+      const std::string guard = fmt::format("n == {}", regular_valence(kind, split.lattice));
+      regular.when = Formula{Expression::parse(guard).value(), place};
+    }
+    rules[static_cast<std::size_t>(kind)] = Rule{std::move(regular)};
+  }
+  scheme.rules = std::move(rules);
+  return Done{};
+}
+
+}  // namespace limn

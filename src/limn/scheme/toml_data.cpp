@@ -1,0 +1,120 @@
+#include "limn/scheme/toml_data.h"
+
+#include <algorithm>
+
+#include <fmt/core.h>
+
+#include "limn/scheme/check.h"
+
+namespace limn {
+namespace {
+
+void read_valences(TomlReader& in, const toml::node& node, Fact& fact) {
+  if (const auto* integer = node.as_integer()) {
+    fact.first = fact.last = static_cast<int>(std::clamp<std::int64_t>(integer->get(), 0, 9999));
+  } else {
+    const std::string text = in.text(node, "valence");
+    const std::size_t dots = text.find("..");
+    const auto digits = [](const std::string& s) {
+      return !s.empty() && s.size() <= 4 &&
+             s.find_first_not_of("0123456789") == std::string::npos;
+    };
+    if (dots != std::string::npos && digits(text.substr(0, dots)) &&
+        digits(text.substr(dots + 2))) {
+      fact.first = std::stoi(text.substr(0, dots));
+      fact.last = std::stoi(text.substr(dots + 2));
+    }
+  }
+  if (in.ok() && (fact.first < kSmallestValence || fact.last < fact.first))
+    in.fail(node, "a valence is an integer of at least 3, or a range as \"3..12\"");
+}
+
+void read_direction(TomlReader& in, const toml::node& node, Factors& factors) {
+  std::optional<std::array<int, 2>> step;
+  std::optional<Formula> count;
+  in.each(node, "a direction", [&](const toml::key& key, const toml::node& v) {
+    if (key.str() == "count") {
+      count = in.formula(v, "count");
+    } else if (key.str() == "step") {
+      const toml::array* pair = v.as_array();
+      const bool good = pair != nullptr && pair->size() == 2 && (*pair)[0].is_integer() &&
+                        (*pair)[1].is_integer();
+      const auto entry = [&](std::size_t i) { return (*pair)[i].as_integer()->get(); };
+      if (!good || std::abs(entry(0)) > 8 || std::abs(entry(1)) > 8 ||
+          (entry(0) == 0 && entry(1) == 0)) {
+        in.fail(v, "a step is two small integers, not both 0, as [1, 0]");
+        return;
+      }
+      step = {static_cast<int>(entry(0)), static_cast<int>(entry(1))};
+    } else {
+      in.unknown_key(key, "a direction", "step or count");
+    }
+  });
+  if (in.ok() && (!step || !count))
+    in.fail(node, "a direction needs a step and a count, as { step = [1, 0], count = 2 }");
+  if (in.ok()) factors.directions.emplace_back(*step, *count);
+}
+
+}  // namespace
+
+Rows read_rows(TomlReader& in, const toml::node& node, std::string_view what) {
+  Rows rows;
+  rows.place = in.place(node);
+  in.each(node, what, [&](const toml::key& key, const toml::node& v) {
+    if (key.str() == "scale") {
+      rows.scale = in.formula(v, "scale");
+    } else if (key.str() == "rows") {
+      in.each_element(v, "rows", [&](const toml::node& row) {
+        rows.rows.emplace_back();
+        in.each_element(row, "a row", [&](const toml::node& entry) {
+          rows.rows.back().push_back(in.formula(entry, "a coefficient"));
+        });
+      });
+    } else {
+      in.unknown_key(key, what, "rows or scale");
+    }
+  });
+  if (in.ok() && rows.rows.empty()) in.fail(node, fmt::format("{} has no rows", what));
+  return rows;
+}
+
+Factors read_factors(TomlReader& in, const toml::node& node) {
+  Factors factors;
+  factors.place = in.place(node);
+  in.each(node, "factors", [&](const toml::key& key, const toml::node& v) {
+    if (key.str() == "stages") {
+      factors.stages = in.formula(v, "stages");
+    } else if (key.str() == "kernel") {
+      factors.kernel = read_rows(in, v, "kernel");
+    } else if (key.str() == "directions") {
+      in.each_element(v, "directions", [&](const toml::node& d) { read_direction(in, d, factors); });
+    } else {
+      in.unknown_key(key, "factors", "stages, directions or kernel");
+    }
+  });
+  return factors;
+}
+
+void read_fact(TomlReader& in, const toml::node& node, Scheme& scheme) {
+  Fact fact;
+  fact.place = in.place(node);
+  in.each(node, "a fact", [&](const toml::key& key, const toml::node& v) {
+    const std::string_view name = key.str();
+    if (name == "valence") {
+      read_valences(in, v, fact);
+    } else if (name == "source") {
+      fact.source = in.text(v, name);
+    } else if (name == "mask") {
+      scheme.stated_mask = read_rows(in, v, name);
+    } else if (name == "tangent" || name == "cup" || name == "saddle") {
+      fact.values.emplace_back(name, in.formula(v, name));
+    } else {
+      in.unknown_key(key, "a fact", "valence, tangent, cup, saddle, mask or source");
+    }
+  });
+  if (in.ok() && !fact.values.empty() && fact.first == 0)
+    in.fail(node, "the fact names no valence", "add valence = 7 or valence = \"3..12\"");
+  if (!fact.values.empty()) scheme.facts.push_back(std::move(fact));
+}
+
+}  // namespace limn

@@ -1,0 +1,51 @@
+#pragma once
+/// What scheme_file.cpp needs of toml++: typed access in which every fault is an Error with its
+/// place. The first fault is kept; later calls return defaults, so reading code stays linear.
+
+#define TOML_EXCEPTIONS 0
+#define TOML_HEADER_ONLY 1
+#define TOML_ENABLE_FORMATTERS 0
+#include <toml++/toml.h>
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "limn/scheme/scheme.h"
+
+namespace limn {
+
+class TomlReader {
+ public:
+  explicit TomlReader(std::string file) : file_(std::move(file)) {}
+
+  [[nodiscard]] bool ok() const { return !error_; }
+  [[nodiscard]] Error take_error() { return std::move(*error_); }
+
+  void fail(const toml::node& at, std::string message, std::string hint = {});
+  void fail(Error error);
+  [[nodiscard]] Place place(const toml::node& node) const;
+  [[nodiscard]] Place place(const toml::key& key) const;
+  [[nodiscard]] const std::string& file() const { return file_; }
+
+  /// The text of a string; fails on any other type.
+  std::string text(const toml::node& node, std::string_view what);
+  /// An expression, from a string or an integer; a float is refused as a decimal.
+  Formula formula(const toml::node& node, std::string_view what);
+  /// Calls `visit(key, node)` for each entry; fails if the node is no table.
+  void each(const toml::node& node, std::string_view what,
+            const std::function<void(const toml::key&, const toml::node&)>& visit);
+  /// The same for the elements of an array.
+  void each_element(const toml::node& node, std::string_view what,
+                    const std::function<void(const toml::node&)>& visit);
+
+  /// "unknown key 'x' in WHAT", with the known ones.
+  void unknown_key(const toml::key& key, std::string_view what, const std::string& known);
+
+ private:
+  std::string file_;
+  std::optional<Error> error_;
+};
+
+}  // namespace limn

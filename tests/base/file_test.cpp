@@ -1,0 +1,144 @@
+#include "limn/base/file.h"
+
+#include <fcntl.h>
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <array>
+#include <cstdlib>
+#include <filesystem>
+#include <thread>
+
+namespace limn {
+namespace {
+
+namespace fs = std::filesystem;
+
+class FileTest : public testing::Test {
+ protected:
+  FileTest() {
+    std::string name = (fs::temp_directory_path() / "limn-file-test-XXXXXX").string();
+    folder_ = ::mkdtemp(name.data());
+  }
+  ~FileTest() override { fs::remove_all(folder_); }
+  [[nodiscard]] std::string path(const char* name) const { return (folder_ / name).string(); }
+  [[nodiscard]] int entries() const {
+    return static_cast<int>(std::distance(fs::directory_iterator(folder_), {}));
+  }
+  static mode_t mode(const std::string& path) {
+    struct stat info {};
+    return ::stat(path.c_str(), &info) == 0 ? info.st_mode & 0777 : 0;
+  }
+  fs::path folder_;
+};
+
+TEST_F(FileTest, WritesReadsAndReplaces) {
+  const std::string content("a\0b\xff\n", 5);
+  ASSERT_TRUE(write_file(path("a"), content).ok());
+  EXPECT_EQ(*read_file(path("a")), content);
+  const std::string large(300000, 'x');
+  ASSERT_TRUE(write_file(path("a"), large).ok());
+  EXPECT_EQ(*read_file(path("a")), large);
+  ASSERT_TRUE(write_file(path("a"), "").ok());
+  EXPECT_EQ(*read_file(path("a")), "");
+  EXPECT_EQ(entries(), 1);  // no temporary file is left
+}
+
+TEST_F(FileTest, NewFilesRespectTheUmaskAndOldOnesKeepTheirMode) {
+  const mode_t old = ::umask(027);
+  ASSERT_TRUE(write_file(path("a"), "1").ok());
+  EXPECT_EQ(mode(path("a")), 0640u);
+  ::chmod(path("a").c_str(), 0755);
+  ASSERT_TRUE(write_file(path("a"), "2").ok());
+  EXPECT_EQ(mode(path("a")), 0755u);
+  ::umask(old);
+}
+
+TEST_F(FileTest, LinksStayLinks) {
+  ASSERT_TRUE(write_file(path("target"), "1").ok());
+  fs::create_directory(path("folder"));
+  fs::create_symlink("../target", path("folder/link"));
+  ASSERT_TRUE(write_file(path("folder/link"), "2").ok());
+  EXPECT_TRUE(fs::is_symlink(path("folder/link")));
+  EXPECT_EQ(*read_file(path("target")), "2");
+  fs::create_symlink("not-yet", path("dangling"));
+  ASSERT_TRUE(write_file(path("dangling"), "3").ok());
+  EXPECT_TRUE(fs::is_symlink(path("dangling")));
+  EXPECT_EQ(*read_file(path("not-yet")), "3");
+  fs::create_symlink("loop", path("loop"));
+  EXPECT_FALSE(write_file(path("loop"), "4").ok());
+}
+
+TEST_F(FileTest, ErrorsNameThePathAndLeaveNothing) {
+  for (const std::string& bad : {path("none/a"), folder_.string(), std::string()}) {
+    const Status status = write_file(bad, "x");
+    ASSERT_FALSE(status.ok()) << bad;
+    EXPECT_EQ(status.error().file, bad);
+    EXPECT_FALSE(status.error().message.empty());
+    EXPECT_FALSE(read_file(bad).ok());
+  }
+  EXPECT_EQ(entries(), 0);
+  EXPECT_FALSE(read_file(path("missing")).ok());
+  if (fs::exists("/dev/full")) EXPECT_FALSE(write_file("/dev/full", "x").ok());
+}
+
+TEST_F(FileTest, AFailedWriteKeepsTheOldContent) {
+  if (::geteuid() == 0) GTEST_SKIP() << "root may write anywhere";
+  ASSERT_TRUE(write_file(path("a"), "old").ok());
+  ::chmod(path("a").c_str(), 0444);
+  EXPECT_FALSE(write_file(path("a"), "new").ok());
+  EXPECT_EQ(*read_file(path("a")), "old");
+}
+
+TEST_F(FileTest, PipesAreWrittenAndReadDirectly) {
+  ASSERT_EQ(::mkfifo(path("pipe").c_str(), 0600), 0);
+  const std::string content(200000, 'y');
+  std::thread writer([&] { EXPECT_TRUE(write_file(path("pipe"), content).ok()); });
+  EXPECT_EQ(*read_file(path("pipe")), content);
+  writer.join();
+  EXPECT_TRUE(fs::is_fifo(path("pipe")));
+}
+
+TEST_F(FileTest, ConcurrentWritesAreWhole) {
+  std::vector<std::thread> threads;
+  for (char c = 'a'; c < 'a' + 24; ++c) {
+    threads.emplace_back([&, c] {
+      for (int k = 0; k < 20; ++k) {
+        EXPECT_TRUE(write_file(path("shared"), std::string(5000, c)).ok());
+      }
+    });
+  }
+  for (std::thread& thread : threads) thread.join();
+  const std::string content = *read_file(path("shared"));
+  EXPECT_EQ(content, std::string(5000, content[0]));
+  EXPECT_EQ(entries(), 1);
+}
+
+/// A process is interrupted in the middle of writes; its handler tidies up and exits.
+TEST_F(FileTest, AnInterruptLeavesNoTemporaryFile) {
+  for (int attempt = 0; attempt < 10; ++attempt) {
+    const pid_t child = ::fork();
+    if (child == 0) {
+      ::signal(SIGTERM, [](int) {
+        remove_unfinished_files();
+        ::_exit(0);
+      });
+      const std::string content(1 << 22, 'z');
+      for (;;) (void)write_file(path("a"), content);
+    }
+    ::usleep(static_cast<useconds_t>(20000 + 3000 * attempt));
+    ::kill(child, SIGTERM);
+    int status = 0;
+    ::waitpid(child, &status, 0);
+    EXPECT_TRUE(WIFEXITED(status));
+    EXPECT_LE(entries(), 1);
+    for (const auto& entry : fs::directory_iterator(folder_)) {
+      EXPECT_EQ(entry.path().filename(), "a");
+    }
+  }
+}
+
+}  // namespace
+}  // namespace limn

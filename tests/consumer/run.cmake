@@ -1,0 +1,21 @@
+# cmake -D BUILD=… -D COMPILER=… -P run.cmake
+# Installs the build folder BUILD into BUILD/consumer-prefix, then configures, builds and runs the
+# project beside this file against it.
+cmake_minimum_required(VERSION 3.25)
+
+set(prefix ${BUILD}/consumer-prefix)
+set(work ${BUILD}/consumer-build)
+file(REMOVE_RECURSE ${prefix} ${work})
+
+function(step)
+  execute_process(COMMAND ${ARGN} COMMAND_ERROR_IS_FATAL ANY)
+endfunction()
+step(${CMAKE_COMMAND} -E env --unset=DESTDIR ${CMAKE_COMMAND} --install ${BUILD} --prefix ${prefix})
+step(${CMAKE_COMMAND} -G Ninja -S ${CMAKE_CURRENT_LIST_DIR} -B ${work}
+     -D CMAKE_BUILD_TYPE=Release -D CMAKE_CXX_COMPILER=${COMPILER}
+     -D CMAKE_PREFIX_PATH=${prefix} -D CMAKE_FIND_PACKAGE_NO_PACKAGE_REGISTRY=ON)
+step(${CMAKE_COMMAND} --build ${work})
+step(${work}/consumer)
+if(EXISTS ${BUILD}/bin/limn)
+  step(${prefix}/bin/limn --help)
+endif()

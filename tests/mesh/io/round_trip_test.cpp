@@ -1,0 +1,77 @@
+/// What is written reads back equal, bit by bit.
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include "limn/base/file.h"
+#include "limn/mesh/io/mesh_file.h"
+#include "mesh/io/mesh_samples.h"
+
+namespace limn {
+namespace {
+
+WriteOptions with_normals(const Polygons& mesh) {
+  WriteOptions options;
+  options.normals.assign(mesh.positions.size(), Point3{0, 0.6, -0.8});
+  return options;
+}
+
+RC_GTEST_PROP(RoundTrip, TextAndPlyKeepEveryDouble, ()) {
+  const Polygons mesh = test::random_polygons(test::any_double(), 9);
+  for (const std::string extension : {"obj", "off", "ply", "PLY"}) {
+    for (const WriteOptions& options : {WriteOptions{}, with_normals(mesh)}) {
+      const std::string text = *format_mesh(extension, mesh, options);
+      Warnings warnings;
+      const Result<Polygons> again = parse_mesh(text, extension, "memory", &warnings);
+      RC_ASSERT(again.ok());
+      RC_ASSERT(test::same_bits(*again, mesh));
+      RC_ASSERT(warnings.size() == (options.normals.empty() ? 0u : 1u));
+    }
+  }
+}
+
+RC_GTEST_PROP(RoundTrip, StlKeepsFloatsAndTriangles, ()) {
+  const Polygons mesh = test::random_polygons(test::any_float(), 3);
+  const std::string text = *format_mesh("stl", mesh);
+  const Result<Polygons> again = parse_mesh(text, "stl", "memory");
+  RC_ASSERT(again.ok());
+  RC_ASSERT(again->face_begin == mesh.face_begin);
+  for (std::size_t c = 0; c < mesh.corners.size(); ++c) {
+    const Point3 p = mesh.positions[mesh.corners[c]], q = again->positions[again->corners[c]];
+    RC_ASSERT(std::memcmp(&p, &q, sizeof(p)) == 0);
+  }
+  RC_ASSERT(*format_mesh("stl", *again) == text);
+}
+
+TEST(RoundTrip, ThroughFiles) {
+  const test::TemporaryFolder folder;
+  for (const std::string name : {"a.obj", "a.off", "a.ply", "A.OBJ"}) {
+    ASSERT_TRUE(write_mesh(folder / name, test::cube()).ok());
+    const Result<Polygons> mesh = read_mesh(folder / name);
+    ASSERT_TRUE(mesh.ok()) << mesh.error().text();
+    EXPECT_EQ(*mesh, test::cube());
+  }
+  EXPECT_TRUE(write_mesh(folder / "a.glb", test::cube()).ok());
+  const Status unknown = write_mesh(folder / "a.xyz", test::cube());
+  ASSERT_FALSE(unknown.ok());
+  EXPECT_EQ(unknown.error().file, folder / "a.xyz");
+  EXPECT_FALSE(std::filesystem::exists(folder / "a.xyz"));
+}
+
+TEST(RoundTrip, WhatWouldNotReadBackIsNotWritten) {
+  Polygons mesh = test::cube();
+  mesh.positions[5].y = std::numeric_limits<double>::quiet_NaN();
+  for (const std::string extension : {"obj", "off", "ply", "stl", "glb"}) {
+    const Result<std::string> text = format_mesh(extension, mesh);
+    ASSERT_FALSE(text.ok());
+    EXPECT_NE(text.error().message.find("vertex 5"), std::string::npos);
+  }
+  mesh.positions[5].y = 1e300;
+  for (const std::string extension : {"stl", "glb"})
+    EXPECT_FALSE(format_mesh(extension, mesh).ok());
+  for (const std::string extension : {"obj", "off", "ply"})
+    EXPECT_TRUE(format_mesh(extension, mesh).ok());
+}
+
+}  // namespace
+}  // namespace limn

@@ -1,0 +1,177 @@
+// Laws of all splits over random meshes.
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include "limn/mesh/split.h"
+#include "random_mesh.h"
+
+namespace limn::test {
+namespace {
+
+Mesh random_input(const Split& split, unsigned seed) {
+  return split.any_polygons ? RandomMesh(seed).polygons() : RandomMesh(seed).triangles();
+}
+
+Index inner_vertices(const Mesh& mesh, Index least_valence) {
+  Index count = 0;
+  for (Index v = 0; v < mesh.vertex_count(); ++v)
+    count += !mesh.is_boundary_vertex(v) && mesh.valence(v) >= least_valence;
+  return count;
+}
+
+Index cut_faces(const Mesh& mesh, int step) {
+  Index cuts = 0;
+  for (Index f = 0; f < mesh.face_count(); ++f) {
+    Index sides = 0;
+    for (Index h = mesh.face_begin(f); h < mesh.face_begin(f + 1); ++h)
+      sides += mesh.twin(h) == kNone;
+    cuts += sides == 1;
+  }
+  return step % 2 == 0 ? 0 : cuts;
+}
+
+struct Counts {
+  Index vertices, edges, faces;
+  friend bool operator==(const Counts&, const Counts&) = default;
+};
+
+Counts expected_counts(const Split& split, const Mesh& mesh, int step) {
+  const Index v = mesh.vertex_count(), e = mesh.edge_count(), f = mesh.face_count();
+  const Index corners = mesh.halfedge_count(), inner = e - boundary_edges(mesh);
+  if (split.name == "triangle-dyadic") return {v + e, 2 * e + 3 * f, 4 * f};
+  if (split.name == "quad-dyadic") return {v + e + f, 2 * e + corners, corners};
+  if (split.name == "quad-dual") {
+    const Index squeezed = inner_vertices(mesh, 2) - inner_vertices(mesh, 3);
+    return {corners + isolated_count(mesh), corners + 2 * inner - squeezed,
+            f + inner + inner_vertices(mesh, 3)};
+  }
+  const Index cuts = cut_faces(mesh, step);
+  return {v + f + cuts, e + 3 * f + cuts, 3 * f};
+}
+
+void check_births(const Split& split, const Mesh& mesh, const SplitResult& refined) {
+  const Births& births = refined.births;
+  const auto isolated = static_cast<Index>(births.isolated.size());
+  RC_ASSERT(births.from_vertices + births.from_edges + births.from_faces + births.from_corners +
+                isolated ==
+            refined.mesh.vertex_count());
+  RC_ASSERT(split.births_vertices || births.from_vertices == 0);
+  RC_ASSERT(split.births_edges || split.trisects_boundary || births.from_edges == 0);
+  RC_ASSERT(split.trisects_boundary || births.edge_ends.empty());
+  RC_ASSERT(split.births_faces || births.from_faces == 0);
+  RC_ASSERT(split.births_corners || births.from_corners == 0);
+  RC_ASSERT(births.from_vertices == 0 || births.from_vertices == mesh.vertex_count());
+  RC_ASSERT(births.edge_ends.empty() ||
+            static_cast<Index>(births.edge_ends.size()) == births.from_edges);
+  RC_ASSERT(!births.edge_ends.empty() || births.from_edges == 0 ||
+            births.from_edges == mesh.edge_count());
+  RC_ASSERT(births.faces.empty() || static_cast<Index>(births.faces.size()) == births.from_faces);
+  for (Index i = 0; i < isolated; ++i) {
+    RC_ASSERT(mesh.is_isolated(births.isolated[i]));
+    RC_ASSERT(refined.mesh.is_isolated(refined.mesh.vertex_count() - isolated + i));
+  }
+  for (Index v = 0; v < births.from_vertices; ++v)
+    RC_ASSERT(mesh.is_isolated(v) == refined.mesh.is_isolated(v));
+}
+
+void check_step(const Split& split, const Mesh& mesh, int step, const SplitResult& refined) {
+  const Mesh& fine = refined.mesh;
+  RC_ASSERT(fine.check() == "");
+  RC_ASSERT((Counts{fine.vertex_count(), fine.edge_count(), fine.face_count()}) ==
+            expected_counts(split, mesh, step));
+  RC_ASSERT(fine.halfedge_count() <= split.growth * mesh.halfedge_count());
+  RC_ASSERT(euler_characteristic(fine) == euler_characteristic(mesh));
+  RC_ASSERT(boundary_loops(fine) == boundary_loops(mesh));
+  RC_ASSERT(isolated_count(fine) == isolated_count(mesh));
+  check_births(split, mesh, refined);
+  // the twins that arithmetic gave are those that polygons give
+  if (!is_simple(fine)) return;
+  const Result<Mesh> rebuilt = Mesh::build(polygons_of(fine));
+  RC_ASSERT(rebuilt.ok());
+  RC_ASSERT(snapshot(*rebuilt)[1] == snapshot(fine)[1]);
+  RC_ASSERT(snapshot(*rebuilt)[4] == snapshot(fine)[4]);
+  RC_ASSERT(rebuilt->edge_count() == fine.edge_count());
+}
+
+class SplitLaws : public ::testing::TestWithParam<Split> {};
+
+TEST_P(SplitLaws, HoldOverStepsOnRandomMeshes) {
+  const Split& split = GetParam();
+  EXPECT_TRUE(rc::check([&](unsigned seed, bool odd_start) {
+    Mesh mesh = random_input(split, seed);
+    for (int i = 0; i < 3; ++i) {
+      const int step = i + odd_start;  // an odd first step is unusual but must hold all the same
+      SplitResult refined = split.apply(mesh, step);
+      check_step(split, mesh, step, refined);
+      mesh = std::move(refined.mesh);
+    }
+  }));
+}
+
+TEST_P(SplitLaws, ResultsAreSimpleWhereNoInnerVertexHasValenceTwo) {
+  const Split& split = GetParam();
+  EXPECT_TRUE(rc::check([&](unsigned seed) {
+    const Mesh mesh = random_input(split, seed);
+    RC_PRE(inner_vertices(mesh, 2) == inner_vertices(mesh, 3));
+    RC_ASSERT(is_simple(split.apply(mesh, 0).mesh));
+  }));
+}
+
+TEST_P(SplitLaws, OldAndNewValencesOnClosedMeshes) {
+  const Split& split = GetParam();
+  EXPECT_TRUE(rc::check([&](unsigned seed) {
+    const Mesh mesh = random_input(split, seed);
+    RC_PRE(!mesh.has_boundary());
+    RC_PRE(inner_vertices(mesh, 2) == inner_vertices(mesh, 3));
+    const SplitResult refined = split.apply(mesh, 1);
+    Index v = 0;
+    for (; v < refined.births.from_vertices; ++v)
+      RC_ASSERT(refined.mesh.valence(v) == mesh.valence(v));
+    const Index regular = split.lattice == Lattice::triangle ? 6 : 4;
+    const Index face_points = v + refined.births.from_edges;
+    for (; v < refined.mesh.vertex_count(); ++v) {
+      if (refined.mesh.is_isolated(v)) continue;
+      const bool in_polygon = split.name == "quad-dyadic" && v >= face_points;
+      RC_ASSERT(refined.mesh.valence(v) == (in_polygon ? mesh.degree(v - face_points) : regular));
+    }
+  }));
+}
+
+TEST_P(SplitLaws, RegularMeshesStayRegular) {
+  const Split& split = GetParam();
+  const Mesh mesh = torus(split.lattice, 4, 3);
+  const SplitResult refined = split.apply(mesh, 0);
+  EXPECT_EQ(refined.mesh.uniform_degree(), mesh.uniform_degree());
+  EXPECT_EQ(refined.mesh.face_count(), split.growth * mesh.face_count());
+  for (Index v = 0; v < refined.mesh.vertex_count(); ++v)
+    EXPECT_EQ(refined.mesh.valence(v), mesh.valence(0));
+}
+
+TEST_P(SplitLaws, TakeAnEmptyMeshAndIsolatedVertices) {
+  const Split& split = GetParam();
+  for (const Index vertices : {0, 2}) {
+    const Mesh mesh = must_build(vertices, {});
+    for (const int step : {0, 1}) {
+      const SplitResult refined = split.apply(mesh, step);
+      EXPECT_EQ(refined.mesh.check(), "");
+      EXPECT_EQ(refined.mesh.vertex_count(), vertices);
+      EXPECT_EQ(refined.mesh.face_count(), 0);
+    }
+  }
+}
+
+TEST_P(SplitLaws, AreFoundByName) {
+  ASSERT_NE(find_split(GetParam().name), nullptr);
+  EXPECT_EQ(find_split(GetParam().name)->apply, GetParam().apply);
+  EXPECT_EQ(find_split("no-such-split"), nullptr);
+}
+
+INSTANTIATE_TEST_SUITE_P(All, SplitLaws, ::testing::ValuesIn(splits()), [](const auto& chosen) {
+  std::string name(chosen.param.name);
+  std::replace(name.begin(), name.end(), '-', '_');
+  return name;
+});
+
+}  // namespace
+}  // namespace limn::test

@@ -1,0 +1,219 @@
+// Splits seen in the plane: place each new vertex where its birth says, and areas tell whether
+// births, faces and orientation belong together.
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <cmath>
+
+#include "limn/mesh/split.h"
+#include "random_mesh.h"
+
+namespace limn::test {
+namespace {
+
+struct Placed {
+  Mesh mesh;
+  std::vector<Point3> at;
+};
+
+/// A piece of the plane: a grid of cells with some cells missing, slightly out of true, seen
+/// from above (counterclockwise).
+Placed planar_piece(unsigned seed, Lattice lattice) {
+  std::mt19937 random(seed);
+  const auto below = [&](unsigned n) { return static_cast<Index>(random() % n); };
+  const Index nx = 2 + below(4), ny = 2 + below(4);
+  std::vector<Point3> at;
+  for (Index j = 0; j < ny; ++j)
+    for (Index i = 0; i < nx; ++i) at.push_back({i + 0.01 * below(20), j + 0.01 * below(20), 0});
+  Faces faces;
+  for (Index j = 0; j + 1 < ny; ++j) {
+    for (Index i = 0; i + 1 < nx; ++i) {
+      const Index a = j * nx + i, b = a + 1, c = b + nx, d = a + nx;
+      if (lattice == Lattice::quad) {
+        faces.push_back({a, b, c, d});
+      } else {
+        faces.push_back({b, c, a});
+        faces.push_back({a, c, d});
+      }
+    }
+  }
+  for (Index i = below(4); i > 0 && faces.size() > 1; --i) {
+    Faces fewer = faces;
+    fewer.erase(fewer.begin() + below(static_cast<unsigned>(faces.size())));
+    if (Mesh::build(make_polygons(nx * ny, fewer))) faces = fewer;
+  }
+  return {must_build(nx * ny, faces), at};
+}
+
+Point3 centroid(const Placed& p, Index f) {
+  Point3 sum;
+  for (Index h = p.mesh.face_begin(f); h < p.mesh.face_begin(f + 1); ++h)
+    sum = sum + p.at[p.mesh.origin(h)];
+  return (1.0 / p.mesh.degree(f)) * sum;
+}
+
+double area(const Placed& p, Index f) {
+  double twice = 0;
+  for (Index h = p.mesh.face_begin(f); h < p.mesh.face_begin(f + 1); ++h) {
+    const Point3 a = p.at[p.mesh.origin(h)], b = p.at[p.mesh.target(h)];
+    twice += a.x * b.y - a.y * b.x;
+  }
+  return twice / 2;
+}
+
+double total_area(const Placed& p) {
+  double sum = 0;
+  for (Index f = 0; f < p.mesh.face_count(); ++f) sum += area(p, f);
+  return sum;
+}
+
+/// Vertices stay, edge points in the middle (or at the thirds), face points at the centroid,
+/// corner points half way from the vertex to the centroid.
+Placed place(const Placed& old, SplitResult refined) {
+  const Births& births = refined.births;
+  std::vector<Point3> at(old.at.begin(), old.at.begin() + births.from_vertices);
+  const auto along = [&](Index h, double t) {
+    return (1 - t) * old.at[old.mesh.origin(h)] + t * old.at[old.mesh.target(h)];
+  };
+  for (Index i = 0; i < births.from_edges; ++i) {
+    if (births.edge_ends.empty())
+      at.push_back(along(old.mesh.halfedge_of_edge(i), 0.5));
+    else
+      at.push_back(along(births.edge_ends[i] / 2, births.edge_ends[i] % 2 == 0 ? 1 / 3. : 2 / 3.));
+  }
+  for (Index i = 0; i < births.from_faces; ++i)
+    at.push_back(centroid(old, births.faces.empty() ? i : births.faces[i]));
+  for (Index h = 0; h < births.from_corners; ++h)
+    at.push_back(0.5 * (old.at[old.mesh.origin(h)] + centroid(old, old.mesh.face(h))));
+  for (const Index v : births.isolated) at.push_back(old.at[v]);
+  return {std::move(refined.mesh), std::move(at)};
+}
+
+double least_area(const Placed& p) {
+  double least = 1;
+  for (Index f = 0; f < p.mesh.face_count(); ++f) least = std::min(least, area(p, f));
+  return least;
+}
+
+class SplitPlane : public ::testing::TestWithParam<Split> {};
+
+TEST_P(SplitPlane, FacesTileThePieceCounterclockwise) {
+  const Split& split = GetParam();
+  const bool keeps_the_piece = split.births_vertices;
+  EXPECT_TRUE(rc::check([&](unsigned seed) {
+    Placed piece = planar_piece(seed, split.lattice);
+    for (int step = 0; step < 3; ++step) {
+      Placed fine = place(piece, split.apply(piece.mesh, step));
+      RC_ASSERT(fine.at.size() == static_cast<std::size_t>(fine.mesh.vertex_count()));
+      RC_ASSERT(least_area(fine) > 0);
+      const double change = total_area(fine) - total_area(piece);
+      RC_ASSERT((keeps_the_piece ? std::abs(change) < 1e-9 : change < 0));
+      piece = std::move(fine);
+    }
+  }));
+}
+
+INSTANTIATE_TEST_SUITE_P(All, SplitPlane, ::testing::ValuesIn(splits()), [](const auto& chosen) {
+  std::string name(chosen.param.name);
+  std::replace(name.begin(), name.end(), '-', '_');
+  return name;
+});
+
+TEST(TriangleDyadic, ChildrenAreQuartersNextToTheirParent) {
+  const Placed piece = planar_piece(7, Lattice::triangle);
+  const Placed fine = place(piece, find_split("triangle-dyadic")->apply(piece.mesh, 0));
+  for (Index f = 0; f < fine.mesh.face_count(); ++f)
+    EXPECT_NEAR(area(fine, f), area(piece, f / 4) / 4, 1e-12);
+  // child 3 in the middle: the parent's centroid
+  for (Index f = 0; f < piece.mesh.face_count(); ++f) {
+    EXPECT_NEAR(centroid(fine, 4 * f + 3).x, centroid(piece, f).x, 1e-12);
+    EXPECT_EQ(fine.mesh.origin(12 * f + 3), piece.mesh.origin(3 * f + 1));
+  }
+}
+
+TEST(Sqrt3, TwoStepsTrisectATriangle) {
+  const Split& sqrt3 = *find_split("sqrt3");
+  const Placed one{must_build(3, {{0, 1, 2}}), {{0, 0, 0}, {3, 0, 0}, {0, 3, 0}}};
+  const SplitResult first = sqrt3.apply(one.mesh, 0);
+  EXPECT_EQ(first.mesh.face_count(), 3);
+  EXPECT_EQ(first.births.from_edges, 0);
+  const Placed middle = place(one, first);
+  const SplitResult second = sqrt3.apply(middle.mesh, 1);
+  EXPECT_EQ(second.births.from_vertices, 4);
+  EXPECT_EQ(second.births.from_edges, 6);
+  EXPECT_EQ(second.births.from_faces, 0);
+  const Placed fine = place(middle, second);
+  EXPECT_EQ(fine.mesh.face_count(), 9);
+  EXPECT_EQ(fine.mesh.valence(3), 6);
+  // the ten points with integer coordinates, in congruent triangles
+  std::set<std::pair<long, long>> points;
+  for (const Point3& p : fine.at) {
+    EXPECT_NEAR(p.x, std::round(p.x), 1e-12);
+    EXPECT_NEAR(p.y, std::round(p.y), 1e-12);
+    points.insert({std::lround(p.x), std::lround(p.y)});
+  }
+  EXPECT_EQ(points.size(), 10U);
+  for (Index f = 0; f < 9; ++f) EXPECT_NEAR(area(fine, f), 0.5, 1e-12);
+}
+
+TEST(Sqrt3, AnOddFirstStepCutsOnlyFacesWithOneBoundaryEdge) {
+  const Split& sqrt3 = *find_split("sqrt3");
+  const SplitResult alone = sqrt3.apply(must_build(3, {{0, 1, 2}}), 1);
+  EXPECT_EQ(alone.mesh.check(), "");
+  EXPECT_EQ(alone.births.from_edges, 0);
+  EXPECT_EQ(alone.births.from_faces, 1);
+  // the middle face has one boundary edge, its neighbours two each
+  const SplitResult strip = sqrt3.apply(must_build(5, {{0, 1, 2}, {2, 1, 3}, {2, 3, 4}}), 1);
+  EXPECT_EQ(strip.mesh.check(), "");
+  EXPECT_EQ(strip.births.faces, (std::vector<Index>{0, 2}));
+  EXPECT_EQ(strip.births.edge_ends, (std::vector<Index>{8, 9}));
+  EXPECT_EQ(strip.mesh.face_count(), 9);
+}
+
+TEST(Sqrt3, ClosedMeshesIgnoreTheParity) {
+  const Split& sqrt3 = *find_split("sqrt3");
+  EXPECT_EQ(snapshot(sqrt3.apply(icosahedron(), 0).mesh),
+            snapshot(sqrt3.apply(icosahedron(), 1).mesh));
+}
+
+TEST(QuadDual, CubeGivesTheRhombicuboctahedron) {
+  const Mesh mesh = find_split("quad-dual")->apply(cube(), 0).mesh;
+  EXPECT_EQ(mesh.vertex_count(), 24);
+  EXPECT_EQ(mesh.edge_count(), 48);
+  Index triangles = 0, quads = 0;
+  for (Index f = 0; f < mesh.face_count(); ++f) {
+    triangles += mesh.degree(f) == 3;
+    quads += mesh.degree(f) == 4;
+  }
+  EXPECT_EQ(triangles, 8);
+  EXPECT_EQ(quads, 18);
+}
+
+TEST(QuadDual, BoundaryEdgesAndVerticesGiveNoFace) {
+  const SplitResult refined = find_split("quad-dual")->apply(must_build(4, {{0, 1, 2, 3}}), 0);
+  EXPECT_EQ(refined.mesh.face_count(), 1);
+  EXPECT_EQ(refined.mesh.edge_count(), 4);
+  EXPECT_EQ(boundary_loops(refined.mesh), 1);
+}
+
+TEST(QuadDual, SqueezesTheTwoGonsOfValenceTwo) {
+  // every vertex of a pillow has valence 2: the dual of the n-gon pillow is the n-gon prism
+  for (Index n = 3; n <= 6; ++n) {
+    const Mesh prism = find_split("quad-dual")->apply(pillow(n), 0).mesh;
+    EXPECT_EQ(prism.check(), "");
+    EXPECT_EQ(prism.vertex_count(), 2 * n);
+    EXPECT_EQ(prism.edge_count(), 3 * n);
+    EXPECT_EQ(prism.face_count(), n + 2);
+    EXPECT_TRUE(is_simple(prism));
+  }
+  // one such vertex in an otherwise ordinary disc: 4 between the quads 0-1-2-4 and 0-4-2-3
+  const Mesh disc = must_build(5, {{0, 1, 2, 4}, {0, 4, 2, 3}});
+  const Mesh dual = find_split("quad-dual")->apply(disc, 0).mesh;
+  EXPECT_EQ(dual.check(), "");
+  EXPECT_EQ(dual.face_count(), 4);  // two F-faces, two E-faces
+  EXPECT_EQ(dual.edge_count(), 8 + 4 - 1);
+}
+
+}  // namespace
+}  // namespace limn::test
