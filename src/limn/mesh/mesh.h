@@ -42,7 +42,12 @@ class Mesh {
   [[nodiscard]] Index target(Index h) const { return origin_[next(h)]; }
   [[nodiscard]] Index twin(Index h) const { return twin_[h]; }  ///< kNone on the boundary
   [[nodiscard]] Index edge(Index h) const { return edge_[h]; }
-  [[nodiscard]] Index face(Index h) const { return degree_ > 0 ? h / degree_ : face_[h]; }
+  [[nodiscard]] Index face(Index h) const {
+    // dividing by a constant is a multiplication; these two are nearly every mesh
+    if (degree_ == 3) return static_cast<Index>(static_cast<std::uint32_t>(h) / 3U);
+    if (degree_ == 4) return static_cast<Index>(static_cast<std::uint32_t>(h) / 4U);
+    return degree_ > 0 ? h / degree_ : face_[h];
+  }
   [[nodiscard]] Index next(Index h) const {
     const Index f = face(h);
     return h + 1 == face_begin(f + 1) ? face_begin(f) : h + 1;

@@ -60,6 +60,7 @@ class ValueStep {
   [[nodiscard]] Value apply_row(RuleKind kind, Index h, bool at_target,
                                 const Row<Number>& row) const {
     Value sum{};
+    if (!row.program) return sum;
     visit_stencil(mesh_, kind, h, at_target, row, [&](Source source, const Number& weight) {
       add_scaled(sum, weight, source.is_face ? fresh_[faces_at_ + source.index] : old_[source.index]);
     });

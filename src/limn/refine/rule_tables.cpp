@@ -65,6 +65,7 @@ Result<Row<Number>> RuleTables<Number>::tabulate(RuleKind kind, int n) const {
 
 template <class Number>
 Status RuleTables<Number>::add(RuleKind kind, Index n, Index example) {
+  if (boundary_ == Boundary::left_out && kind >= RuleKind::boundary_vertex) return Done{};
   const auto i = static_cast<std::size_t>(kind);
   const auto at = static_cast<std::size_t>(rule_has_valence(kind) ? n : 0);
   if (known_[i].size() <= at) {

@@ -24,7 +24,8 @@ struct Step {
 using Program = std::vector<Step>;
 
 /// The weights of a rule at one valence: `weights` in the order of the program's steps, a
-/// repeated step having n of them. `program` is null where no case applies (edge ends only).
+/// repeated step having n of them. `program` is null where no case applies (edge ends, or a
+/// boundary that is left out).
 template <class Number>
 struct Row {
   std::shared_ptr<const Program> program;
@@ -37,11 +38,16 @@ struct Source {
   bool is_face;
 };
 
+/// Whether the boundary is refined, or left out (its new values are zero): on a star the rim is
+/// no part of the analysis, and a scheme need not have boundary rules for it.
+enum class Boundary { refined, left_out };
+
 template <class Number>
 class RuleTables {
  public:
   /// `scheme` must outlive the tables.
-  explicit RuleTables(const Scheme& scheme) : scheme_(&scheme) {}
+  explicit RuleTables(const Scheme& scheme, Boundary boundary = Boundary::refined)
+      : scheme_(&scheme), boundary_(boundary) {}
 
   /// Tabulates every row that one step on `mesh` needs and that is not there yet. Fails, naming
   /// the rule, the valence and a vertex that has it, where a rule is missing or its weights do not
@@ -50,6 +56,7 @@ class RuleTables {
 
   /// Precondition: `prepare` saw a mesh with this rule at this n.
   [[nodiscard]] const Row<Number>& row(RuleKind kind, Index n) const {
+    if (boundary_ == Boundary::left_out && kind >= RuleKind::boundary_vertex) return none_;
     return rows_[static_cast<std::size_t>(kind)][rule_has_valence(kind) ? n : 0];
   }
 
@@ -61,6 +68,8 @@ class RuleTables {
   Status prepare_edges(const Mesh& mesh, const Births& births);
 
   const Scheme* scheme_;
+  Boundary boundary_;
+  Row<Number> none_;
   std::array<std::vector<Row<Number>>, kRuleKinds> rows_;
   std::array<std::vector<bool>, kRuleKinds> known_;
 };
