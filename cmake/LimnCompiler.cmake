@@ -14,6 +14,13 @@ if(LIMN_CCACHE AND NOT DEFINED CMAKE_CXX_COMPILER_LAUNCHER)
   set(CMAKE_CXX_COMPILER_LAUNCHER ${LIMN_CCACHE})
 endif()
 
+if(LIMN_LINT)
+  # The hash of the checks in the command line has everything linted again when they change.
+  set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/.clang-tidy)
+  file(SHA1 ${PROJECT_SOURCE_DIR}/.clang-tidy checks)
+  set(CMAKE_CXX_CLANG_TIDY ${LIMN_LINT} --quiet --extra-arg=-DLIMN_LINT_CHECKS=${checks})
+endif()
+
 # limn_flags(TARGET): C++20 without extensions, warnings, and the sanitizers that are on.
 function(limn_flags target)
   target_compile_features(${target} PUBLIC cxx_std_20)

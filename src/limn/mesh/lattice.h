@@ -2,6 +2,7 @@
 /// Meshes that the analyses live on: regular tori, and the star around one extraordinary
 /// vertex (or face, for dual splits) in an otherwise regular mesh.
 
+#include <array>
 #include <vector>
 
 #include "limn/mesh/mesh.h"
@@ -15,6 +16,18 @@ namespace limn {
 /// Triangles 2c and 2c+1 of cell c = j*nx + i are (i,j) (i+1,j) (i+1,j+1) and
 /// (i,j) (i+1,j+1) (i,j+1); quad c is (i,j) (i+1,j) (i+1,j+1) (i,j+1).
 [[nodiscard]] Mesh torus(Lattice lattice, Index nx, Index ny);
+
+/// Lattice coordinates in twelfths of a control edge, in which vertices, midpoints of edges,
+/// centroids of triangles and corner points of dual splits are all integers.
+using Twelfths = std::array<Index, 2>;
+
+/// Where a split of `torus(lattice, nx, ny)` puts its new vertex number `vertex` on the plane, if
+/// edges give their midpoints, faces their centroids, and corners the points halfway to those;
+/// modulo (12 nx, 12 ny).
+[[nodiscard]] Twelfths torus_birth_place(const Mesh& torus, Index nx, Index ny,
+                                         const Births& births, Index vertex);
+/// to − from on a torus of that many vertices along each side, each coordinate the one of least size.
+[[nodiscard]] Twelfths torus_difference(Twelfths from, Twelfths to, Index nx, Index ny);
 
 /// The disc of `rings` rings round one vertex of valence n, every other interior vertex
 /// regular. Vertex 0 is the centre. Ring r of triangles holds n*r vertices, ring r of quads

@@ -6,6 +6,7 @@
 #include <array>
 #include <map>
 
+#include "limn/mesh/lattice.h"
 #include "limn/scheme/scheme.h"
 
 namespace limn {
@@ -17,6 +18,12 @@ struct Mask {
   Lattice lattice = Lattice::triangle;
   std::map<std::array<int, 2>, Rational> coefficients;  // none of them 0
 };
+
+/// The key in `coefficients` of a new vertex that lies `way` from an old one: twice the offset in the
+/// refined lattice of a dyadic split.
+[[nodiscard]] inline std::array<int, 2> mask_offset(Twelfths way) {
+  return {way[0] / 3, way[1] / 3};
+}
 
 /// The mask that rows or factors denote, at the scheme's present parameters. Fails, with the
 /// place, on rows that form no hexagon or rectangle, on a mask whose centre does not fit the split, on a

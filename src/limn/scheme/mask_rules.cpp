@@ -17,27 +17,13 @@ namespace {
 
 constexpr int kSide = 64;  // of the torus; masks reach less than half of it
 
-using Offset = std::array<int, 2>;
-
-int centred(int d, int period) { return ((d + period / 2) % period + period) % period - period / 2; }
-
-/// Four times a vertex's lattice coordinates: refined coordinates, doubled as a mask's offsets are.
-Offset quadrupled(Index vertex) { return {4 * (vertex % kSide), 4 * (vertex / kSide)}; }
-
-/// Where the anchor's new vertex lies, in the same units.
-Offset birth_place(RuleKind kind, const Mesh& mesh, Index h) {
-  const Offset v = quadrupled(mesh.origin(h));
-  const auto towards = [&](Index w, int part) {
-    const Offset p = quadrupled(w);
-    return Offset{v[0] + centred(p[0] - v[0], 4 * kSide) / part,
-                  v[1] + centred(p[1] - v[1], 4 * kSide) / part};
-  };
-  const Index diagonal = mesh.target(mesh.next(h));
+/// The new vertex that the anchor named by h gives birth to.
+Index birth_of(RuleKind kind, const Mesh& mesh, const Births& births, Index h) {
   switch (kind) {
-    case RuleKind::edge: return towards(mesh.target(h), 2);
-    case RuleKind::face: return towards(diagonal, 2);
-    case RuleKind::corner: return towards(diagonal, 4);
-    default: return v;
+    case RuleKind::edge: return births.from_vertices + mesh.edge(h);
+    case RuleKind::face: return births.from_vertices + births.from_edges + mesh.face(h);
+    case RuleKind::corner: return h;
+    default: return mesh.origin(h);
   }
 }
 
@@ -97,15 +83,16 @@ std::string name_of(RuleKind kind, Lattice lattice, const Mesh& mesh,
 
 /// The weights of one kind of new vertex; nothing where the mask lacks the anchor's symmetry.
 std::optional<std::vector<Weight>> weights_of(const Mask& mask, RuleKind kind, const Mesh& mesh,
-                                              const Place& place) {
-  const Index h = (kSide / 2 * kSide + kSide / 2) * (mesh.uniform_degree() == 3 ? 6 : 4);
-  const Offset birth = birth_place(kind, mesh, h);
+                                              const Births& births, const Place& place) {
+  const Index h = 0;
+  const Twelfths birth =
+      torus_birth_place(mesh, kSide, kSide, births, birth_of(kind, mesh, births, h));
   std::map<Index, Rational> values;
   std::set<Index> wanted;
   for (Index v = 0; v < mesh.vertex_count(); ++v) {
-    const Offset p = quadrupled(v);
-    const auto found = mask.coefficients.find(
-        {centred(birth[0] - p[0], 4 * kSide), centred(birth[1] - p[1], 4 * kSide)});
+    const Twelfths old{12 * (v % kSide), 12 * (v / kSide)};
+    const auto found =
+        mask.coefficients.find(mask_offset(torus_difference(old, birth, kSide, kSide)));
     if (found == mask.coefficients.end()) continue;
     values[v] = found->second;
     wanted.insert(v);
@@ -147,9 +134,10 @@ Status add_rules_from_mask(Scheme& scheme) {
   if (split.births_faces) kinds.push_back(RuleKind::face);
   if (split.births_corners) kinds.push_back(RuleKind::corner);
   const Mesh mesh = torus(split.lattice, kSide, kSide);
+  const Births births = split.apply(mesh, 0).births;
   std::array<std::optional<Rule>, kRuleKinds> rules;
   for (const RuleKind kind : kinds) {
-    std::optional<std::vector<Weight>> weights = weights_of(*mask, kind, mesh, place);
+    std::optional<std::vector<Weight>> weights = weights_of(*mask, kind, mesh, births, place);
     if (!weights) {
       scheme.rules = {};
       return Done{};

@@ -1,0 +1,84 @@
+#include "limn/regular/regular_mask.h"
+
+#include <algorithm>
+
+#include <fmt/core.h>
+
+#include "limn/mesh/lattice.h"
+#include "limn/refine/linear_form.h"
+#include "limn/refine/refine_values.h"
+
+namespace limn {
+namespace {
+
+constexpr Index kSide = 16;  // of the torus; twice what the widest stencils reach
+
+/// Adds the coefficients that one new vertex's form tells.
+Status collect(const Scheme& scheme, Twelfths birth, const LinearForm<Exact>& form, Mask& mask) {
+  for (const auto& [vertex, value] : form.terms) {
+    if (value.is_zero()) continue;
+    if (!value.is_rational())
+      return Error{fmt::format("the regular mask of '{}' is not rational", scheme.name), {},
+                   scheme.file, 0, 0};
+    const Twelfths old{12 * (vertex % kSide), 12 * (vertex / kSide)};
+    const auto offset = mask_offset(torus_difference(old, birth, kSide, kSide));
+    mask.coefficients.insert_or_assign(offset, value.rational());
+  }
+  return Done{};
+}
+
+}  // namespace
+
+Result<Mask> regular_mask(const Scheme& scheme) {
+  const Split& split = *scheme.split;
+  if (scheme.mask) return mask_from_rows(scheme, *scheme.mask);
+  if (scheme.factors) return mask_from_factors(scheme, *scheme.factors);
+  if (split.growth != 4)
+    return Error{fmt::format("the mask of a {} scheme is not written in the control lattice's basis",
+                             split.name),
+                 {}, scheme.file, 0, 0};
+  const Mesh mesh = torus(split.lattice, kSide, kSide);
+  const SplitResult fine = split.apply(mesh, 0);
+  RuleTables<Exact> tables(scheme);
+  if (Status status = tables.prepare(mesh, fine.births); !status) return status.error();
+  const std::vector<LinearForm<Exact>> forms = refine_values(
+      scheme, mesh, fine.births, tables, unit_forms<Exact>(mesh.vertex_count()));
+  Mask mask{split.lattice, {}};
+  for (Index v = 0; v < fine.mesh.vertex_count(); ++v) {
+    const Twelfths birth = torus_birth_place(mesh, kSide, kSide, fine.births, v);
+    if (Status status = collect(scheme, birth, forms[v], mask); !status) return status.error();
+  }
+  return mask;
+}
+
+std::string to_string(const Mask& mask) {
+  Integer denominator = 1;
+  int reach = 0;
+  for (const auto& [offset, value] : mask.coefficients) {
+    denominator = lcm(denominator, Integer(boost::multiprecision::denominator(value)));
+    reach = std::max({reach, std::abs(offset[0]), std::abs(offset[1]),
+                      mask.lattice == Lattice::triangle ? std::abs(offset[0] - offset[1]) : 0});
+  }
+  const auto entry = [&](int a, int b) {
+    const auto found = mask.coefficients.find({a, b});
+    const Rational value = found == mask.coefficients.end() ? Rational(0) : found->second;
+    return to_string(Rational(value * Rational(denominator)));
+  };
+  std::size_t width = 1;
+  for (const auto& [offset, value] : mask.coefficients)
+    width = std::max(width, entry(offset[0], offset[1]).size());
+  width += width % 2 == 0 ? 2 : 1;  // odd cell + blank, so that half a cell is whole
+  std::string text;
+  for (int b = reach; b >= -reach; b -= 2) {
+    const bool triangles = mask.lattice == Lattice::triangle;
+    const int first = triangles ? std::max(-reach, b - reach) : -reach;
+    const int last = triangles ? std::min(reach, b + reach) : reach;
+    std::string line(triangles ? static_cast<std::size_t>(std::abs(b)) / 2 * width / 2 : 0, ' ');
+    for (int a = first; a <= last; a += 2) line += fmt::format("{:>{}}", entry(a, b), width);
+    text += line + '\n';
+  }
+  if (denominator != 1) text = fmt::format("1/{} ×\n", denominator.str()) + text;
+  return text;
+}
+
+}  // namespace limn
