@@ -55,7 +55,8 @@ foreach(folder IN LISTS test_folders)
     NO_PRETTY_VALUES
     DISCOVERY_MODE PRE_TEST
     DISCOVERY_TIMEOUT 60
-    PROPERTIES TIMEOUT 300 LABELS ${name})
+    # Random input is the same in every run; by itself, a test program draws anew.
+    PROPERTIES TIMEOUT 300 LABELS ${name} ENVIRONMENT RC_PARAMS=seed=2026)
 endforeach()
 
 # Somebody else's project that finds an installed limn; sanitizers would have to be theirs too.

@@ -1,5 +1,9 @@
 #include "limn/scheme/toml_reader.h"
 
+#include <algorithm>
+#include <utility>
+#include <vector>
+
 #include <fmt/core.h>
 
 namespace limn {
@@ -77,9 +81,17 @@ void TomlReader::each(const toml::node& node, std::string_view what,
     fail(node, fmt::format("{} is {}, expected a table", what, type_name(node)));
     return;
   }
-  for (const auto& [key, value] : *table) {
+  // a toml::table is sorted by key; people mean the order they wrote
+  std::vector<std::pair<const toml::key*, const toml::node*>> entries;
+  for (const auto& [key, value] : *table) entries.emplace_back(&key, &value);
+  std::stable_sort(entries.begin(), entries.end(), [](const auto& a, const auto& b) {
+    const toml::source_position p = a.first->source().begin;
+    const toml::source_position q = b.first->source().begin;
+    return p.line != q.line ? p.line < q.line : p.column < q.column;
+  });
+  for (const auto& [key, value] : entries) {
     if (!ok()) return;
-    visit(key, value);
+    visit(*key, *value);
   }
 }
 

@@ -33,7 +33,7 @@ class TomlReader {
   std::string text(const toml::node& node, std::string_view what);
   /// An expression, from a string or an integer; a float is refused as a decimal.
   Formula formula(const toml::node& node, std::string_view what);
-  /// Calls `visit(key, node)` for each entry; fails if the node is no table.
+  /// Calls `visit(key, node)` for each entry, in the file's order; fails if the node is no table.
   void each(const toml::node& node, std::string_view what,
             const std::function<void(const toml::key&, const toml::node&)>& visit);
   /// The same for the elements of an array.

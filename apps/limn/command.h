@@ -1,0 +1,42 @@
+#pragma once
+/// The command's frame. A command is one file: a function that declares its options on the
+/// parser and hands over what to run. It parses, calls the library and prints; no mathematics.
+
+#include <CLI/CLI.hpp>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "limn/base/error.h"
+#include "limn/scheme/scheme.h"
+
+namespace limn::app {
+
+// exit codes of every command
+inline constexpr int kDone = 0;
+inline constexpr int kBadInput = 2;
+
+/// What the chosen command runs once the whole command line is parsed; returns the exit code.
+using Action = std::function<int()>;
+
+/// Declares one command on `parser` and sets `action` if it is the one chosen.
+using Declare = void (*)(CLI::App& parser, Action& action);
+
+void declare_schemes(CLI::App& parser, Action& action);
+void declare_show(CLI::App& parser, Action& action);
+void declare_refine(CLI::App& parser, Action& action);
+
+/// Prints "limn: …" on standard error; returns kBadInput.
+int report(const Error& error);
+void report_warnings(const Warnings& warnings);
+
+/// SCHEME and its parameters, as several commands take them.
+struct SchemeOptions {
+  std::string name;
+  std::vector<std::string> parameters;  // "name=value"
+
+  void declare_parameters(CLI::App& command);
+  [[nodiscard]] Result<Scheme> load() const;
+};
+
+}  // namespace limn::app

@@ -1,0 +1,113 @@
+#include <chrono>
+#include <memory>
+
+#include <fmt/core.h>
+#include <nlohmann/json.hpp>
+
+#include "command.h"
+#include "limn/base/progress.h"
+#include "limn/mesh/io/mesh_file.h"
+#include "limn/refine/refine.h"
+
+namespace limn::app {
+namespace {
+
+struct RefineOptions {
+  std::string mesh;
+  SchemeOptions scheme;
+  int levels = 3;
+  std::string output;
+  bool triangulate = false;
+  bool json = false;
+};
+
+Result<Polygons> read_control_mesh(const RefineOptions& options) {
+  Warnings warnings;
+  Result<Polygons> polygons = read_mesh(options.mesh, &warnings);
+  report_warnings(warnings);
+  if (polygons && options.triangulate) return triangulated(*polygons);
+  return polygons;
+}
+
+Result<Mesh> build_control_mesh(const RefineOptions& options, const Polygons& polygons) {
+  Warnings warnings;
+  Result<Mesh> mesh = Mesh::build(polygons, &warnings);
+  for (Error& warning : warnings) warning.file = options.mesh;
+  report_warnings(warnings);
+  if (!mesh) mesh.error().file = options.mesh;
+  return mesh;
+}
+
+void print_result(const RefineOptions& options, const Scheme& scheme, const Mesh& mesh,
+                  double seconds) {
+  if (options.json) {
+    const nlohmann::ordered_json json{{"vertices", mesh.vertex_count()},
+                                      {"faces", mesh.face_count()},
+                                      {"levels", options.levels},
+                                      {"seconds", seconds},
+                                      {"scheme", scheme.name},
+                                      {"output", options.output}};
+    fmt::print("{}\n", json.dump());
+    return;
+  }
+  fmt::print("{}: {} vertices, {} faces, after {} level{} of {} in {:.3g} s\n", options.output,
+             mesh.vertex_count(), mesh.face_count(), options.levels,
+             options.levels == 1 ? "" : "s", scheme.name, seconds);
+}
+
+int refine_mesh(const RefineOptions& options) {
+  // what can be refused at once is refused before any work
+  if (Status status = check_readable(options.mesh); !status) return report(status.error());
+  if (Status status = check_writable(options.output); !status) return report(status.error());
+  const Result<Scheme> scheme = options.scheme.load();
+  if (!scheme) return report(scheme.error());
+  Result<Polygons> polygons = read_control_mesh(options);
+  if (!polygons) return report(polygons.error());
+  Result<Mesh> mesh = build_control_mesh(options, *polygons);
+  if (!mesh) return report(mesh.error());
+
+  ProgressLine line;
+  const auto start = std::chrono::steady_clock::now();
+  Result<Refined<Point3>> refined = refine(
+      *scheme, std::move(*mesh), std::move(polygons->positions), options.levels,
+      [&](int done, int levels, const Mesh& fine) {
+        line.show(fmt::format("refining: {} of {} levels, {} vertices", done, levels,
+                              fine.vertex_count()));
+      });
+  const std::chrono::duration<double> time = std::chrono::steady_clock::now() - start;
+  if (!refined) {
+    Error error = refined.error();
+    if (error.file.empty()) error.file = options.mesh;
+    return report(error);
+  }
+  line.show("writing " + options.output);
+  const Polygons result = refined->mesh.polygons(std::move(refined->values));
+  if (Status status = write_mesh(options.output, result); !status) return report(status.error());
+  print_result(options, *scheme, refined->mesh, time.count());
+  return kDone;
+}
+
+}  // namespace
+
+void declare_refine(CLI::App& parser, Action& action) {
+  CLI::App* command = parser.add_subcommand("refine", "refine a mesh with a scheme");
+  const auto options = std::make_shared<RefineOptions>();
+  command->add_option("MESH", options->mesh, "control mesh: .obj, .off, .ply or .stl")->required();
+  command->add_option("-s,--scheme", options->scheme.name, "a shipped scheme, or a scheme file")
+      ->required();
+  command->add_option("-n,--levels", options->levels, "refinement steps")
+      ->capture_default_str()
+      ->check(CLI::Range(0, 64));
+  command->add_option("-o,--output", options->output,
+                      "where the refined mesh goes: .obj, .off, .ply, .stl or .glb")
+      ->required();
+  options->scheme.declare_parameters(*command);
+  command->add_flag("--triangulate", options->triangulate,
+                    "cut polygons into triangles first, each from its first corner");
+  command->add_flag("--json", options->json, "print one JSON object");
+  command->footer("Example: limn refine mesh.obj -s catmull-clark -n 4 -o fine.ply\n"
+                  "         limn refine mesh.obj -s butterfly -p w=1/20 -n 5 -o fine.glb");
+  command->callback([&action, options] { action = [options] { return refine_mesh(*options); }; });
+}
+
+}  // namespace limn::app

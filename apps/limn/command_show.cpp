@@ -1,0 +1,41 @@
+#include <memory>
+
+#include <fmt/core.h>
+#include <nlohmann/json.hpp>
+
+#include "command.h"
+#include "limn/report/scheme_report.h"
+
+namespace limn::app {
+namespace {
+
+struct ShowOptions {
+  SchemeOptions scheme;
+  bool json = false;
+};
+
+int show(const ShowOptions& options) {
+  const Result<Scheme> scheme = options.scheme.load();
+  if (!scheme) return report(scheme.error());
+  if (options.json)
+    fmt::print("{}\n", describe_json(*scheme).dump());
+  else
+    fmt::print("{}", describe(*scheme));
+  return kDone;
+}
+
+}  // namespace
+
+void declare_show(CLI::App& parser, Action& action) {
+  CLI::App* command =
+      parser.add_subcommand("show", "a scheme's rules, regular mask, parameters and source");
+  const auto options = std::make_shared<ShowOptions>();
+  command->add_option("SCHEME", options->scheme.name, "a shipped scheme, or a scheme file")
+      ->required();
+  options->scheme.declare_parameters(*command);
+  command->add_flag("--json", options->json, "print one JSON object");
+  command->footer("Example: limn show laplacian-butterfly -p b=3/16");
+  command->callback([&action, options] { action = [options] { return show(*options); }; });
+}
+
+}  // namespace limn::app

@@ -1,0 +1,73 @@
+#include <csignal>
+#include <cstdio>
+#include <new>
+
+#include <unistd.h>
+
+#include "command.h"
+#include "limn/base/file.h"
+#include "limn/base/parallel.h"
+
+namespace limn::app {
+namespace {
+
+// One line for each command, in the order of the help.
+constexpr Declare kCommands[] = {declare_schemes, declare_show, declare_refine};
+
+extern "C" void leave_nothing_half_written(int signal) {
+  remove_unfinished_files();
+  _exit(128 + signal);
+}
+
+/// CLI11 would only say that a command is missing.
+Status check_command(const CLI::App& parser, const std::string& word) {
+  std::string known;
+  for (const CLI::App* command : parser.get_subcommands([](const CLI::App*) { return true; })) {
+    if (command->get_name() == word) return Done{};
+    known += (known.empty() ? "" : ", ") + command->get_name();
+  }
+  return Error{"there is no command '" + word + "'", "the commands are " + known, {}, 0, 0};
+}
+
+int run(int argc, char** argv) {
+  CLI::App parser("limn: define a subdivision scheme in a text file, refine meshes with it", "limn");
+  parser.set_version_flag("--version", "limn " LIMN_VERSION);
+  parser.require_subcommand(1);
+  int threads = 0;
+  parser.add_option("--threads", threads, "use at most this many threads; 0 means all")
+      ->check(CLI::Range(0, 4096));
+  parser.fallthrough();
+  parser.footer("Example: limn refine mesh.obj -s loop -n 4 -o fine.ply\n"
+                "`limn COMMAND --help` explains a command.");
+  Action action;
+  for (const Declare declare : kCommands) declare(parser, action);
+  if (const std::string word = argc > 1 ? argv[1] : ""; !word.empty() && word[0] != '-')
+    if (Status status = check_command(parser, word); !status) return report(status.error());
+  try {
+    parser.parse(argc, argv);
+  } catch (const CLI::Success& success) {  // --help, --version
+    return parser.exit(success);
+  } catch (const CLI::ParseError& error) {
+    return report({error.what(), "`limn --help` and `limn COMMAND --help` explain the use", {}, 0, 0});
+  }
+  set_thread_limit(threads);
+  return action();
+}
+
+}  // namespace
+}  // namespace limn::app
+
+int main(int argc, char** argv) {
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP})
+    std::signal(signal, limn::app::leave_nothing_half_written);
+  try {
+    const int code = limn::app::run(argc, argv);
+    // a full disk or a closed pipe must not pass for success
+    if (std::fflush(stdout) != 0 && code == limn::app::kDone)
+      return limn::app::report({"cannot write to standard output", {}, {}, 0, 0});
+    return code;
+  } catch (const std::bad_alloc&) {
+    limn::remove_unfinished_files();
+    return limn::app::report({"out of memory", "refine fewer levels or a smaller mesh", {}, 0, 0});
+  }
+}

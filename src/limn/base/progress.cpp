@@ -1,0 +1,24 @@
+#include "limn/base/progress.h"
+
+#include <unistd.h>
+
+#include <cstdio>
+
+namespace limn {
+
+ProgressLine::ProgressLine(bool wanted)
+    : start_(std::chrono::steady_clock::now()), enabled_(wanted && isatty(STDERR_FILENO) == 1) {}
+
+ProgressLine::~ProgressLine() {
+  if (shown_) std::fputs("\r\033[K", stderr);
+}
+
+void ProgressLine::show(const std::string& text) {
+  constexpr std::chrono::seconds kQuiet{1};
+  if (!enabled_ || std::chrono::steady_clock::now() - start_ < kQuiet) return;
+  std::fprintf(stderr, "\r\033[K%s", text.c_str());
+  std::fflush(stderr);
+  shown_ = true;
+}
+
+}  // namespace limn

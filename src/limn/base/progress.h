@@ -1,0 +1,26 @@
+#pragma once
+/// Progress of long work, for a terminal: one line that rewrites itself, once a second has passed.
+
+#include <chrono>
+#include <string>
+
+namespace limn {
+
+class ProgressLine {
+ public:
+  /// Writes nothing unless standard error is a terminal and `wanted`.
+  explicit ProgressLine(bool wanted = true);
+  ~ProgressLine();
+  ProgressLine(const ProgressLine&) = delete;
+  ProgressLine& operator=(const ProgressLine&) = delete;
+
+  /// Shows `text` in place of the last one, if the work has taken over a second so far.
+  void show(const std::string& text);
+
+ private:
+  std::chrono::steady_clock::time_point start_;
+  bool enabled_;
+  bool shown_ = false;
+};
+
+}  // namespace limn

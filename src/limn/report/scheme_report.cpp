@@ -1,0 +1,163 @@
+#include "limn/report/scheme_report.h"
+
+#include <algorithm>
+
+#include <fmt/core.h>
+#include <nlohmann/json.hpp>
+
+#include "limn/regular/regular_mask.h"
+#include "limn/scheme/placement.h"
+
+namespace limn {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// How many positions a role has: "2", "n", "2n".
+std::string positions(const Scheme& scheme, RuleKind kind, const Weight& weight) {
+  const Placement placement = place(kind, scheme.split->lattice, weight.walk).value();
+  if (!placement.times_n) return to_string(placement.count);
+  return placement.count == 1 ? "n" : to_string(placement.count) + "n";
+}
+
+std::string range_text(const Parameter& parameter) {
+  if (!parameter.low || !parameter.high) return {};
+  return fmt::format("[{}, {}]", parameter.low->expression.text(),
+                     parameter.high->expression.text());
+}
+
+/// What the role's name means, where it is one of limn's; its walk, where it is the file's own.
+std::string meaning(const Scheme& scheme, RuleKind kind, const Weight& weight) {
+  for (const NamedRole& role : named_roles(kind, scheme.split->lattice))
+    if (role.name == weight.role) return std::string(role.meaning);
+  return "walk " + to_string(weight.walk);
+}
+
+std::string anchor_text(RuleKind kind) {
+  switch (kind) {
+    case RuleKind::vertex: return "an interior vertex with n edges";
+    case RuleKind::edge: return "an interior edge";
+    case RuleKind::edge_end: return "an interior edge, seen from an end with n edges";
+    case RuleKind::face: return "a face with n corners";
+    case RuleKind::corner: return "a corner of a face with n corners";
+    case RuleKind::boundary_vertex: return "a boundary vertex with n edges";
+    case RuleKind::boundary_edge: return "a boundary edge";
+    case RuleKind::boundary_edge_end: return "each third of a boundary edge, from the near end";
+  }
+  return {};
+}
+
+std::string case_text(const Scheme& scheme, RuleKind kind, const RuleCase& rule_case) {
+  std::string text;
+  if (rule_case.when) text += fmt::format("    when {}\n", rule_case.when->expression.text());
+  std::size_t widest = 0;
+  for (const Weight& weight : rule_case.weights)
+    widest = std::max(widest, weight.value.expression.text().size());
+  for (const Weight& weight : rule_case.weights)
+    text += fmt::format("    {:<9} {:>2} × {:<{}}  {}\n", weight.role,
+                        positions(scheme, kind, weight), weight.value.expression.text(), widest,
+                        meaning(scheme, kind, weight));
+  return text;
+}
+
+std::string indented(const std::string& text) {
+  std::string result;
+  for (std::size_t at = 0; at < text.size();) {
+    const std::size_t end = std::min(text.find('\n', at), text.size());
+    result += "  " + text.substr(at, end - at) + "\n";
+    at = end + 1;
+  }
+  return result;
+}
+
+Json rule_json(const Scheme& scheme, RuleKind kind, const Rule& rule) {
+  Json cases = Json::array();
+  for (const RuleCase& rule_case : rule) {
+    Json weights = Json::array();
+    for (const Weight& weight : rule_case.weights)
+      weights.push_back({{"role", weight.role},
+                         {"walk", to_string(weight.walk)},
+                         {"positions", positions(scheme, kind, weight)},
+                         {"weight", weight.value.expression.text()}});
+    Json entry;
+    entry["when"] = rule_case.when ? Json(rule_case.when->expression.text()) : Json();
+    entry["weights"] = std::move(weights);
+    cases.push_back(std::move(entry));
+  }
+  return cases;
+}
+
+Json mask_json(const Mask& mask) {
+  Json coefficients = Json::array();
+  for (const auto& [offset, value] : mask.coefficients)
+    coefficients.push_back({{"twice_offset", {offset[0], offset[1]}}, {"value", to_string(value)}});
+  return coefficients;
+}
+
+Json parameters_json(const Scheme& scheme) {
+  Json parameters = Json::array();
+  for (const Parameter& parameter : scheme.parameters) {
+    Json entry{{"name", parameter.name}, {"value", parameter.value.expression.text()}};
+    if (parameter.low && parameter.high)
+      entry["range"] = {parameter.low->expression.text(), parameter.high->expression.text()};
+    entry["meaning"] = parameter.meaning;
+    parameters.push_back(std::move(entry));
+  }
+  return parameters;
+}
+
+}  // namespace
+
+std::string describe(const Scheme& scheme) {
+  std::string text = fmt::format("{}: {}\n  split   {} ({})\n", scheme.name, scheme.title,
+                                 scheme.split->name, scheme.split->description);
+  if (!scheme.source.empty()) text += fmt::format("  source  {}\n", scheme.source);
+  if (!scheme.notes.empty()) text += fmt::format("  notes   {}\n", scheme.notes);
+  if (!scheme.parameters.empty()) text += "\nparameters\n";
+  for (const Parameter& parameter : scheme.parameters)
+    text += fmt::format("  {} = {}  {}  {}\n", parameter.name, parameter.value.expression.text(),
+                        range_text(parameter), parameter.meaning);
+  if (!scheme.lets.empty()) text += "\nlet\n";
+  for (const auto& [name, formula] : scheme.lets)
+    text += fmt::format("  {} = {}\n", name, formula.expression.text());
+  text += "\nrules: role, positions × weight\n";
+  bool any = false;
+  for (int i = 0; i < kRuleKinds; ++i) {
+    const auto kind = static_cast<RuleKind>(i);
+    if (!scheme.rule(kind)) continue;
+    any = true;
+    text += fmt::format("  {}: {}\n", rule_name(kind), anchor_text(kind));
+    for (const RuleCase& rule_case : *scheme.rule(kind)) text += case_text(scheme, kind, rule_case);
+  }
+  if (!any) text += "  none: the mask lacks the lattice's symmetry\n";
+  const Result<Mask> mask = regular_mask(scheme);
+  if (mask) text += "\nmask on the regular lattice\n" + indented(to_string(*mask));
+  return text;
+}
+
+nlohmann::ordered_json summary_json(const Scheme& scheme) {
+  return {{"name", scheme.name},
+          {"title", scheme.title},
+          {"split", scheme.split->name},
+          {"source", scheme.source},
+          {"parameters", parameters_json(scheme)}};
+}
+
+nlohmann::ordered_json describe_json(const Scheme& scheme) {
+  Json json = summary_json(scheme);
+  json["notes"] = scheme.notes;
+  json["file"] = scheme.file;
+  json["lets"] = Json::object();
+  for (const auto& [name, formula] : scheme.lets) json["lets"][name] = formula.expression.text();
+  json["rules"] = Json::object();
+  for (int i = 0; i < kRuleKinds; ++i) {
+    const auto kind = static_cast<RuleKind>(i);
+    if (scheme.rule(kind))
+      json["rules"][std::string(rule_name(kind))] = rule_json(scheme, kind, *scheme.rule(kind));
+  }
+  const Result<Mask> mask = regular_mask(scheme);
+  json["mask"] = mask ? mask_json(*mask) : Json();
+  return json;
+}
+
+}  // namespace limn

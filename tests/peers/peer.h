@@ -1,0 +1,41 @@
+#pragma once
+/// Other people's subdivision libraries behind one interface, for tests and benchmarks: a mesh
+/// of theirs, made from a control mesh of ours, that refines itself. Nothing of theirs shows in
+/// this header; each library has one source file, peer_NAME.cpp.
+
+#include <cstddef>
+#include <memory>
+
+#include "limn/mesh/polygons.h"
+
+namespace limn::peers {
+
+enum class Method { loop, catmull_clark, sqrt3, doo_sabin, modified_butterfly };
+
+/// The numbers that hold the positions.
+enum class Precision { single_float, double_float };
+
+class Peer {
+ public:
+  Peer() = default;
+  Peer(const Peer&) = delete;
+  Peer& operator=(const Peer&) = delete;
+  virtual ~Peer() = default;
+
+  /// `levels` steps. At most once per object: for √3 the parity of a step counts from the call.
+  virtual void refine(int levels) = 0;
+
+  [[nodiscard]] virtual std::size_t vertex_count() const = 0;
+  /// The mesh as it now is, in the library's own order of vertices and faces.
+  [[nodiscard]] virtual Polygons polygons() const = 0;
+};
+
+/// A mesh of that library; nullptr where it has no such method. Throws std::runtime_error where
+/// the library refuses the mesh.
+[[nodiscard]] std::unique_ptr<Peer> cgal_peer(Method method, const Polygons& control);
+[[nodiscard]] std::unique_ptr<Peer> openmesh_peer(Method method, const Polygons& control,
+                                                  Precision precision = Precision::double_float);
+[[nodiscard]] std::unique_ptr<Peer> opensubdiv_peer(Method method, const Polygons& control,
+                                                    Precision precision = Precision::double_float);
+
+}  // namespace limn::peers

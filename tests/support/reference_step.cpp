@@ -1,0 +1,279 @@
+#include "support/reference_step.h"
+
+#include <cmath>
+#include <map>
+#include <numbers>
+
+namespace limn::test {
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+
+/// Dyadic schemes on triangles: a vertex takes 1 - n·beta of itself and beta of each neighbour.
+struct TriangleRules {
+  double (*beta)(int n);
+  double end, wing, outer, opposite;
+  bool four_point;  ///< boundary curve: four-point, or else the cubic B-spline
+  bool zorin;       ///< edges with an extraordinary end as in the modified butterfly
+};
+
+double loop_beta(int n) {
+  const double lambda = 3 / 8. + std::cos(2 * kPi / n) / 4;
+  return (5 / 8. - lambda * lambda) / n;
+}
+double warren_beta(int n) { return n == 3 ? 3 / 16. : 3 / (8. * n); }
+// Kawaharada, Sugihara: beta - a/n, with their a = n·beta - 1/4 + cos(3π/n)/4
+double laplacian_high_beta(int n) { return (1 - std::cos(3 * kPi / n)) / (4 * n); }
+double laplacian_low_beta(int n) { return 1 / (2. * n); }
+double optimal_beta(int n) {
+  const double lambda = 1 / 3. + std::cos(2 * kPi / n) / 3;
+  return (2 / 3. - lambda * lambda) / n;
+}
+double optimal_high_beta(int n) { return (2 / 3. - (1 / 3. + std::cos(3 * kPi / n) / 3)) / n; }
+double optimal_low_beta(int n) { return 33 / 64. / n; }
+double no_beta(int) { return 0; }
+
+// the butterfly blended with the mean of the ends' stencils (1/2; six of 1/12), b = 1/8
+constexpr double kBlend = 1 / 8.;
+constexpr TriangleRules kLaplacianButterfly{no_beta,
+                                            (1 - kBlend) / 2 + kBlend*(1 / 4. + 1 / 24.),
+                                            (1 - kBlend) / 8 + kBlend*(1 / 12.),
+                                            (1 - kBlend) / -16 + kBlend*(1 / 24.),
+                                            kBlend*(1 / 24.),
+                                            true,
+                                            true};
+
+const std::map<std::string, TriangleRules>& triangle_rules() {
+  static const std::map<std::string, TriangleRules> rules{
+      {"loop", {loop_beta, 3 / 8., 1 / 8., 0, 0, false, false}},
+      {"box-spline-triangle", {loop_beta, 3 / 8., 1 / 8., 0, 0, false, false}},
+      {"loop-warren", {warren_beta, 3 / 8., 1 / 8., 0, 0, false, false}},
+      {"laplacian-loop", {laplacian_high_beta, 3 / 8., 1 / 8., 0, 0, false, false}},
+      {"laplacian-loop-low", {laplacian_low_beta, 3 / 8., 1 / 8., 0, 0, false, false}},
+      {"optimal", {optimal_beta, 1 / 3., 1 / 6., 0, 0, false, false}},
+      {"optimal-high", {optimal_high_beta, 1 / 3., 1 / 6., 0, 0, false, false}},
+      {"optimal-low", {optimal_low_beta, 1 / 3., 1 / 6., 0, 0, false, false}},
+      {"butterfly", {no_beta, 1 / 2., 1 / 8., -1 / 16., 0, true, false}},
+      {"butterfly-modified", {no_beta, 1 / 2., 1 / 8., -1 / 16., 0, true, true}},
+      {"interpolating-loop", {no_beta, 33 / 64., 6 / 64., -3 / 64., -1 / 64., true, true}},
+      {"laplacian-butterfly", kLaplacianButterfly},
+  };
+  return rules;
+}
+
+double zorin_weight(int n, int k) {
+  if (n == 3) return k == 0 ? 5 / 12. : -1 / 12.;
+  if (n == 4) return k == 0 ? 3 / 8. : k == 2 ? -1 / 8. : 0;
+  return (1 / 4. + std::cos(2 * kPi * k / n) + std::cos(4 * kPi * k / n) / 2) / n;
+}
+
+class Reference {
+ public:
+  Reference(const Mesh& mesh, const Births& births, const std::vector<double>& old)
+      : mesh_(mesh), births_(births), old_(old) {}
+
+  std::vector<double> triangle_dyadic(const TriangleRules& rules) {
+    for (Index v = 0; v < births_.from_vertices; ++v) push(triangle_vertex(rules, v));
+    for (Index e = 0; e < births_.from_edges; ++e)
+      push(triangle_edge(rules, mesh_.halfedge_of_edge(e)));
+    return std::move(fresh_);
+  }
+
+  std::vector<double> catmull_clark() {
+    for (Index v = 0; v < births_.from_vertices; ++v) push(catmull_clark_vertex(v));
+    for (Index e = 0; e < births_.from_edges; ++e) {
+      const Index h = mesh_.halfedge_of_edge(e);
+      const double ends = at(mesh_.origin(h)) + at(mesh_.target(h));
+      push(mesh_.is_boundary_edge(e)
+               ? ends / 2
+               : (ends + mean(mesh_.face(h)) + mean(mesh_.face(mesh_.twin(h)))) / 4);
+    }
+    for (Index f = 0; f < births_.from_faces; ++f) push(mean(f));
+    return std::move(fresh_);
+  }
+
+  std::vector<double> doo_sabin() {
+    for (Index h = 0; h < births_.from_corners; ++h) {
+      const int n = mesh_.degree(mesh_.face(h));
+      double sum = at(mesh_.origin(h)) / 4;
+      Index corner = h;
+      for (int k = 0; k < n; ++k, corner = mesh_.next(corner))
+        sum += (3 + 2 * std::cos(2 * kPi * k / n)) / (4 * n) * at(mesh_.origin(corner));
+      push(sum);
+    }
+    for (const Index v : births_.isolated) push(at(v));
+    return std::move(fresh_);
+  }
+
+  std::vector<double> sqrt3() {
+    const bool boundary_moves = !births_.edge_ends.empty();
+    for (Index v = 0; v < births_.from_vertices; ++v) {
+      if (mesh_.is_boundary_vertex(v))
+        push(boundary_moves ? (19 * at(v) + 4 * boundary_neighbours(v)) / 27 : at(v));
+      else
+        push(smoothed(v, (4 - 2 * std::cos(2 * kPi / mesh_.valence(v))) / (9 * mesh_.valence(v))));
+    }
+    for (const Index end : births_.edge_ends) {
+      const Index h = end / 2;
+      const bool at_target = end % 2 != 0;
+      const Index near = at_target ? mesh_.target(h) : mesh_.origin(h);
+      const Index far = at_target ? mesh_.origin(h) : mesh_.target(h);
+      push((16 * at(near) + 10 * at(far) + at(beyond(h, at_target))) / 27);
+    }
+    for (Index i = 0; i < births_.from_faces; ++i)
+      push(mean(births_.faces.empty() ? i : births_.faces[i]));
+    return std::move(fresh_);
+  }
+
+ private:
+  void push(double value) { fresh_.push_back(value); }
+  [[nodiscard]] double at(Index v) const { return old_[static_cast<std::size_t>(v)]; }
+  [[nodiscard]] Index apex(Index h) const { return mesh_.target(mesh_.next(h)); }
+
+  [[nodiscard]] double mean(Index f) const {
+    double sum = 0;
+    for (Index h = mesh_.face_begin(f); h < mesh_.face_begin(f + 1); ++h)
+      sum += at(mesh_.origin(h));
+    return sum / mesh_.degree(f);
+  }
+
+  /// Sum over the edges at an interior vertex v of the value at their other ends.
+  [[nodiscard]] double neighbours(Index v) const {
+    double sum = 0;
+    const Index first = mesh_.halfedge_of_vertex(v);
+    Index h = first;
+    do {
+      sum += at(mesh_.target(h));
+      h = mesh_.rotate(h);
+    } while (h != first);
+    return sum;
+  }
+
+  [[nodiscard]] double smoothed(Index v, double beta) const {
+    if (mesh_.is_isolated(v)) return at(v);
+    return (1 - mesh_.valence(v) * beta) * at(v) + beta * neighbours(v);
+  }
+
+  /// The other boundary edge's far end, where boundary half-edge h meets its origin or target.
+  [[nodiscard]] Index beyond(Index h, bool at_target) const {
+    if (at_target) {
+      Index out = mesh_.next(h);
+      while (mesh_.twin(out) != kNone) out = mesh_.next(mesh_.twin(out));
+      return mesh_.target(out);
+    }
+    Index in = mesh_.prev(h);
+    while (mesh_.twin(in) != kNone) in = mesh_.prev(mesh_.twin(in));
+    return mesh_.origin(in);
+  }
+
+  [[nodiscard]] double boundary_neighbours(Index v) const {
+    const Index out = mesh_.halfedge_of_vertex(v);
+    return at(mesh_.target(out)) + at(beyond(out, false));
+  }
+
+  [[nodiscard]] double triangle_vertex(const TriangleRules& rules, Index v) const {
+    if (!mesh_.is_boundary_vertex(v)) return smoothed(v, rules.beta(std::max(mesh_.valence(v), 1)));
+    return rules.four_point ? at(v) : (6 * at(v) + boundary_neighbours(v)) / 8;
+  }
+
+  [[nodiscard]] double triangle_edge(const TriangleRules& rules, Index h) const {
+    const Index from = mesh_.origin(h), to = mesh_.target(h);
+    if (mesh_.twin(h) == kNone) {
+      const double ends = at(from) + at(to);
+      if (!rules.four_point) return ends / 2;
+      return (9 * ends - at(beyond(h, false)) - at(beyond(h, true))) / 16;
+    }
+    const bool odd_from = rules.zorin && is_extraordinary(from);
+    const bool odd_to = rules.zorin && is_extraordinary(to);
+    if (odd_from && odd_to) return (zorin(h) + zorin(mesh_.twin(h))) / 2;
+    if (odd_from) return zorin(h);
+    if (odd_to) return zorin(mesh_.twin(h));
+    return edge_side(rules, h) + edge_side(rules, mesh_.twin(h));
+  }
+
+  [[nodiscard]] bool is_extraordinary(Index v) const {
+    return !mesh_.is_boundary_vertex(v) && mesh_.valence(v) != 6;
+  }
+
+  /// Round the origin of h, counterclockwise from h.
+  [[nodiscard]] double zorin(Index h) const {
+    const int n = mesh_.valence(mesh_.origin(h));
+    double sum = 3 / 4. * at(mesh_.origin(h));
+    Index spoke = h;
+    for (int k = 0; k < n; ++k, spoke = mesh_.rotate(spoke))
+      sum += zorin_weight(n, k) * at(mesh_.target(spoke));
+    return sum;
+  }
+
+  /// What the edge rule takes on the left of h, and at h's target end.
+  [[nodiscard]] double edge_side(const TriangleRules& rules, Index h) const {
+    double sum = rules.end * at(mesh_.target(h)) + rules.wing * at(apex(h));
+    for (const Index side : {mesh_.next(h), mesh_.prev(h)}) {
+      const Index out = mesh_.twin(side);
+      // beyond the boundary: the parallelogram's fourth corner
+      sum += rules.outer * (out != kNone
+                                ? at(apex(out))
+                                : at(mesh_.origin(side)) + at(mesh_.target(side)) - at(apex(side)));
+    }
+    return sum + rules.opposite * (straight_on_left(h) + straight_on_right(h)) / 2;
+  }
+
+  /// The vertex three faces on, turning round h's target on h's left: straight beyond it if the
+  /// target is regular. Where the mesh ends before: the edge prolonged.
+  [[nodiscard]] double straight_on_left(Index h) const {
+    Index spoke = mesh_.next(h);  // out of the target; faces crossed: one
+    for (int i = 0; i < 2; ++i) {
+      if (mesh_.twin(spoke) == kNone) return 2 * at(mesh_.target(h)) - at(mesh_.origin(h));
+      spoke = mesh_.next(mesh_.twin(spoke));
+    }
+    return at(mesh_.target(spoke));
+  }
+
+  [[nodiscard]] double straight_on_right(Index h) const {
+    Index spoke = mesh_.prev(mesh_.twin(h));  // into the target
+    for (int i = 0; i < 2; ++i) {
+      if (mesh_.twin(spoke) == kNone) return 2 * at(mesh_.target(h)) - at(mesh_.origin(h));
+      spoke = mesh_.prev(mesh_.twin(spoke));
+    }
+    return at(mesh_.origin(spoke));
+  }
+
+  /// Q/n + 2R/n + S(n-3)/n: means of the new face points, of the edges' middles, the vertex.
+  [[nodiscard]] double catmull_clark_vertex(Index v) const {
+    if (mesh_.is_isolated(v)) return at(v);
+    if (mesh_.is_boundary_vertex(v)) return (6 * at(v) + boundary_neighbours(v)) / 8;
+    const double n = mesh_.valence(v);
+    double faces = 0;
+    const Index first = mesh_.halfedge_of_vertex(v);
+    Index h = first;
+    do {
+      faces += mean(mesh_.face(h));
+      h = mesh_.rotate(h);
+    } while (h != first);
+    const double middles = (n * at(v) + neighbours(v)) / 2;
+    return (faces / n + 2 * middles / n + (n - 3) * at(v)) / n;
+  }
+
+  const Mesh& mesh_;
+  const Births& births_;
+  const std::vector<double>& old_;
+  std::vector<double> fresh_;
+};
+
+}  // namespace
+
+bool has_reference(const std::string& scheme) {
+  return triangle_rules().contains(scheme) || scheme == "catmull-clark" || scheme == "doo-sabin" ||
+         scheme == "sqrt3" || scheme == "box-spline-quad";
+}
+
+std::vector<double> reference_step(const std::string& scheme, const Mesh& mesh,
+                                   const Births& births, const std::vector<double>& old) {
+  Reference reference(mesh, births, old);
+  if (scheme == "catmull-clark" || scheme == "box-spline-quad") return reference.catmull_clark();
+  if (scheme == "doo-sabin") return reference.doo_sabin();
+  if (scheme == "sqrt3") return reference.sqrt3();
+  return reference.triangle_dyadic(triangle_rules().at(scheme));
+}
+
+}  // namespace limn::test

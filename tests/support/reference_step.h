@@ -1,0 +1,23 @@
+#pragma once
+/// One refinement step of the shipped schemes, written a second time from the literature and by
+/// scheme name: its weights are typed in from the papers, and nothing of scheme/ or refine/ is
+/// used. Only the half-edges and the births (mesh/) are shared with the library.
+
+#include <string>
+#include <vector>
+
+#include "limn/mesh/split.h"
+
+namespace limn::test {
+
+/// Whether there is a reference for a scheme of this name.
+[[nodiscard]] bool has_reference(const std::string& scheme);
+
+/// Values at the vertices of the refined mesh. Parameters have the defaults that the papers give.
+/// Schemes that are given by a mask alone have a reference on regular tori only; a
+/// modified-butterfly kind has none round an interior vertex of valence 2.
+[[nodiscard]] std::vector<double> reference_step(const std::string& scheme, const Mesh& mesh,
+                                                 const Births& births,
+                                                 const std::vector<double>& old);
+
+}  // namespace limn::test
