@@ -1,10 +1,11 @@
 # cmake -D BUILD=… -D COMPILER=… -P run.cmake
 # Installs the build folder BUILD into BUILD/consumer-prefix, then configures, builds and runs the
-# project beside this file against it.
+# project beside this file, which is the README's example program, against it.
 cmake_minimum_required(VERSION 3.25)
 
 set(prefix ${BUILD}/consumer-prefix)
 set(work ${BUILD}/consumer-build)
+cmake_path(SET examples NORMALIZE ${CMAKE_CURRENT_LIST_DIR}/../../examples)
 file(REMOVE_RECURSE ${prefix} ${work})
 
 function(step)
@@ -13,9 +14,9 @@ endfunction()
 step(${CMAKE_COMMAND} -E env --unset=DESTDIR ${CMAKE_COMMAND} --install ${BUILD} --prefix ${prefix})
 step(${CMAKE_COMMAND} -G Ninja -S ${CMAKE_CURRENT_LIST_DIR} -B ${work}
      -D CMAKE_BUILD_TYPE=Release -D CMAKE_CXX_COMPILER=${COMPILER}
-     -D CMAKE_PREFIX_PATH=${prefix} -D CMAKE_FIND_PACKAGE_NO_PACKAGE_REGISTRY=ON)
+     -D EXAMPLES=${examples} -D CMAKE_PREFIX_PATH=${prefix} -D CMAKE_FIND_PACKAGE_NO_PACKAGE_REGISTRY=ON)
 step(${CMAKE_COMMAND} --build ${work})
-step(${work}/consumer)
+step(${work}/consumer ${examples}/bracket.obj loop 2 ${work}/fine.ply)
 if(EXISTS ${BUILD}/bin/limn)
   step(${prefix}/bin/limn --help)
 endif()

@@ -1,0 +1,214 @@
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "limn/mesh/io/mesh_file.h"
+#include "limn/refine/refine.h"
+#include "run_command.h"
+
+namespace limn::test {
+namespace {
+
+const std::string kBracket = "'" LIMN_EXAMPLES "/bracket.obj'";
+const std::string kQuads = "'" LIMN_EXAMPLES "/bracket-quads.obj'";
+
+constexpr const char* kTetrahedron =
+    "v 1 1 1\nv -1 -1 1\nv -1 1 -1\nv 1 -1 -1\nf 1 2 4\nf 3 2 1\nf 1 4 3\nf 2 3 4\n";
+
+nlohmann::json parsed(const Outcome& outcome) {
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  return nlohmann::json::parse(outcome.out);
+}
+
+/// Bad input: exit 2, the reason on standard error, nothing on standard output.
+void expect_refused(const Outcome& outcome, const std::vector<std::string>& parts) {
+  EXPECT_EQ(outcome.code, 2) << outcome.err;
+  EXPECT_EQ(outcome.out, "");
+  EXPECT_EQ(outcome.err.substr(0, 6), "limn: ");
+  for (const std::string& part : parts)
+    EXPECT_NE(outcome.err.find(part), std::string::npos) << part << " not in: " << outcome.err;
+}
+
+TEST(Command, ListsTheShippedSchemes) {
+  const Folder folder;
+  const nlohmann::json json = parsed(folder.limn("schemes --json"));
+  EXPECT_EQ(json.at("schemes").size(), shipped_schemes().size());
+  const Outcome text = folder.limn("schemes");
+  EXPECT_EQ(text.code, 0);
+  for (const char* name :
+       {"loop", "loop-warren", "butterfly", "butterfly-modified", "interpolating-loop", "sqrt3",
+        "catmull-clark", "doo-sabin", "laplacian-loop", "laplacian-loop-low",
+        "laplacian-butterfly", "optimal", "optimal-high", "optimal-low", "box-spline-triangle",
+        "box-spline-quad"})
+    EXPECT_NE(text.out.find("\n" + std::string(name) + " "), text.out.find(name)) << name;
+}
+
+TEST(Command, ShowsEveryScheme) {
+  const Folder folder;
+  for (const std::string& name : shipped_schemes()) {
+    const nlohmann::json json = parsed(folder.limn("show " + name + " --json"));
+    EXPECT_EQ(json.at("name"), name);
+    EXPECT_FALSE(json.at("rules").empty()) << name;
+    const Outcome text = folder.limn("show " + name);
+    EXPECT_EQ(text.code, 0);
+    EXPECT_EQ(text.out.substr(0, name.size() + 1), name + ":");
+  }
+}
+
+TEST(Command, ShowsTheMaskAtTheParametersGiven) {
+  const Folder folder;
+  const Outcome loop = folder.limn("show laplacian-loop -p a=0");
+  EXPECT_NE(loop.out.find("1/16 ×"), std::string::npos) << loop.out;
+  EXPECT_NE(loop.out.find("1   6  10   6   1"), std::string::npos) << loop.out;
+  const Outcome example = folder.limn("show laplacian-loop");
+  EXPECT_NE(example.out.find("1/24 ×"), std::string::npos) << example.out;
+}
+
+TEST(Command, RefineSaysWhatItMade) {
+  const Folder folder;
+  folder.write("t.obj", kTetrahedron);
+  const nlohmann::json json = parsed(folder.limn("refine t.obj -s loop -n 3 -o fine.ply --json"));
+  EXPECT_EQ(json.at("vertices"), 130);
+  EXPECT_EQ(json.at("faces"), 256);
+  EXPECT_EQ(json.at("levels"), 3);
+  EXPECT_GE(json.at("seconds").get<double>(), 0);
+  const Result<Polygons> fine = read_mesh(folder.file("fine.ply"));
+  ASSERT_TRUE(fine.ok()) << fine.error().text();
+  EXPECT_EQ(fine->vertex_count(), 130);
+  EXPECT_EQ(fine->face_count(), 256);
+}
+
+TEST(Command, RefinesWithEverySchemeIntoEveryFormat) {
+  const Folder folder;
+  for (const std::string& name : shipped_schemes()) {
+    if (name.substr(0, 10) == "box-spline") continue;
+    for (const std::string format : {"obj", "off", "ply", "stl", "glb"}) {
+      const std::string mesh = find_scheme(name)->split->any_polygons ? kQuads : kBracket;
+      const Outcome outcome =
+          folder.limn("refine " + mesh + " -s " + name + " -n 2 -o out." + format);
+      EXPECT_EQ(outcome.code, 0) << name << " " << format << " " << outcome.err;
+      EXPECT_FALSE(folder.read("out." + format).empty());
+    }
+  }
+}
+
+TEST(Command, LevelZeroKeepsTheControlMeshAsGiven) {
+  const Folder folder;
+  ASSERT_EQ(folder.limn("refine " + kQuads + " -s catmull-clark -n 0 -o same.obj").code, 0);
+  EXPECT_EQ(*read_mesh(folder.file("same.obj")), *read_mesh(LIMN_EXAMPLES "/bracket-quads.obj"));
+}
+
+TEST(Command, OneThreadAndManyWriteTheSameBytes) {
+  const Folder folder;
+  for (const std::string scheme : {"loop", "sqrt3", "butterfly-modified"}) {
+    const std::string job = "refine " + kBracket + " -n 5 -s " + scheme;
+    ASSERT_EQ(folder.limn(job + " --threads 1 -o one.ply").code, 0);
+    ASSERT_EQ(folder.limn("--threads 2 " + job + " -o two.ply").code, 0);
+    EXPECT_EQ(folder.read("one.ply"), folder.read("two.ply")) << scheme;
+  }
+}
+
+TEST(Command, TakesASchemeFileItHasNeverSeen) {
+  const Folder folder;
+  folder.write("t.obj", kTetrahedron);
+  folder.write("mine.toml",
+               "split = \"triangle-dyadic\"\n"
+               "vertex = { self = \"1 - n*b\", ring = \"b\" }\n"
+               "edge = { end = \"2/5\", wing = \"1/10\" }\n"
+               "parameter.b = { default = \"1/(4*n)\" }\n");
+  const nlohmann::json shown = parsed(folder.limn("show ./mine.toml --json"));
+  EXPECT_EQ(shown.at("name"), "mine");
+  EXPECT_EQ(folder.limn("refine t.obj -s mine.toml -n 1 -o fine.obj").code, 0);
+  const Polygons fine = *read_mesh(folder.file("fine.obj"));
+  // 3/4 of the corner and 1/4 of the mean of the others, which is -1/3 of it
+  EXPECT_NEAR(fine.positions[0].x, 0.75 - 0.25 / 3, 1e-15);
+  EXPECT_EQ(folder.limn("refine t.obj -s mine.toml -p b=0 -n 1 -o fine.obj").code, 0);
+  EXPECT_EQ(read_mesh(folder.file("fine.obj"))->positions[0].x, 1);
+}
+
+TEST(Command, RefusesBadUse) {
+  const Folder folder;
+  expect_refused(folder.limn(""), {"required"});
+  expect_refused(folder.limn("frobnicate"), {"frobnicate", "refine"});
+  expect_refused(folder.limn("show"), {"SCHEME"});
+  expect_refused(folder.limn("show lop"), {"lop", "did you mean", "loop"});
+  expect_refused(folder.limn("show nowhere/mine.toml"), {"nowhere/mine.toml"});
+  expect_refused(folder.limn("show butterfly -p w"), {"'w'", "name=expression"});
+  expect_refused(folder.limn("show butterfly -p v=1"), {"no parameter 'v'", "w"});
+  expect_refused(folder.limn("show butterfly -p w=0.1"), {"decimal"});
+  expect_refused(folder.limn("show butterfly -p w=1/2"), {"range", "1/8"});
+  expect_refused(folder.limn("refine x.obj"), {"--scheme"});
+  expect_refused(folder.limn("refine x.obj -s loop"), {"--output"});
+  expect_refused(folder.limn("refine x.obj -s loop -n three -o y.obj"), {"three"});
+  expect_refused(folder.limn("refine x.obj -s loop -n -1 -o y.obj"), {"-1"});
+  expect_refused(folder.limn("refine x.obj -s loop --threads x -o y.obj"), {"threads"});
+}
+
+TEST(Command, RefusesBadMeshes) {
+  const Folder folder;
+  folder.write("t.obj", kTetrahedron);
+  expect_refused(folder.limn("refine none.obj -s loop -o y.obj"), {"none.obj"});
+  expect_refused(folder.limn("refine t.obj -s loop -o y.foo"), {"foo", "ply"});
+  expect_refused(folder.limn("refine t.foo -s loop -o y.obj"), {"foo", "ply"});
+  expect_refused(folder.limn("refine t.obj -s loop -o no/such/y.obj"), {"no/such"});
+  folder.write("nan.obj", "v 0 0 nan\n");
+  expect_refused(folder.limn("refine nan.obj -s loop -o y.obj"), {"nan.obj:1:7"});
+  folder.write("fan.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nv 0 -1 0\n"
+                          "f 1 2 3\nf 1 2 4\nf 1 2 5\n");
+  expect_refused(folder.limn("refine fan.obj -s loop -o y.obj"), {"fan.obj", "0", "1"});
+  expect_refused(folder.limn("refine " + kQuads + " -s loop -o y.obj"),
+                 {"corners", "--triangulate"});
+  EXPECT_EQ(folder.limn("refine " + kQuads + " -s loop --triangulate -o y.obj").code, 0);
+}
+
+TEST(Command, RefusesLevelsThatDoNotFit) {
+  const Folder folder;
+  folder.write("t.obj", kTetrahedron);
+  expect_refused(folder.limn("refine t.obj -s loop -n 40 -o y.obj"), {"40 levels", "vertices"});
+  EXPECT_EQ(folder.count(), 1);
+}
+
+TEST(Command, WarnsOnceOfContentThatIsNotRefined) {
+  const Folder folder;
+  folder.write("uv.obj", std::string(kTetrahedron) + "vt 0 0\nvt 1 0\nvn 0 0 1\n");
+  const Outcome outcome = folder.limn("refine uv.obj -s loop -n 1 -o y.obj");
+  EXPECT_EQ(outcome.code, 0);
+  const std::size_t first = outcome.err.find("not refined yet");
+  ASSERT_NE(first, std::string::npos) << outcome.err;
+  EXPECT_EQ(outcome.err.find("not refined yet", first + 1), std::string::npos);
+}
+
+TEST(Command, AnInterruptLeavesNothingHalfWritten) {
+  const Folder folder;
+  const Outcome outcome = folder.limn("refine " + kBracket + " -s loop -n 8 -o big.obj",
+                                      "timeout --signal=INT 0.7");
+  // fast machines may finish: then the file must be whole
+  const int files = folder.count();
+  if (outcome.code == 0)
+    EXPECT_EQ(files, 1);
+  else
+    EXPECT_EQ(files, 0) << outcome.code;
+}
+
+TEST(Command, AFullDiskIsNotSuccess) {
+  if (!std::ifstream("/dev/full").good()) GTEST_SKIP() << "no /dev/full here";
+  const Folder folder;
+  folder.write("run.sh", "'" LIMN_COMMAND "' show loop >/dev/full 2>err; echo $? >code\n");
+  ASSERT_EQ(std::system(("cd '" + folder.path() + "' && sh run.sh").c_str()), 0);
+  EXPECT_EQ(folder.read("code"), "2\n");
+}
+
+TEST(Command, HelpAndVersionSucceed) {
+  const Folder folder;
+  for (const char* arguments : {"--help", "--version", "show --help", "refine --help",
+                                "schemes --help"}) {
+    const Outcome outcome = folder.limn(arguments);
+    EXPECT_EQ(outcome.code, 0) << arguments;
+    EXPECT_FALSE(outcome.out.empty()) << arguments;
+  }
+  EXPECT_NE(folder.limn("refine --help").out.find("Example: "), std::string::npos);
+}
+
+}  // namespace
+}  // namespace limn::test

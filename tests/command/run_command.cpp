@@ -1,0 +1,53 @@
+#include "run_command.h"
+
+#include <sys/wait.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+namespace limn::test {
+namespace fs = std::filesystem;
+namespace {
+
+std::string content(const std::string& path) {
+  std::ifstream in(path, std::ios::binary);
+  std::ostringstream text;
+  text << in.rdbuf();
+  return text.str();
+}
+
+}  // namespace
+
+Folder::Folder() {
+  std::string name = (fs::temp_directory_path() / "limn-command-XXXXXX").string();
+  path_ = mkdtemp(name.data());
+}
+
+Folder::~Folder() {
+  std::error_code ignored;
+  fs::remove_all(path_, ignored);
+}
+
+void Folder::write(const std::string& name, const std::string& text) const {
+  std::ofstream(file(name), std::ios::binary) << text;
+}
+
+std::string Folder::read(const std::string& name) const { return content(file(name)); }
+
+int Folder::count() const {
+  return static_cast<int>(std::distance(fs::directory_iterator(path_), fs::directory_iterator()));
+}
+
+Outcome Folder::limn(const std::string& arguments, const std::string& prefix) const {
+  const Folder streams;
+  const std::string line = "cd '" + path_ + "' && " + prefix + " '" LIMN_COMMAND "' " + arguments +
+                           " >'" + streams.file("out") + "' 2>'" + streams.file("err") +
+                           "' </dev/null";
+  const int status = std::system(line.c_str());
+  return {WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status), streams.read("out"),
+          streams.read("err")};
+}
+
+}  // namespace limn::test

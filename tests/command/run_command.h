@@ -1,0 +1,35 @@
+#pragma once
+/// Runs the built command as a user would, in a folder of its own.
+
+#include <string>
+
+namespace limn::test {
+
+struct Outcome {
+  int code = -1;  ///< exit status; 128 + signal where one ended it
+  std::string out, err;
+};
+
+/// A temporary folder that goes with its owner.
+class Folder {
+ public:
+  Folder();
+  ~Folder();
+  Folder(const Folder&) = delete;
+  Folder& operator=(const Folder&) = delete;
+
+  [[nodiscard]] const std::string& path() const { return path_; }
+  [[nodiscard]] std::string file(const std::string& name) const { return path_ + "/" + name; }
+  void write(const std::string& name, const std::string& content) const;
+  [[nodiscard]] std::string read(const std::string& name) const;
+  /// Names of the files in it.
+  [[nodiscard]] int count() const;
+
+  /// `limn ARGUMENTS`, run by a shell in this folder; `prefix` goes before the command.
+  [[nodiscard]] Outcome limn(const std::string& arguments, const std::string& prefix = {}) const;
+
+ private:
+  std::string path_;
+};
+
+}  // namespace limn::test
