@@ -19,14 +19,13 @@ void SchemeOptions::declare_parameters(CLI::App& command) {
       .add_option("-p,--parameter", parameters,
                   "set a parameter to an expression in n and the scheme's names, as a=1/8")
       ->type_name("NAME=VALUE")
-      ->expected(1);
+      ->allow_extra_args(false);  // one after each -p, and -p as often as one likes
 }
 
 Result<Scheme> SchemeOptions::load() const {
   Result<Scheme> scheme = find_scheme(name);
   if (!scheme) return scheme;
-  for (const std::string& parameter : parameters)
-    if (Status status = set_parameter(*scheme, parameter); !status) return status.error();
+  if (Status status = set_parameters(*scheme, parameters); !status) return status.error();
   return scheme;
 }
 

@@ -65,6 +65,14 @@ TEST(Command, ShowsTheMaskAtTheParametersGiven) {
   EXPECT_NE(example.out.find("1/24 ×"), std::string::npos) << example.out;
 }
 
+TEST(Command, TakesSeveralParametersTogether) {
+  const Folder folder;  // one by one, these counts would fit no primal split
+  const Outcome linear = folder.limn("show box-spline-triangle -p i=1 -p j=1 -p k3=1");
+  EXPECT_EQ(linear.code, 0) << linear.err;
+  EXPECT_NE(linear.out.find("1/2 ×"), std::string::npos) << linear.out;
+  expect_refused(folder.limn("show box-spline-triangle -p i=1"), {"centre"});
+}
+
 TEST(Command, RefineSaysWhatItMade) {
   const Folder folder;
   folder.write("t.obj", kTetrahedron);

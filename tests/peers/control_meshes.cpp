@@ -35,10 +35,9 @@ class Editor {
       const Index a = mesh.origin(h), b = mesh.origin(t);
       const Index c = mesh.origin(mesh.prev(h)), d = mesh.origin(mesh.prev(t));
       if (std::max(mesh.valence(c), mesh.valence(d)) >= max_valence) continue;
-      Faces flipped = faces_;
-      flipped[mesh.face(h)] = {a, d, c};
-      flipped[mesh.face(t)] = {b, c, d};
-      take_if_plain(std::move(flipped));
+      if (!can_lose_edge(mesh, a) || !can_lose_edge(mesh, b) || adjacent(mesh, c, d)) continue;
+      faces_[mesh.face(h)] = {a, d, c};
+      faces_[mesh.face(t)] = {b, c, d};
     }
     return *this;
   }
@@ -99,6 +98,20 @@ class Editor {
 
   [[nodiscard]] Mesh build(const Faces& faces) const {
     return test::must_build(static_cast<Index>(positions_.size()), faces);
+  }
+
+  static bool can_lose_edge(const Mesh& mesh, Index v) {
+    return mesh.valence(v) > (mesh.is_boundary_vertex(v) ? 2 : 3);
+  }
+
+  static bool adjacent(const Mesh& mesh, Index v, Index w) {
+    const Index first = mesh.halfedge_of_vertex(v);
+    Index h = first;
+    do {
+      if (mesh.target(h) == w || mesh.origin(mesh.prev(h)) == w) return true;
+      h = mesh.rotate(h);
+    } while (h != kNone && h != first);
+    return false;
   }
 
   void take_if_plain(Faces faces) {
@@ -216,8 +229,8 @@ Polygons cut_into_quads(const Polygons& polygons) {
   std::vector<Point3> positions = polygons.positions;
   for (Index e = 0; e < mesh.edge_count(); ++e) {
     const Index h = mesh.halfedge_of_edge(e);
-    positions.push_back(
-        0.5 * (polygons.positions[mesh.origin(h)] + polygons.positions[mesh.target(h)]));
+    positions.push_back(0.5 *
+                        (polygons.positions[mesh.origin(h)] + polygons.positions[mesh.target(h)]));
   }
   for (Index f = 0; f < polygons.face_count(); ++f) {
     Point3 middle;
@@ -244,8 +257,7 @@ std::vector<ControlMesh> open_triangles() {
   std::vector<ControlMesh> meshes{
       {"torus_with_holes", Editor(holed, 6).remove_faces(25).shake(0.1).polygons()},
       {"disc_of_many_valences", Editor(square, 7).flip(400, 9).shake(0.3).polygons()},
-      {"ragged_disc",
-       Editor(square, 8).flip(60, 9).remove_faces(120).shake(0.3).polygons()},
+      {"ragged_disc", Editor(square, 8).flip(60, 9).remove_faces(120).shake(0.3).polygons()},
       {"triangle", shaken(grid(Lattice::triangle, 1, 1), 0.2, 9)}};
   add_random(meshes, true, false);
   return meshes;

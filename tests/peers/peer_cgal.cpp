@@ -32,16 +32,11 @@ class CgalPeer final : public Peer {
     namespace subdivide = CGAL::Subdivision_method_3;
     const auto steps = CGAL::parameters::number_of_iterations(static_cast<unsigned>(levels));
     switch (method_) {
-      case Method::loop:
-        return subdivide::Loop_subdivision(mesh_, steps);
-      case Method::catmull_clark:
-        return subdivide::CatmullClark_subdivision(mesh_, steps);
-      case Method::sqrt3:
-        return subdivide::Sqrt3_subdivision(mesh_, steps);
-      case Method::doo_sabin:
-        return subdivide::DooSabin_subdivision(mesh_, steps);
-      case Method::modified_butterfly:
-        break;
+      case Method::loop: return subdivide::Loop_subdivision(mesh_, steps);
+      case Method::catmull_clark: return subdivide::CatmullClark_subdivision(mesh_, steps);
+      case Method::sqrt3: return subdivide::Sqrt3_subdivision(mesh_, steps);
+      case Method::doo_sabin: return subdivide::DooSabin_subdivision(mesh_, steps);
+      case Method::modified_butterfly: break;
     }
   }
 

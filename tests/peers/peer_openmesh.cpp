@@ -1,7 +1,8 @@
 // OpenMesh, Subdivider::Uniform, on ArrayKernel meshes.
 //
-// Of its two Loops only LoopT is Loop's scheme; CompositeLoopT is another one (see
-// loop_test.cpp). Both tabulate the weights of valences below 50 and read past the end beyond.
+// Of its two Loops we take LoopT: CompositeLoopT gives the same closed surfaces, but at boundaries
+// not the cubic B-spline curve that everyone else has. Both, and Sqrt3T, tabulate the weights of
+// valences below 50 and read past the end of the table beyond.
 
 // g++ looks into what it inlines, and warns about that even in system headers
 #pragma GCC diagnostic push
@@ -38,7 +39,8 @@ class OpenMeshPeer final : public Peer {
 
   explicit OpenMeshPeer(const Polygons& control) {
     for (const Point3& p : control.positions)
-      mesh_.add_vertex(Point(static_cast<Real>(p.x), static_cast<Real>(p.y), static_cast<Real>(p.z)));
+      mesh_.add_vertex(
+          Point(static_cast<Real>(p.x), static_cast<Real>(p.y), static_cast<Real>(p.z)));
     std::vector<OpenMesh::VertexHandle> corners;
     for (Index f = 0; f < control.face_count(); ++f) {
       corners.clear();
@@ -89,8 +91,7 @@ std::unique_ptr<Peer> make_peer(Method method, const Polygons& control) {
     case Method::modified_butterfly:
       return std::make_unique<
           OpenMeshPeer<Triangles, uniform::ModifiedButterflyT<Triangles, Real>>>(control);
-    case Method::doo_sabin:
-      break;
+    case Method::doo_sabin: break;
   }
   return nullptr;
 }

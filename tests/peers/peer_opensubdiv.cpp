@@ -43,8 +43,7 @@ class OpenSubdivPeer final : public Peer {
     sdc::Options options;
     options.SetVtxBoundaryInterpolation(sdc::Options::VTX_BOUNDARY_EDGE_ONLY);
     using Factory = far::TopologyRefinerFactory<far::TopologyDescriptor>;
-    const sdc::SchemeType scheme =
-        method == Method::loop ? sdc::SCHEME_LOOP : sdc::SCHEME_CATMARK;
+    const sdc::SchemeType scheme = method == Method::loop ? sdc::SCHEME_LOOP : sdc::SCHEME_CATMARK;
     refiner_.reset(Factory::Create(descriptor, Factory::Options(scheme, options)));
     if (!refiner_) throw std::runtime_error("OpenSubdiv refuses the mesh");
     for (const Point3& p : control.positions)
@@ -85,8 +84,7 @@ class OpenSubdivPeer final : public Peer {
 
 }  // namespace
 
-std::unique_ptr<Peer> opensubdiv_peer(Method method, const Polygons& control,
-                                      Precision precision) {
+std::unique_ptr<Peer> opensubdiv_peer(Method method, const Polygons& control, Precision precision) {
   if (method != Method::loop && method != Method::catmull_clark) return nullptr;
   if (precision == Precision::double_float)
     return std::make_unique<OpenSubdivPeer<double>>(method, control);

@@ -1,6 +1,7 @@
 #include "support/reference_step.h"
 
 #include <cmath>
+#include <functional>
 #include <map>
 #include <numbers>
 
@@ -11,10 +12,10 @@ constexpr double kPi = std::numbers::pi;
 
 /// Dyadic schemes on triangles: a vertex takes 1 - n·beta of itself and beta of each neighbour.
 struct TriangleRules {
-  double (*beta)(int n);
+  std::function<double(int n)> beta;
   double end, wing, outer, opposite;
-  bool four_point;  ///< boundary curve: four-point, or else the cubic B-spline
-  bool zorin;       ///< edges with an extraordinary end as in the modified butterfly
+  std::optional<double> tension;  ///< boundary curve: four-point of this tension, or cubic B-spline
+  bool zorin;                     ///< edges with an extraordinary end as in the modified butterfly
 };
 
 double loop_beta(int n) {
@@ -22,9 +23,6 @@ double loop_beta(int n) {
   return (5 / 8. - lambda * lambda) / n;
 }
 double warren_beta(int n) { return n == 3 ? 3 / 16. : 3 / (8. * n); }
-// Kawaharada, Sugihara: beta - a/n, with their a = n·beta - 1/4 + cos(3π/n)/4
-double laplacian_high_beta(int n) { return (1 - std::cos(3 * kPi / n)) / (4 * n); }
-double laplacian_low_beta(int n) { return 1 / (2. * n); }
 double optimal_beta(int n) {
   const double lambda = 1 / 3. + std::cos(2 * kPi / n) / 3;
   return (2 / 3. - lambda * lambda) / n;
@@ -33,32 +31,52 @@ double optimal_high_beta(int n) { return (2 / 3. - (1 / 3. + std::cos(3 * kPi / 
 double optimal_low_beta(int n) { return 33 / 64. / n; }
 double no_beta(int) { return 0; }
 
-// the butterfly blended with the mean of the ends' stencils (1/2; six of 1/12), b = 1/8
-constexpr double kBlend = 1 / 8.;
-constexpr TriangleRules kLaplacianButterfly{no_beta,
-                                            (1 - kBlend) / 2 + kBlend*(1 / 4. + 1 / 24.),
-                                            (1 - kBlend) / 8 + kBlend*(1 / 12.),
-                                            (1 - kBlend) / -16 + kBlend*(1 / 24.),
-                                            kBlend*(1 / 24.),
-                                            true,
-                                            true};
-
-const std::map<std::string, TriangleRules>& triangle_rules() {
-  static const std::map<std::string, TriangleRules> rules{
-      {"loop", {loop_beta, 3 / 8., 1 / 8., 0, 0, false, false}},
-      {"box-spline-triangle", {loop_beta, 3 / 8., 1 / 8., 0, 0, false, false}},
-      {"loop-warren", {warren_beta, 3 / 8., 1 / 8., 0, 0, false, false}},
-      {"laplacian-loop", {laplacian_high_beta, 3 / 8., 1 / 8., 0, 0, false, false}},
-      {"laplacian-loop-low", {laplacian_low_beta, 3 / 8., 1 / 8., 0, 0, false, false}},
-      {"optimal", {optimal_beta, 1 / 3., 1 / 6., 0, 0, false, false}},
-      {"optimal-high", {optimal_high_beta, 1 / 3., 1 / 6., 0, 0, false, false}},
-      {"optimal-low", {optimal_low_beta, 1 / 3., 1 / 6., 0, 0, false, false}},
-      {"butterfly", {no_beta, 1 / 2., 1 / 8., -1 / 16., 0, true, false}},
-      {"butterfly-modified", {no_beta, 1 / 2., 1 / 8., -1 / 16., 0, true, true}},
-      {"interpolating-loop", {no_beta, 33 / 64., 6 / 64., -3 / 64., -1 / 64., true, true}},
-      {"laplacian-butterfly", kLaplacianButterfly},
+/// [KS §3.1] a times (1, -1/n, …) added; their own a(n) where no other is given.
+TriangleRules high_pass(std::optional<double> a) {
+  const auto beta = [a](int n) {
+    const double theirs = n * loop_beta(n) - 1 / 4. + std::cos(3 * kPi / n) / 4;
+    return loop_beta(n) - a.value_or(theirs) / n;
   };
-  return rules;
+  return {beta, 3 / 8., 1 / 8., 0, 0, {}, false};
+}
+
+/// [KS §3.2] blended with (1/2, 1/(2n), …).
+TriangleRules low_pass(double a) {
+  const auto beta = [a](int n) { return (1 - a) * loop_beta(n) + a / (2 * n); };
+  return {beta, 3 / 8., 1 / 8., 0, 0, {}, false};
+}
+
+TriangleRules butterfly(double w, bool zorin) { return {no_beta, 1 / 2., 2 * w, -w, 0, w, zorin}; }
+
+/// [KS §4] the butterfly blended with the mean of the ends' stencils (1/2 and six of 1/12).
+TriangleRules low_pass_butterfly(double b) {
+  return {no_beta,
+          (1 - b) / 2 + b * (1 / 4. + 1 / 24.),
+          (1 - b) / 8 + b * (1 / 12.),
+          (1 - b) / -16 + b * (1 / 24.),
+          b * (1 / 24.),
+          1 / 16.,
+          true};
+}
+
+std::optional<TriangleRules> triangle_rules(const std::string& scheme, std::optional<double> x) {
+  static const std::map<std::string, TriangleRules> kWithoutParameter{
+      {"loop", {loop_beta, 3 / 8., 1 / 8., 0, 0, {}, false}},
+      {"box-spline-triangle", {loop_beta, 3 / 8., 1 / 8., 0, 0, {}, false}},
+      {"loop-warren", {warren_beta, 3 / 8., 1 / 8., 0, 0, {}, false}},
+      {"optimal", {optimal_beta, 1 / 3., 1 / 6., 0, 0, {}, false}},
+      {"optimal-high", {optimal_high_beta, 1 / 3., 1 / 6., 0, 0, {}, false}},
+      {"optimal-low", {optimal_low_beta, 1 / 3., 1 / 6., 0, 0, {}, false}},
+      {"interpolating-loop", {no_beta, 33 / 64., 6 / 64., -3 / 64., -1 / 64., 1 / 16., true}},
+  };
+  if (const auto found = kWithoutParameter.find(scheme); found != kWithoutParameter.end())
+    return found->second;
+  if (scheme == "laplacian-loop") return high_pass(x);
+  if (scheme == "laplacian-loop-low") return low_pass(x.value_or(1));
+  if (scheme == "butterfly") return butterfly(x.value_or(1 / 16.), false);
+  if (scheme == "butterfly-modified") return butterfly(x.value_or(1 / 16.), true);
+  if (scheme == "laplacian-butterfly") return low_pass_butterfly(x.value_or(1 / 8.));
+  return std::nullopt;
 }
 
 double zorin_weight(int n, int k) {
@@ -173,15 +191,16 @@ class Reference {
 
   [[nodiscard]] double triangle_vertex(const TriangleRules& rules, Index v) const {
     if (!mesh_.is_boundary_vertex(v)) return smoothed(v, rules.beta(std::max(mesh_.valence(v), 1)));
-    return rules.four_point ? at(v) : (6 * at(v) + boundary_neighbours(v)) / 8;
+    return rules.tension ? at(v) : (6 * at(v) + boundary_neighbours(v)) / 8;
   }
 
   [[nodiscard]] double triangle_edge(const TriangleRules& rules, Index h) const {
     const Index from = mesh_.origin(h), to = mesh_.target(h);
     if (mesh_.twin(h) == kNone) {
       const double ends = at(from) + at(to);
-      if (!rules.four_point) return ends / 2;
-      return (9 * ends - at(beyond(h, false)) - at(beyond(h, true))) / 16;
+      if (!rules.tension) return ends / 2;
+      const double w = *rules.tension;
+      return (1 / 2. + w) * ends - w * (at(beyond(h, false)) + at(beyond(h, true)));
     }
     const bool odd_from = rules.zorin && is_extraordinary(from);
     const bool odd_to = rules.zorin && is_extraordinary(to);
@@ -263,17 +282,18 @@ class Reference {
 }  // namespace
 
 bool has_reference(const std::string& scheme) {
-  return triangle_rules().contains(scheme) || scheme == "catmull-clark" || scheme == "doo-sabin" ||
+  return triangle_rules(scheme, {}) || scheme == "catmull-clark" || scheme == "doo-sabin" ||
          scheme == "sqrt3" || scheme == "box-spline-quad";
 }
 
-std::vector<double> reference_step(const std::string& scheme, const Mesh& mesh,
-                                   const Births& births, const std::vector<double>& old) {
+std::vector<double> reference_step(const std::string& scheme, std::optional<double> parameter,
+                                   const Mesh& mesh, const Births& births,
+                                   const std::vector<double>& old) {
   Reference reference(mesh, births, old);
   if (scheme == "catmull-clark" || scheme == "box-spline-quad") return reference.catmull_clark();
   if (scheme == "doo-sabin") return reference.doo_sabin();
   if (scheme == "sqrt3") return reference.sqrt3();
-  return reference.triangle_dyadic(triangle_rules().at(scheme));
+  return reference.triangle_dyadic(*triangle_rules(scheme, parameter));
 }
 
 }  // namespace limn::test

@@ -22,7 +22,8 @@ namespace limn::test {
 [[nodiscard]] std::optional<std::string> failed_mask(const Scheme& scheme);
 
 /// Every fact at each of its valences, against brute-force frequency blocks: tangent, cup and
-/// saddle are eigenvalues of frequencies 1, 0 and 2, and the tangent is 1's largest.
+/// saddle are eigenvalues of frequencies 1, 0 and 2, the largest on the smallest neighbourhood, and
+/// the tangent is frequency 1's largest on a larger one, too.
 [[nodiscard]] std::optional<std::string> failed_facts(const Scheme& scheme);
 
 }  // namespace limn::test

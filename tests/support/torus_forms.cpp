@@ -35,6 +35,7 @@ Offset four_times_mean(const std::vector<Index>& vertices) {
 /// Four times the places of the new vertices in control edges (so: twice the refined place).
 std::vector<Offset> birth_places(const Mesh& mesh, const Births& births) {
   std::vector<Offset> places;
+  places.reserve(static_cast<std::size_t>(births.from_vertices + births.from_edges));
   const auto corners = [&](Index f) {
     std::vector<Index> all;
     for (Index h = mesh.face_begin(f); h < mesh.face_begin(f + 1); ++h)

@@ -22,10 +22,12 @@ template <>
 struct Arithmetic<double> {
   static double from(const Rational& q) { return to_double(q); }
   static double pi() { return M_PI; }
-  static Result<double> multiply(double a, double b) { return a * b; }
+  static Result<double> add(double a, double b) { return finite(a + b); }
+  static Result<double> subtract(double a, double b) { return finite(a - b); }
+  static Result<double> multiply(double a, double b) { return finite(a * b); }
   static Result<double> divide(double a, double b) {
     if (b == 0) return Error{"division by zero", {}, {}, 0, 0};
-    return a / b;
+    return finite(a / b);
   }
   static Result<double> cos(double a) { return std::cos(a); }
   static Result<double> sin(double a) { return std::sin(a); }
@@ -43,12 +45,20 @@ struct Arithmetic<double> {
     return static_cast<long long>(rounded);
   }
   static double approx(double a) { return a; }
+
+ private:
+  static Result<double> finite(double a) {
+    if (!std::isfinite(a)) return Error{"the number is too large", {}, {}, 0, 0};
+    return a;
+  }
 };
 
 template <>
 struct Arithmetic<Exact> {
   static Exact from(const Rational& q) { return {q}; }
   static Exact pi() { return Exact::pi(); }
+  static Result<Exact> add(const Exact& a, const Exact& b) { return Exact::add(a, b); }
+  static Result<Exact> subtract(const Exact& a, const Exact& b) { return Exact::subtract(a, b); }
   static Result<Exact> multiply(const Exact& a, const Exact& b) { return Exact::multiply(a, b); }
   static Result<Exact> divide(const Exact& a, const Exact& b) { return Exact::divide(a, b); }
   static Result<Exact> cos(const Exact& a) { return Exact::cos(a); }
@@ -58,7 +68,7 @@ struct Arithmetic<Exact> {
     if (a.is_zero()) return 0;
     if (a.is_rational()) return a.rational() < 0 ? -1 : 1;
     const double approx = a.approx();
-    if (std::abs(approx) < 1e-9)
+    if (!(std::abs(approx) > 1e-9 * a.magnitude()))
       return Error{"cannot decide the sign of a number this close to 0", {}, {}, 0, 0};
     return approx < 0 ? -1 : 1;
   }

@@ -49,6 +49,23 @@ Polynomial subtract_product(Polynomial a, const Polynomial& b, const Polynomial&
   return a;
 }
 
+/// Rationals as integers over one denominator: sums of products of these need no gcd.
+struct Fractions {
+  std::vector<Integer> numerators;
+  Integer denominator = 1;
+};
+
+Fractions over_common_denominator(const Polynomial& p) {
+  Fractions result;
+  for (const Rational& q : p)
+    result.denominator = lcm(result.denominator, boost::multiprecision::denominator(q));
+  result.numerators.reserve(p.size());
+  for (const Rational& q : p)
+    result.numerators.push_back(boost::multiprecision::numerator(q) *
+                                (result.denominator / boost::multiprecision::denominator(q)));
+  return result;
+}
+
 }  // namespace
 
 const std::vector<Integer>& cyclotomic_polynomial(int n) {
@@ -83,15 +100,23 @@ Cyclotomic Cyclotomic::cos_turn(long long p, long long q) {
 }
 
 void Cyclotomic::reduce() {
+  const Fractions fractions = over_common_denominator(coefficients_);
+  assign(fractions.numerators, fractions.denominator);
+}
+
+void Cyclotomic::assign(std::vector<Integer> numerators, const Integer& denominator) {
   const std::vector<Integer>& phi = cyclotomic_polynomial(order_);
   const std::size_t degree = phi.size() - 1;
-  for (std::size_t i = coefficients_.size(); i-- > degree;) {
-    const Rational q = coefficients_[i];
+  for (std::size_t i = numerators.size(); i-- > degree;) {
+    const Integer q = numerators[i];
     if (q == 0) continue;
     for (std::size_t j = 0; j <= degree; ++j)
-      if (phi[j] != 0) coefficients_[i - degree + j] -= q * Rational(phi[j]);
+      if (phi[j] != 0) numerators[i - degree + j] -= q * phi[j];
   }
-  coefficients_.resize(degree);
+  numerators.resize(degree);
+  coefficients_.assign(degree, 0);
+  for (std::size_t i = 0; i < degree; ++i)
+    if (numerators[i] != 0) coefficients_[i] = Rational(numerators[i], denominator);
   bool rational = true;
   for (std::size_t i = 1; i < degree; ++i) rational = rational && coefficients_[i] == 0;
   if (rational) {
@@ -151,15 +176,16 @@ Cyclotomic& Cyclotomic::operator*=(const Cyclotomic& b) {
   const int order = std::lcm(order_, b.order_);
   const Cyclotomic left = lifted(order);
   const Cyclotomic right = b.lifted(order);
-  std::vector<Rational> product(left.coefficients_.size() + right.coefficients_.size() - 1);
-  for (std::size_t i = 0; i < left.coefficients_.size(); ++i) {
-    if (left.coefficients_[i] == 0) continue;
-    for (std::size_t j = 0; j < right.coefficients_.size(); ++j)
-      product[i + j] += left.coefficients_[i] * right.coefficients_[j];
+  const Fractions x = over_common_denominator(left.coefficients_);
+  const Fractions y = over_common_denominator(right.coefficients_);
+  std::vector<Integer> product(x.numerators.size() + y.numerators.size() - 1);
+  for (std::size_t i = 0; i < x.numerators.size(); ++i) {
+    if (x.numerators[i] == 0) continue;
+    for (std::size_t j = 0; j < y.numerators.size(); ++j)
+      if (y.numerators[j] != 0) product[i + j] += x.numerators[i] * y.numerators[j];
   }
   order_ = order;
-  coefficients_ = std::move(product);
-  reduce();
+  assign(std::move(product), x.denominator * y.denominator);
   return *this;
 }
 

@@ -23,6 +23,9 @@ class Cyclotomic {
 
   [[nodiscard]] bool is_zero() const { return is_rational() && coefficients_[0] == 0; }
   [[nodiscard]] bool is_rational() const { return order_ == 1; }
+  /// N of the field ℚ(ζ_N) that the number is written in, and its φ(N) coefficients.
+  [[nodiscard]] int order() const { return order_; }
+  [[nodiscard]] const std::vector<Rational>& coefficients() const { return coefficients_; }
   /// Precondition: is_rational().
   [[nodiscard]] const Rational& rational() const { return coefficients_[0]; }
 
@@ -44,6 +47,7 @@ class Cyclotomic {
   /// The same number written in ℚ(ζ_order), a multiple of the present order.
   [[nodiscard]] Cyclotomic lifted(int order) const;
   void reduce();  // to degree < φ(N), and to N = 1 where it is rational
+  void assign(std::vector<Integer> numerators, const Integer& denominator);  // and reduce
 
   int order_ = 1;                       // N
   std::vector<Rational> coefficients_;  // of 1, ζ, …, ζ^{φ(N)-1}

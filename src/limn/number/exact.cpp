@@ -2,13 +2,23 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <numeric>
 
 namespace limn {
 namespace {
 
-// Largest denominator of a turn for which exact arithmetic is sensible: the cost of a product
-// grows with its square.
+// Largest denominator of a turn for which a cosine is written exactly, largest order of a field
+// that sums and products are formed in (their cost grows with its square).
 constexpr int kLargestOrder = 4096;
+constexpr double kLargestField = 1024;
+constexpr double kMostBits = 4096;
+constexpr double kLargestExponent = 1000;  // numbers stay within a double's range
+constexpr double kMostTerms = 64;
+constexpr double kDeepestRoots = 4;
+constexpr double kMostWork = 5e5;          // of one operation
+
+thread_local double work_left = std::numeric_limits<double>::infinity();
 
 Error failure(std::string message, std::string hint = {}) {
   return {std::move(message), std::move(hint), {}, 0, 0};
@@ -63,6 +73,17 @@ double Exact::approx() const {
   return sum;
 }
 
+double Exact::magnitude() const {
+  double sum = std::abs(to_double(pi_)) * M_PI;
+  for (const Term& term : terms_) {
+    double product = 0;
+    for (const Rational& q : term.coefficient.coefficients()) product += std::abs(to_double(q));
+    for (const Root& root : term.roots) product *= std::sqrt(root->approx());
+    sum += product;
+  }
+  return sum;
+}
+
 void Exact::add(Term term) {
   const auto found = std::find_if(terms_.begin(), terms_.end(), [&](const Term& other) {
     return same_roots(other.roots, term.roots);
@@ -74,6 +95,70 @@ void Exact::add(Term term) {
   found->coefficient += term.coefficient;
   if (found->coefficient.is_zero()) terms_.erase(found);
 }
+
+Exact::Size Exact::size() const {
+  Size size;
+  const auto measure = [&size](const Rational& q) {
+    if (q == 0) return;
+    const auto bits = [](const Integer& i) { return static_cast<double>(msb(abs(i)) + 1); };
+    const double top = bits(boost::multiprecision::numerator(q));
+    const double bottom = bits(boost::multiprecision::denominator(q));
+    size.bits = std::max({size.bits, top, bottom});
+    size.huge = size.huge || top - bottom > kLargestExponent;
+  };
+  const auto join = [&size](double order) {
+    // beyond what is allowed anyway the exact value does not matter
+    size.order = size.order * order > 1e9
+                     ? 1e9
+                     : static_cast<double>(std::lcm(static_cast<long long>(size.order),
+                                                    static_cast<long long>(order)));
+  };
+  measure(pi_);
+  for (const Term& term : terms_) {
+    size.terms += 1;
+    join(term.coefficient.order());
+    for (const Rational& q : term.coefficient.coefficients()) measure(q);
+    for (const Root& root : term.roots) {
+      const Size inner = root->size();
+      size.terms += inner.terms;
+      join(inner.order);
+      size.bits = std::max(size.bits, inner.bits);
+      size.depth = std::max(size.depth, inner.depth + 1);
+      size.huge = size.huge || inner.huge;
+    }
+  }
+  return size;
+}
+
+/// Takes the cost of an operation on a and b from the budget: `operations` multiplications of
+/// rationals per pair of terms (in the square of the field's order, where both are irrational).
+Status Exact::charge(const Size& a, const Size& b, double operations) {
+  const double order = a.order == 1 || b.order == 1 ? std::max(a.order, b.order)
+                                                    : std::lcm(static_cast<long long>(a.order),
+                                                               static_cast<long long>(b.order));
+  if (order > kLargestField && a.order != 1 && b.order != 1)
+    return failure("cosines of such small or such different fractions of pi cannot be combined exactly");
+  const double pairs = std::max(1.0, a.terms) * std::max(1.0, b.terms);
+  const double length = 1 + (a.bits + b.bits) / 256;
+  const double work = pairs * length * (1 + operations * order);
+  if (work > kMostWork) return failure("the numbers are too long for exact arithmetic");
+  if (work > work_left) return failure("the exact arithmetic takes too long");
+  work_left -= work;
+  return Done{};
+}
+
+Result<Exact> Exact::bounded(Exact value) {
+  const Size size = value.size();
+  if (size.huge) return failure("the number is too large");
+  if (size.bits > kMostBits || size.terms > kMostTerms || size.depth > kDeepestRoots)
+    return failure("the number is too long for exact arithmetic");
+  return value;
+}
+
+ExactBudget::ExactBudget(double work) : outer_(work_left), given_(std::min(work, work_left)) {
+  work_left = given_;
+}
+ExactBudget::~ExactBudget() { work_left = outer_ - (given_ - work_left); }
 
 Exact& Exact::operator+=(const Exact& b) {
   pi_ += b.pi_;
@@ -108,17 +193,39 @@ Exact Exact::product(const Term& a, const Term& b) {
   return squares == Exact(1) ? result : result * squares;
 }
 
+Exact operator*(const Exact& a, const Exact& b) {
+  Exact result;
+  if (a.pi_ != 0) result.pi_ = a.pi_ * b.rational();
+  if (b.pi_ != 0) result.pi_ = b.pi_ * a.rational();
+  for (const Exact::Term& s : a.terms_)
+    for (const Exact::Term& t : b.terms_) result += Exact::product(s, t);
+  return result;
+}
+
+Result<Exact> Exact::add(const Exact& a, const Exact& b) {
+  const Size left = a.size();
+  const Size right = b.size();
+  // numbers of one field are added coefficient by coefficient, others lifted to a common field
+  const bool lifts = left.order != right.order && left.order != 1 && right.order != 1;
+  const double operations = lifts ? std::max(left.order, right.order) : 1;
+  if (Status status = charge(left, right, operations); !status) return status.error();
+  return bounded(a + b);
+}
+
+Result<Exact> Exact::subtract(const Exact& a, const Exact& b) { return add(a, Exact(-1) * b); }
+
 Result<Exact> Exact::multiply(const Exact& a, const Exact& b) {
-  const auto has_pi = [](const Exact& x) { return x.pi_ != 0; };
-  if ((has_pi(a) && !b.is_rational()) || (has_pi(b) && !a.is_rational()))
+  if ((a.pi_ != 0 && !b.is_rational()) || (b.pi_ != 0 && !a.is_rational()))
     return failure("pi is multiplied by something that is not rational",
                    "pi may only stand in the argument of cos or sin, times a rational");
-  Exact result;
-  if (has_pi(a)) result.pi_ = a.pi_ * b.rational();
-  if (has_pi(b)) result.pi_ = b.pi_ * a.rational();
-  for (const Term& s : a.terms_)
-    for (const Term& t : b.terms_) result += product(s, t);
-  return result;
+  const Size left = a.size();
+  const Size right = b.size();
+  const double operations = std::min(left.order, right.order) == 1
+                                ? 1
+                                : std::lcm(static_cast<long long>(left.order),
+                                           static_cast<long long>(right.order));
+  if (Status status = charge(left, right, operations); !status) return status.error();
+  return bounded(a * b);
 }
 
 Result<Exact> Exact::inverse() const {
@@ -126,7 +233,13 @@ Result<Exact> Exact::inverse() const {
   if (pi_ != 0) return failure("division by a multiple of pi");
   const auto with_root = std::find_if(terms_.begin(), terms_.end(),
                                       [](const Term& term) { return !term.roots.empty(); });
-  if (with_root == terms_.end()) return Exact(terms_[0].coefficient.inverse());
+  if (with_root == terms_.end()) {
+    // Euclid's algorithm: as many operations as a product, on numbers of many times the length
+    const Size own = size();
+    if (Status status = charge(own, own, own.order * (1 + own.order / 32)); !status)
+      return status.error();
+    return bounded(Exact(terms_[0].coefficient.inverse()));
+  }
   // a + b·t with t = sqrt(r): multiply by the conjugate a - b·t, which leaves a² - b²·r
   const Root root = with_root->roots.front();
   Exact conjugate;
@@ -135,11 +248,12 @@ Result<Exact> Exact::inverse() const {
       term.coefficient *= Cyclotomic(Rational(-1));
     conjugate.add(std::move(term));
   }
-  const Exact norm = *this * conjugate;
-  if (norm.is_zero()) return failure("division by zero");
-  Result<Exact> reciprocal = norm.inverse();
+  const Result<Exact> norm = multiply(*this, conjugate);
+  if (!norm) return norm;
+  if (norm->is_zero()) return failure("division by zero");
+  Result<Exact> reciprocal = norm->inverse();
   if (!reciprocal) return reciprocal;
-  return conjugate * *reciprocal;
+  return multiply(conjugate, *reciprocal);
 }
 
 Result<Exact> Exact::divide(const Exact& a, const Exact& b) {
@@ -180,7 +294,7 @@ Result<Exact> Exact::sqrt(const Exact& square) {
   }
   Exact result;
   result.terms_.push_back({{std::make_shared<const Exact>(square)}, Cyclotomic(Rational(1))});
-  return result;
+  return bounded(std::move(result));
 }
 
 }  // namespace limn

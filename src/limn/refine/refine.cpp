@@ -17,9 +17,8 @@ struct Counts {
   double vertices = 0, edges = 0, faces = 0, halfedges = 0;
 };
 
-/// After one step, as for a closed mesh; boundaries change little and only downwards but for
-/// the boundary edges of sqrt3, which triple in two steps.
-Counts after_step(const Split& split, const Counts& c) {
+/// After one step, an upper bound: exact but for the boundaries of dual splits, which lose faces.
+Counts after_step(const Split& split, const Counts& c, int step) {
   Counts r;
   if (split.births_corners) {
     r.vertices = c.halfedges;
@@ -30,10 +29,11 @@ Counts after_step(const Split& split, const Counts& c) {
   }
   r.vertices = c.vertices + (split.births_edges ? c.edges : 0) + (split.births_faces ? c.faces : 0);
   if (split.trisects_boundary) {
-    r.vertices += 2 * (2 * c.edges - c.halfedges);
+    const double cut = step % 2 == 1 ? 2 * c.edges - c.halfedges : 0;
+    r.vertices += cut;  // two new vertices on a cut edge, none in its face
     r.faces = c.halfedges;
     r.halfedges = 3 * c.halfedges;
-    r.edges = c.edges + c.halfedges + 2 * (2 * c.edges - c.halfedges);
+    r.edges = c.edges + c.halfedges + cut;
   } else if (split.any_polygons) {
     r.faces = c.halfedges;
     r.halfedges = 4 * c.halfedges;
@@ -68,7 +68,7 @@ Forecast forecast(const Split& split, const Mesh& mesh, int levels, std::size_t 
                 static_cast<double>(mesh.face_count()), static_cast<double>(mesh.halfedge_count())};
   Forecast result{counts, bytes_of(counts, bytes_per_value)};
   for (int i = 0; i < levels; ++i) {
-    const Counts next = after_step(split, counts);
+    const Counts next = after_step(split, counts, i);
     result.peak_bytes =
         std::max(result.peak_bytes,
                  bytes_of(counts, bytes_per_value) + bytes_of(next, bytes_per_value));

@@ -2,6 +2,9 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "limn/scheme/placement.h"
 
 namespace limn {
@@ -17,118 +20,206 @@ std::optional<long long> valence_of(RuleKind kind, int n) {
 
 Error faulty_rule(RuleKind kind, int n, const std::string& fault, std::string hint,
                   const Place& place) {
-  return {fmt::format("the {} rule {}{}", rule_name(kind), fault, at_valence(kind, n)),
+  return {fmt::format("the {} rule{} {}", rule_name(kind), at_valence(kind, n), fault),
           std::move(hint), place.file, place.line, place.column};
 }
 
-std::string decimal_or_fraction(const Exact& x) {
-  return x.is_rational() ? to_string(x.rational()) : fmt::format("about {:.12g}", x.approx());
+/// An error from an expression, with the rule it was needed for.
+Error needed_by(RuleKind kind, int n, Error error) {
+  error.message += fmt::format(", in the {} rule{}", rule_name(kind), at_valence(kind, n));
+  return error;
 }
 
-/// The weights of a repeated role for k = 0 … n-1: symmetric, and their sum.
-Result<Exact> sum_of_repeated(const Scheme& scheme, RuleKind kind, int n, const Weight& weight) {
+/// The values that names have in one rule at one valence, and for each k in its repeated roles.
+class Scopes {
+ public:
+  Scopes(const Scheme& scheme, RuleKind kind, int n)
+      : scheme_(scheme), n_(n), plain_(scheme, valence_of(kind, n), std::nullopt) {}
+
+  [[nodiscard]] Result<Exact> operator()(const Formula& formula) { return plain_(formula); }
+  /// 0 ≤ k < n
+  [[nodiscard]] Result<Exact> operator()(const Formula& formula, int k) {
+    if (repeated_.empty())
+      for (int i = 0; i < n_; ++i) repeated_.emplace_back(scheme_, n_, i);
+    return repeated_[static_cast<std::size_t>(k)](formula);
+  }
+
+ private:
+  const Scheme& scheme_;
+  int n_;
+  Scope<Exact> plain_;
+  std::vector<Scope<Exact>> repeated_;
+};
+
+/// The weights of a repeated role for k = 0 … n-1.
+Result<std::vector<Exact>> repeated_weights(Scopes& scopes, RuleKind kind, int n,
+                                            const Weight& weight) {
   std::vector<Exact> values;
-  Exact sum;
   for (int k = 0; k < n; ++k) {
-    Result<Exact> value = Scope<Exact>(scheme, n, k)(weight.value);
-    if (!value) return value;
-    sum += *value;
+    Result<Exact> value = scopes(weight.value, k);
+    if (!value) return needed_by(kind, n, value.error());
     values.push_back(std::move(*value));
   }
-  for (int k = 1; k < n; ++k)
-    if (!(values[static_cast<std::size_t>(k)] == values[static_cast<std::size_t>(n - k)]))
-      return faulty_rule(kind, n,
-                         fmt::format("is not symmetric: '{}' gives k = {} another weight than "
-                                     "k = {}",
-                                     weight.role, k, n - k),
-                         "a weight must be the same for k and n-k", weight.value.place);
+  return values;
+}
+
+/// Round a vertex or a face no k is the first; along an edge and in a corner k and n-k are
+/// mirror images, unless the role is placed from both sides anyway.
+Status check_symmetry(const std::vector<Exact>& values, RuleKind kind, const Weight& weight,
+                      bool placed_twice) {
+  const int n = static_cast<int>(values.size());
+  const bool round = kind == RuleKind::vertex || kind == RuleKind::face;
+  if (placed_twice && !round) return Done{};
+  for (int k = 1; k < n; ++k) {
+    const int mirror = round ? 0 : n - k;
+    if (values[static_cast<std::size_t>(k)] == values[static_cast<std::size_t>(mirror)]) continue;
+    const std::string_view law = round ? "no k is the first here, so a weight must not depend on it"
+                                       : "a weight must be the same for k and n-k";
+    return faulty_rule(kind, n,
+                       fmt::format("is not symmetric: '{}' gives k = {} another weight than k = {}",
+                                   weight.role, std::min(k, mirror), std::max(k, mirror)),
+                       std::string(law), weight.value.place);
+  }
+  return Done{};
+}
+
+Result<Exact> sum_of_weight(const Scheme& scheme, Scopes& scopes, RuleKind kind, int n,
+                            const Weight& weight) {
+  const Result<Placement> placement = place(kind, scheme.split->lattice, weight.walk);
+  if (!placement) return placement.error();
+  if (!weight.walk.repeated) {
+    Result<Exact> value = scopes(weight.value);
+    if (!value) return needed_by(kind, n, value.error());
+    const Rational count = placement->times_n ? placement->count * n : placement->count;
+    return Exact::multiply(Exact(count), *value);
+  }
+  const Result<std::vector<Exact>> values = repeated_weights(scopes, kind, n, weight);
+  if (!values) return values.error();
+  if (Status status = check_symmetry(*values, kind, weight, placement->starts.size() > 1); !status)
+    return status.error();
+  Result<Exact> sum = Exact(0);
+  for (const Exact& value : *values)
+    if (sum) sum = Exact::add(*sum, value);
   return sum;
 }
 
-Result<Exact> sum_of_weight(const Scheme& scheme, RuleKind kind, int n, const Weight& weight) {
-  if (weight.walk.repeated) return sum_of_repeated(scheme, kind, n, weight);
-  const Result<Placement> placement = place(kind, scheme.split->lattice, weight.walk);
-  if (!placement) return placement.error();
-  Result<Exact> value = Scope<Exact>(scheme, valence_of(kind, n), std::nullopt)(weight.value);
-  if (!value) return value;
-  const Rational count = placement->times_n ? placement->count * n : placement->count;
-  return Exact(count) * *value;
+Error wrong_sum(RuleKind kind, int n, const Exact& sum, const Place& place) {
+  if (!sum.is_rational() && std::abs(sum.approx() - 1) < 1e-9)
+    return faulty_rule(kind, n, "has weights whose sum cannot be shown to be exactly 1",
+                       "write the same square root wherever one is a multiple of another", place);
+  const std::string value = sum.is_rational() ? to_string(sum.rational())
+                                              : fmt::format("about {:.12g}", sum.approx());
+  return faulty_rule(kind, n, "has weights that sum to " + value + ", not 1",
+                     "each weight counts once per position of its role", place);
 }
 
 Status check_sum(const Scheme& scheme, RuleKind kind, int n, const RuleCase& rule_case) {
+  Scopes scopes(scheme, kind, n);
   Exact sum;
   for (const Weight& weight : rule_case.weights) {
-    Result<Exact> part = sum_of_weight(scheme, kind, n, weight);
-    if (!part) {
-      Error error = part.error();
-      if (error.message.find("rule") == std::string::npos)
-        error.message += fmt::format(", in the {} rule{}", rule_name(kind), at_valence(kind, n));
-      return error;
-    }
-    sum += *part;
+    const Result<Exact> part = sum_of_weight(scheme, scopes, kind, n, weight);
+    if (!part) return part.error();
+    Result<Exact> longer = Exact::add(sum, *part);
+    if (!longer) return needed_by(kind, n, longer.error());
+    sum = std::move(*longer);
   }
   if (sum == Exact(1)) return Done{};
-  return faulty_rule(kind, n, "has weights that sum to " + decimal_or_fraction(sum) + ", not 1",
-                     "each weight counts once per position of its role", rule_case.place);
+  return wrong_sum(kind, n, sum, rule_case.place);
+}
+
+std::string range_text(const Parameter& parameter) {
+  return fmt::format("[{}, {}]", parameter.low ? parameter.low->expression.text() : "-inf",
+                     parameter.high ? parameter.high->expression.text() : "inf");
+}
+
+/// The sign of b - a; 1 where one of them is not stated.
+Result<int> order(Scope<Exact>& scope, const std::optional<Formula>& a,
+                  const std::optional<Formula>& b) {
+  if (!a || !b) return 1;
+  const Result<Exact> left = scope(*a);
+  if (!left) return left.error();
+  const Result<Exact> right = scope(*b);
+  if (!right) return right.error();
+  const Result<Exact> difference = Exact::subtract(*right, *left);
+  if (!difference) return difference.error();
+  return Arithmetic<Exact>::sign(*difference);
+}
+
+/// The parameter's value lies in its range, in the scope of one rule.
+Status check_range(const Parameter& parameter, RuleKind kind, int n, Scope<Exact>& scope) {
+  const Place& place = parameter.value.place;
+  const auto fault = [&](const std::string& what) {
+    return Error{fmt::format("parameter {} {}{}", parameter.name, what, at_valence(kind, n)),
+                 {}, place.file, place.line, place.column};
+  };
+  const Result<int> width = order(scope, parameter.low, parameter.high);
+  const Result<int> above_low = order(scope, parameter.low, parameter.value);
+  const Result<int> below_high = order(scope, parameter.value, parameter.high);
+  for (const Result<int>* result : {&width, &above_low, &below_high})
+    if (!*result) return needed_by(kind, n, result->error());
+  if (*width < 0) return fault(fmt::format("has the empty range {}", range_text(parameter)));
+  if (*above_low > -1 && *below_high > -1) return Done{};
+  return fault(fmt::format("= {} is {} its range {}", parameter.value.expression.text(),
+                           *above_low < 0 ? "below" : "above", range_text(parameter)));
 }
 
 Status check_parameters(const Scheme& scheme, RuleKind kind, int n) {
   for (const Parameter& parameter : scheme.parameters) {
     if (!parameter.low && !parameter.high) continue;
-    const auto outside = [&](const std::optional<Formula>& bound, int side) -> Result<bool> {
-      if (!bound) return false;
+    // what has no value in a rule without n, or without k, is checked where it has one
+    const bool valued = [&] {
       Scope<Exact> scope(scheme, valence_of(kind, n), std::nullopt);
-      Result<Exact> value = scope(parameter.value);
-      if (!value) return value.error();
-      Result<Exact> limit = scope(*bound);
-      if (!limit) return limit.error();
-      Result<int> sign = Arithmetic<Exact>::sign(*value - *limit);
-      if (!sign) return sign.error();
-      return *sign == side;
-    };
-    const Result<bool> below = outside(parameter.low, -1);
-    const Result<bool> above = outside(parameter.high, 1);
-    // a value in n has no value in rules without n, and is checked where it has one
-    if (!below || !above) continue;
-    if (!*below && !*above) continue;
-    const Place& place = parameter.value.place;
-    return Error{fmt::format("parameter {} = {} is {} its range [{}, {}]{}", parameter.name,
-                             parameter.value.expression.text(), *below ? "below" : "above",
-                             parameter.low ? parameter.low->expression.text() : "-inf",
-                             parameter.high ? parameter.high->expression.text() : "inf",
-                             at_valence(kind, n)),
-                 {}, place.file, place.line, place.column};
+      return scope(parameter.value).ok();
+    }();
+    if (!valued && !rule_has_valence(kind)) continue;
+    for (int k = 0; k < (valued ? 1 : n); ++k) {
+      Scope<Exact> scope(scheme, valence_of(kind, n),
+                         valued ? std::nullopt : std::optional<long long>(k));
+      if (Status status = check_range(parameter, kind, n, scope); !status) return status;
+    }
   }
   return Done{};
+}
+
+/// Where a rule or a case is missing: at the last case, or where the file says what it has.
+Place place_without(const Scheme& scheme, RuleKind kind) {
+  if (const std::optional<Rule>& rule = scheme.rule(kind); rule && !rule->empty())
+    return rule->back().place;
+  if (scheme.mask) return scheme.mask->place;
+  if (scheme.factors) return scheme.factors->place;
+  return {scheme.file, 1, 1};
 }
 
 }  // namespace
 
 Error missing_rule(const Scheme& scheme, RuleKind kind, int n) {
-  const bool rule_there = scheme.rule(kind).has_value();
-  std::string hint = fmt::format("add a [{}] table", rule_name(kind));
-  if (rule_there) hint = "add a case whose guard holds there";
-  if (scheme.mask || scheme.factors)
+  const bool by_mask = scheme.mask || scheme.factors;
+  std::string hint = fmt::format("add a table [{}]", rule_name(kind));
+  if (scheme.rule(kind)) hint = "add a case whose guard holds there, or one without a guard";
+  if (by_mask)
     hint = "the scheme is given by its regular mask alone; write its rules to refine such a mesh";
-  return {fmt::format("scheme '{}' has no {} rule{}", scheme.name, rule_name(kind),
-                      at_valence(kind, n)),
-          hint, scheme.file, 0, 0};
+  const std::string where = scheme.rule(kind) || by_mask ? at_valence(kind, n) : std::string();
+  const Place place = place_without(scheme, kind);
+  return {fmt::format("scheme '{}' has no {} rule{}", scheme.name, rule_name(kind), where), hint,
+           place.file, place.line, place.column};
 }
 
 Result<const RuleCase*> applicable_case(const Scheme& scheme, RuleKind kind, int n) {
   const std::optional<Rule>& rule = scheme.rule(kind);
   if (!rule) return nullptr;
+  const ExactBudget budget(kExactWork);
+  Scope<Exact> scope(scheme, valence_of(kind, n), std::nullopt);
   for (const RuleCase& rule_case : *rule) {
     if (!rule_case.when) return &rule_case;
-    Result<Exact> guard =
-        Scope<Exact>(scheme, valence_of(kind, n), std::nullopt)(*rule_case.when);
-    if (!guard) return guard.error();
+    Result<Exact> guard = scope(*rule_case.when);
+    if (!guard) return needed_by(kind, n, guard.error());
     if (!guard->is_zero()) return &rule_case;
   }
   return nullptr;
 }
 
 Status check_rule(const Scheme& scheme, RuleKind kind, int n) {
+  const ExactBudget budget(kExactWork);
   const Result<const RuleCase*> rule_case = applicable_case(scheme, kind, n);
   if (!rule_case) return rule_case.error();
   if (Status status = check_parameters(scheme, kind, n); !status) return status;
@@ -141,6 +232,7 @@ Status check_rule(const Scheme& scheme, RuleKind kind, int n) {
 }
 
 Status check_rules(const Scheme& scheme) {
+  const ExactBudget budget(kExactWork);
   for (int i = 0; i < kRuleKinds; ++i) {
     const auto kind = static_cast<RuleKind>(i);
     if (!scheme.rule(kind)) continue;

@@ -10,6 +10,10 @@ namespace limn {
 inline constexpr int kSmallestValence = 3;
 inline constexpr int kLargestCheckedValence = 24;  // of every rule, when a file is read
 
+/// The budget (number/exact.h) of checking a scheme, seconds at most: many times what the shipped
+/// ones need, so that only a hostile file meets it.
+inline constexpr double kExactWork = 2e6;
+
 /// All rules of the scheme at valences kSmallestValence … kLargestCheckedValence.
 [[nodiscard]] Status check_rules(const Scheme& scheme);
 

@@ -7,10 +7,28 @@
 namespace limn {
 namespace {
 
-constexpr int kDeepestNesting = 200;  // so that a hostile file cannot exhaust the stack
+// so that a hostile file can exhaust neither the stack nor our patience
+constexpr int kDeepestNesting = 200;
+constexpr std::size_t kLongestText = 4096;
+constexpr std::size_t kMostDigits = 100;
+constexpr std::size_t kShownBytes = 12;  // of what was found
 
 bool is_name_start(char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0 || c == '_'; }
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
+
+/// The beginning of what stands at `where`, in quotes and fit for one line.
+std::string shown(std::string_view text, std::size_t where) {
+  if (where >= text.size()) return "the end";
+  if (text[where] == '\n' || text[where] == '\r') return "a line break";
+  if (static_cast<unsigned char>(text[where]) < ' ') return "a control character";
+  std::size_t end = where + 1;
+  while (end < text.size() && end < where + kShownBytes &&
+         static_cast<unsigned char>(text[end]) >= ' ')
+    ++end;
+  // no character is cut in two: the bytes 10xxxxxx belong to the one before them
+  while (end < text.size() && (static_cast<unsigned char>(text[end]) & 0xC0U) == 0x80U) ++end;
+  return "'" + std::string(text.substr(where, end - where)) + "'";
+}
 
 }  // namespace
 
@@ -20,9 +38,18 @@ class ExpressionParser {
   explicit ExpressionParser(std::string_view text) { result_.text_ = text; }
 
   Result<Expression> run() {
+    if (text().size() > kLongestText) {
+      refuse("the expression has more than " + std::to_string(kLongestText) + " bytes",
+             "name its parts under [let]", kLongestText);
+      return error_;
+    }
     if (!disjunction()) return error_;
     skip_blanks();
-    if (at_ < text().size()) return fail("an operator or the end", at_).error();
+    if (at_ < text().size()) {
+      (void)fail("an operator or the end", at_);
+      if (text()[at_] == '=') error_.hint = "equality is written ==";
+      return error_;
+    }
     return std::move(result_);
   }
 
@@ -40,9 +67,8 @@ class ExpressionParser {
   }
 
   Status fail(const std::string& expected, std::size_t where) {
-    const std::string found =
-        where >= text().size() ? "the end" : "'" + std::string(text().substr(where, 12)) + "'";
-    error_ = {"found " + found + ", expected " + expected, {}, {}, 0, static_cast<int>(where) + 1};
+    error_ = {"found " + shown(text(), where) + ", expected " + expected, {}, {}, 0,
+              static_cast<int>(where) + 1};
     return error_;
   }
   bool refuse(std::string message, std::string hint, std::size_t where) {
@@ -151,6 +177,8 @@ class ExpressionParser {
     }
     if (at_ < text().size() && is_digit(text()[at_])) return integer();
     if (at_ < text().size() && is_name_start(text()[at_])) return name();
+    if (at_ + 1 < text().size() && text()[at_] == '.' && is_digit(text()[at_ + 1]))
+      return integer();
     return fail("a number, a name or '('", where).ok();
   }
 
@@ -160,8 +188,12 @@ class ExpressionParser {
     if (at_ < text().size() && (text()[at_] == '.' || text()[at_] == 'e' || text()[at_] == 'E'))
       return refuse("a decimal stands for a fraction here", "write the fraction itself, as 3/8",
                     where);
-    if (at_ - where > 100) return refuse("the number has more than 100 digits", {}, where);
-    result_.constants_.emplace_back(Integer(std::string(text().substr(where, at_ - where))));
+    if (at_ - where > kMostDigits)
+      return refuse("the number has more than " + std::to_string(kMostDigits) + " digits", {},
+                    where);
+    // a leading zero would make Integer read the digits as octal
+    const std::size_t first = std::min(text().find_first_not_of('0', where), at_ - 1);
+    result_.constants_.emplace_back(Integer(std::string(text().substr(first, at_ - first))));
     emit(Op::constant, where, static_cast<int>(result_.constants_.size()) - 1);
     return true;
   }
@@ -188,7 +220,7 @@ class ExpressionParser {
       return fail("a number, a name or '('", where).ok();
     skip_blanks();
     if (at_ < text().size() && text()[at_] == '(')
-      return refuse("unknown function '" + word + "'", "there are cos, sin and sqrt", where);
+      return refuse("unknown function '" + word + "'", "the functions are cos, sin and sqrt", where);
     auto& names = result_.names_;
     const auto found = std::find(names.begin(), names.end(), word);
     emit(Op::name, where, static_cast<int>(found - names.begin()));
@@ -210,6 +242,13 @@ Expression Expression::constant(Rational value) {
   result.constants_.push_back(std::move(value));
   result.program_.push_back({Op::constant, 0, 1});
   return result;
+}
+
+int Expression::column_of(std::string_view name) const {
+  for (const Instruction& step : program_)
+    if (step.op == Op::name && names_[static_cast<std::size_t>(step.operand)] == name)
+      return step.column;
+  return 0;
 }
 
 }  // namespace limn

@@ -35,10 +35,12 @@ class Expression {
   [[nodiscard]] const std::string& text() const { return text_; }
   /// The names used, each once, in order of first use.
   [[nodiscard]] const std::vector<std::string>& names() const { return names_; }
+  /// The 1-based byte of `text()` where `name` is first used; 0 where it is not.
+  [[nodiscard]] int column_of(std::string_view name) const;
 
   /// The value, with `lookup(name)` → Result<Number> for each name. Fails, with the column of
-  /// the operation at fault, on division by zero, on sqrt of a negative number, and where
-  /// the number type cannot hold the result. Cost: one operation per instruction.
+  /// the operation at fault, on division by zero, on sqrt of a negative number, on an exponent
+  /// beyond 4096, and where the number type cannot hold the result. Cost: one operation per instruction.
   template <class Number, class Lookup>
   [[nodiscard]] Result<Number> evaluate(Lookup&& lookup) const;
 
@@ -76,7 +78,7 @@ template <class Number>
 Result<Number> Expression::apply_unary(Op op, const Number& a) {
   using A = Arithmetic<Number>;
   switch (op) {
-    case Op::negate: return Number(A::from(Rational(0)) - a);
+    case Op::negate: return A::subtract(A::from(Rational(0)), a);
     case Op::cosine: return A::cos(a);
     case Op::sine: return A::sin(a);
     case Op::root: return A::sqrt(a);
@@ -90,7 +92,9 @@ Result<Number> Expression::apply_unary(Op op, const Number& a) {
 template <class Number>
 Result<Number> Expression::compare(Op op, const Number& a, const Number& b) {
   using A = Arithmetic<Number>;
-  const Result<int> sign = A::sign(Number(a - b));
+  const Result<Number> difference = A::subtract(a, b);
+  if (!difference) return difference.error();
+  const Result<int> sign = A::sign(*difference);
   if (!sign) return sign.error();
   bool holds = false;
   switch (op) {
@@ -108,14 +112,14 @@ template <class Number>
 Result<Number> Expression::apply_integer(Op op, const Number& a, const Number& b) {
   using A = Arithmetic<Number>;
   const Result<long long> right = A::integer(b);
-  if (!right) return right.error();
   if (op == Op::modulo) {
     const Result<long long> left = A::integer(a);
-    if (!left) return left.error();
+    if (!left || !right) return Error{"% needs two integers", {}, {}, 0, 0};
     if (*right <= 0) return Error{"% needs a positive right-hand side", {}, {}, 0, 0};
     return A::from(Rational(((*left % *right) + *right) % *right));
   }
-  if (*right > 4096 || *right < -4096) return Error{"the exponent is too large", {}, {}, 0, 0};
+  if (!right) return Error{"the exponent is no integer", {}, {}, 0, 0};
+  if (*right > 4096 || *right < -4096) return Error{"the exponent is beyond 4096", {}, {}, 0, 0};
   Number result = A::from(Rational(1));
   for (long long i = 0; i < (*right < 0 ? -*right : *right); ++i) {
     Result<Number> product = A::multiply(result, a);
@@ -129,8 +133,8 @@ template <class Number>
 Result<Number> Expression::apply_binary(Op op, const Number& a, const Number& b) {
   using A = Arithmetic<Number>;
   switch (op) {
-    case Op::add: return Number(a + b);
-    case Op::subtract: return Number(a - b);
+    case Op::add: return A::add(a, b);
+    case Op::subtract: return A::subtract(a, b);
     case Op::multiply: return A::multiply(a, b);
     case Op::divide: return A::divide(a, b);
     case Op::modulo:

@@ -27,7 +27,7 @@ struct Mask {
 
 /// The mask that rows or factors denote, at the scheme's present parameters. Fails, with the
 /// place, on rows that form no hexagon or rectangle, on a mask whose centre does not fit the split, on a
-/// count that is no integer in 0 … 64, on cosets that do not sum to 1.
+/// count that is no integer in 0 … 64, on more than 24 refined edges from centre to rim, on cosets that do not sum to 1.
 [[nodiscard]] Result<Mask> mask_from_rows(const Scheme& scheme, const Rows& rows);
 [[nodiscard]] Result<Mask> mask_from_factors(const Scheme& scheme, const Factors& factors);
 

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdlib>
+#include <initializer_list>
 #include <limits>
 #include <map>
 #include <mutex>
@@ -13,7 +15,7 @@ namespace limn {
 namespace {
 
 constexpr Index kSide = 32;       // of the torus: more than twice the reach of the longest walk
-constexpr int kDeepestTree = 9;   // faces; beyond that walks count as different, which is safe
+constexpr int kDeepestTree = 9;   // crossings; beyond them walks count as different: safe
 constexpr int kSectorReach = 2;   // how many sectors apart two equal walks are looked for
 
 Error fault(std::string message) { return {std::move(message), {}, {}, 0, 0}; }
@@ -74,10 +76,32 @@ Extension extension(const Mesh& mesh, Flag flag, Index end) {
   return {det * (p[0] * b[1] - p[1] * b[0]), det * (a[0] * p[1] - a[1] * p[0])};
 }
 
+bool has(const Moves& moves, Move move) {
+  return std::find(moves.begin(), moves.end(), move) != moves.end();
+}
+
+/// The step must turn round the rule's own vertex or face, so that it is back after n of them.
+Status check_repeated(RuleKind kind, const Walk& walk) {
+  if (!rule_has_valence(kind) || kind >= RuleKind::boundary_vertex)
+    return fault("a repeated step needs a rule with an n, at an interior vertex or a face");
+  if (has(walk.before, Move::face) || has(walk.after, Move::face))
+    return fault("only the repeated step may cross edges");
+  if (has(walk.after, Move::boundary))
+    return fault("the move b may not stand after a repeated step");
+  const bool round_face = kind == RuleKind::face || kind == RuleKind::corner;
+  const Move leaving = round_face ? Move::face : Move::vertex;
+  const bool turns = walk.step.size() == 2 && walk.step[0] != walk.step[1] &&
+                     has(walk.step, Move::edge) && !has(walk.step, leaving) &&
+                     !has(walk.step, Move::boundary);
+  if (!turns)
+    return fault(round_face ? "the repeated step must turn round the face: (ve)* or (ev)*"
+                            : "the repeated step must turn round the vertex: (ef)* or (fe)*");
+  if (!round_face && has(walk.before, Move::vertex))
+    return fault("the moves before a repeated step round a vertex may not leave the vertex");
+  return Done{};
+}
+
 Status check_walk(RuleKind kind, const Walk& walk) {
-  const auto has = [](const Moves& moves, Move move) {
-    return std::find(moves.begin(), moves.end(), move) != moves.end();
-  };
   const bool at_boundary = kind >= RuleKind::boundary_vertex;
   bool on_boundary = at_boundary;
   for (const Move move : walk.before) {
@@ -89,41 +113,97 @@ Status check_walk(RuleKind kind, const Walk& walk) {
     return fault("a role that reads a face's new vertex may not cross an edge");
   if (walk.reads_face && kind != RuleKind::vertex && kind != RuleKind::edge)
     return fault("only vertex and edge rules may read a face's new vertex");
-  if (!walk.repeated) return Done{};
-  if (!rule_has_valence(kind) || at_boundary)
-    return fault("a repeated step needs a rule with an n, at an interior vertex or a face");
-  if (has(walk.before, Move::face) || has(walk.after, Move::face))
-    return fault("only the repeated step may cross edges");
-  if (has(walk.step, Move::boundary) || has(walk.after, Move::boundary))
-    return fault("the move b may not stand in or after a repeated step");
-  const bool round_face = kind == RuleKind::face || kind == RuleKind::corner;
-  if (round_face && has(walk.step, Move::face))
-    return fault("a step round a face may not cross its edges");
-  return Done{};
+  return walk.repeated ? check_repeated(kind, walk) : Status(Done{});
 }
 
-int crossings(const Walk& walk) {
-  return static_cast<int>(std::count(walk.before.begin(), walk.before.end(), Move::face));
+/// The moves from the anchor's first flag to its others, in the order of `anchor_flags`; of a
+/// vertex or a face, to the second flag of its sector.
+std::vector<Moves> flag_words(RuleKind kind) {
+  switch (kind) {
+    case RuleKind::vertex:
+    case RuleKind::corner: return {{}, {Move::edge}};
+    case RuleKind::face: return {{}, {Move::vertex}};
+    case RuleKind::edge:
+      return {{}, {Move::vertex}, {Move::face, Move::vertex}, {Move::face}};
+    case RuleKind::edge_end: return {{}, {Move::face}};
+    default: return {};  // at the boundary every flag stands for itself
+  }
 }
 
-/// The tree on which walks of `kind` are told apart; a single face where it would be too large.
-Mesh tree_for(const Walk& walk, Lattice lattice, int extra) {
-  const int depth = crossings(walk) + extra;
-  return tree(lattice, depth <= kDeepestTree ? depth : 1);
+/// The moves from a vertex's or a face's flag to the same flag `count` sectors on.
+Moves sector_word(RuleKind kind, int count) {
+  const bool face = kind == RuleKind::face;
+  Moves word;
+  for (; count > 0; --count) {
+    word.push_back(face ? Move::vertex : Move::edge);
+    word.push_back(face ? Move::edge : Move::face);
+  }
+  for (; count < 0; ++count) {
+    word.push_back(face ? Move::edge : Move::face);
+    word.push_back(face ? Move::vertex : Move::edge);
+  }
+  return word;
 }
 
-/// Walks that leave the tree are never called equal.
-bool same_end(const Mesh& mesh, Flag a, Flag b, const Walk& walk) {
-  const Index end = end_of(mesh, a, walk);
-  return end != kOutside && end == end_of(mesh, b, walk);
+Moves joined(std::initializer_list<Moves> words) {
+  Moves result;
+  for (const Moves& word : words) result.insert(result.end(), word.begin(), word.end());
+  return result;
+}
+
+/// Whether two words of v, e, f are the same walk from every flag of every mesh of polygons, if
+/// moves that keep the end in place are free at the end. The only laws are that each move
+/// undoes itself and that v and f commute.
+bool same_end_on_polygons(const Moves& a, const Moves& b, bool reads_face) {
+  Moves reduced;  // of a backwards, then b
+  const auto push = [&reduced](Move move) {
+    const auto commutes = [move](Move other) {
+      return move != other && move != Move::edge && other != Move::edge;
+    };
+    std::size_t i = reduced.size();
+    while (i > 0 && commutes(reduced[i - 1])) --i;
+    if (i > 0 && reduced[i - 1] == move)
+      reduced.erase(reduced.begin() + static_cast<std::ptrdiff_t>(i) - 1);
+    else
+      reduced.push_back(move);
+  };
+  std::for_each(a.rbegin(), a.rend(), push);
+  std::for_each(b.begin(), b.end(), push);
+  const Move leaving = reads_face ? Move::face : Move::vertex;
+  return std::find(reduced.begin(), reduced.end(), leaving) == reduced.end();
+}
+
+/// The same on every mesh of triangles; walks of many crossings count as different.
+bool same_end_on_triangles(const Moves& a, const Moves& b, bool reads_face) {
+  static const std::vector<Mesh> trees = [] {
+    std::vector<Mesh> result;
+    for (int depth = 0; depth <= kDeepestTree; ++depth)
+      result.push_back(tree(Lattice::triangle, depth));
+    return result;
+  }();
+  const auto crossings = [](const Moves& word) {
+    return static_cast<std::size_t>(std::count(word.begin(), word.end(), Move::face));
+  };
+  const std::size_t depth = std::max(crossings(a), crossings(b));
+  if (depth >= trees.size()) return false;
+  const Mesh& mesh = trees[depth];
+  const auto end = [&mesh, reads_face](const Moves& word) {
+    return end_of(mesh, {0, false}, {word, {}, {}, false, reads_face});
+  };
+  return end(a) == end(b);
+}
+
+/// Whether two walks from one flag end together on every mesh of the lattice's kind: triangles
+/// only, or any polygons.
+bool same_end(Lattice lattice, const Moves& a, const Moves& b, bool reads_face) {
+  return lattice == Lattice::triangle ? same_end_on_triangles(a, b, reads_face)
+                                      : same_end_on_polygons(a, b, reads_face);
 }
 
 Result<Placement> place_flat(RuleKind kind, Lattice lattice, const Walk& walk) {
-  const bool at_boundary = kind >= RuleKind::boundary_vertex;
-  const Arena& regular = arena(lattice, at_boundary);
+  const Arena& regular = arena(lattice, kind >= RuleKind::boundary_vertex);
   const AnchorFlags anchors = anchor_flags(kind, regular.mesh, regular.anchor);
-  const Mesh general = tree_for(walk, lattice, 2);
-  const AnchorFlags twins = at_boundary ? AnchorFlags{} : anchor_flags(kind, general, 0);
+  const std::vector<Moves> words = flag_words(kind);
 
   std::map<Index, std::vector<int>> classes;  // by lattice position
   for (int i = 0; i < anchors.count; ++i) {
@@ -137,8 +217,11 @@ Result<Placement> place_flat(RuleKind kind, Lattice lattice, const Walk& walk) {
     std::vector<Start> starts;
     for (const int i : members) {
       const Rational share(1, static_cast<int>(members.size()));
+      const auto whole = [&](int flag) {
+        return joined({words[static_cast<std::size_t>(flag)], walk.before});
+      };
       const auto same = [&](const Start& start) {
-        return !at_boundary && same_end(general, twins.flags[start.flag], twins.flags[i], walk);
+        return !words.empty() && same_end(lattice, whole(start.flag), whole(i), walk.reads_face);
       };
       const auto found = std::find_if(starts.begin(), starts.end(), same);
       if (found != starts.end()) {
@@ -157,47 +240,40 @@ Result<Placement> place_flat(RuleKind kind, Lattice lattice, const Walk& walk) {
   return placement;
 }
 
-/// The half-edge that names the anchor's sector `steps` sectors on; kNone past a tree's rim.
-Index sector(RuleKind kind, const Mesh& mesh, Index h, int steps) {
-  for (; steps > 0 && h != kNone; --steps)
-    h = kind == RuleKind::face ? mesh.next(h) : mesh.rotate(h);
-  for (; steps < 0 && h != kNone; ++steps) {
-    if (kind == RuleKind::face) {
-      h = mesh.prev(h);
-    } else {
-      const Index twin = mesh.twin(h);
-      h = twin == kNone ? kNone : mesh.next(twin);
-    }
-  }
-  return h;
+/// How many of the anchor's 2n flags walk to the position that the first one walks to.
+int count_sharers(RuleKind kind, Lattice lattice, const Walk& walk) {
+  const Arena& regular = arena(lattice, false);
+  const Flag first = anchor_flags(kind, regular.mesh, regular.anchor).flags[0];
+  const auto end = [&](const Moves& word) {
+    Walk whole = walk;
+    whole.before = joined({word, walk.before});
+    return end_of(regular.mesh, first, whole);
+  };
+  int sharers = 0;
+  for (int s = 0; s < regular_valence(kind, lattice); ++s)
+    for (const Moves& flag : flag_words(kind))
+      sharers += end(joined({sector_word(kind, s), flag})) == end({}) ? 1 : 0;
+  return sharers;
 }
 
 Result<Placement> place_in_sectors(RuleKind kind, Lattice lattice, const Walk& walk) {
   const Arena& regular = arena(lattice, false);
-  const int n = regular_valence(kind, lattice);
   const AnchorFlags first = anchor_flags(kind, regular.mesh, regular.anchor);
-  const Index end = end_of(regular.mesh, first.flags[0], walk);
-  int sharers = 0;
-  for (int s = 0; s < n; ++s) {
-    const Index h = sector(kind, regular.mesh, regular.anchor, s);
-    const AnchorFlags flags = anchor_flags(kind, regular.mesh, h);
-    for (int t = 0; t < 2; ++t) sharers += end_of(regular.mesh, flags.flags[t], walk) == end;
-  }
+  const int sharers = count_sharers(kind, lattice, walk);
   Placement placement;
-  if (sharers == 2 * n) {
+  if (sharers == 2 * regular_valence(kind, lattice)) {
     if (!walk.before.empty())
       return fault("the walk returns to its start; give that weight to the role self");
     placement.starts.push_back({0, 1, {}});
     placement.count = 1;
     return placement;
   }
-  const Mesh general = tree_for(walk, lattice, 2 + kSectorReach);
-  const Flag start = anchor_flags(kind, general, 0).flags[0];
+  const Moves second = flag_words(kind)[1];
   bool mirrored = false;  // does the second flag of some sector always end where ours does?
-  for (int s = -kSectorReach; s <= kSectorReach && !mirrored; ++s) {
-    const Index h = sector(kind, general, 0, s);
-    mirrored = h != kNone && same_end(general, start, anchor_flags(kind, general, h).flags[1], walk);
-  }
+  for (int s = -kSectorReach; s <= kSectorReach; ++s)
+    mirrored = mirrored || same_end(lattice, walk.before,
+                                    joined({sector_word(kind, s), second, walk.before}),
+                                    walk.reads_face);
   placement.per_sector = true;
   placement.times_n = true;
   placement.count = Rational(2, sharers);
@@ -208,6 +284,33 @@ Result<Placement> place_in_sectors(RuleKind kind, Lattice lattice, const Walk& w
                         : extension(regular.mesh, flag, end_of(regular.mesh, flag, walk));
     placement.starts.push_back({t, Rational(mirrored ? 2 : 1, sharers), outside});
   }
+  return placement;
+}
+
+/// A repeated role, from the anchor's first flag where its mirror image meets the same positions
+/// (in a rule with a first k: in the order 0, n-1, …, 1), and half from either flag elsewhere.
+Placement place_repeated(RuleKind kind, Lattice lattice, const Walk& walk) {
+  const Moves second = flag_words(kind)[1];
+  const bool round = kind == RuleKind::vertex || kind == RuleKind::face;
+  const Moves back(walk.step.rbegin(), walk.step.rend());
+  const auto steps = [&](int count) {
+    Moves word = walk.before;
+    for (int i = 0; i < std::abs(count); ++i)
+      word = joined({word, count > 0 ? walk.step : back});
+    return joined({word, walk.after});
+  };
+  const auto mirrors = [&](int shift) {  // k from the second flag is shift - k from the first
+    return same_end(lattice, joined({second, steps(0)}), steps(shift), walk.reads_face) &&
+           same_end(lattice, joined({second, steps(1)}), steps(shift - 1), walk.reads_face);
+  };
+  bool mirrored = mirrors(0);
+  for (int shift = -kSectorReach; round && shift <= kSectorReach; ++shift)
+    mirrored = mirrored || mirrors(shift);
+  Placement placement;
+  placement.count = 1;
+  placement.times_n = true;
+  placement.starts.push_back({0, mirrored ? Rational(1) : Rational(1, 2), {}});
+  if (!mirrored) placement.starts.push_back({1, Rational(1, 2), {}});
   return placement;
 }
 
@@ -235,13 +338,7 @@ namespace {
 
 Result<Placement> compute_placement(RuleKind kind, Lattice lattice, const Walk& walk) {
   if (Status status = check_walk(kind, walk); !status) return status.error();
-  if (walk.repeated) {
-    Placement placement;
-    placement.starts.push_back({0, 1, {}});
-    placement.count = 1;
-    placement.times_n = true;
-    return placement;
-  }
+  if (walk.repeated) return place_repeated(kind, lattice, walk);
   if (kind == RuleKind::vertex || kind == RuleKind::face)
     return place_in_sectors(kind, lattice, walk);
   return place_flat(kind, lattice, walk);

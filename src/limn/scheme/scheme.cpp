@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <filesystem>
-#include <set>
 
 #include <fmt/core.h>
 #include <fmt/ranges.h>
@@ -8,69 +7,65 @@
 #include "limn/base/file.h"
 #include "limn/scheme/check.h"
 #include "limn/scheme/mask.h"
+#include "limn/scheme/names.h"
 #include "limn/scheme/scheme_reader.h"
 #include "limn/scheme/shipped_files.h"
 
 namespace limn {
 namespace {
 
-constexpr int kDeepestExtension = 8;
+constexpr std::size_t kDeepestExtension = 8;
 
-Result<Scheme> read_any(const std::string& name_or_path, const std::string& base, int depth);
+/// The files that are being read, each extended by the one before it.
+using Chain = std::vector<std::string>;
+
+Result<Scheme> read_any(const std::string& name_or_path, const Chain& chain);
+
+/// Whether a scheme with this split can have such a rule.
+bool has_use_for(const Split& split, RuleKind kind) {
+  switch (kind) {
+    case RuleKind::vertex:
+    case RuleKind::boundary_vertex: return split.births_vertices;
+    case RuleKind::edge:
+    case RuleKind::edge_end: return split.births_edges;
+    case RuleKind::boundary_edge: return split.births_edges && !split.trisects_boundary;
+    case RuleKind::face: return split.births_faces;
+    case RuleKind::corner: return split.births_corners;
+    case RuleKind::boundary_edge_end: return split.trisects_boundary;
+  }
+  return false;
+}
+
+std::string rules_of(const Split& split) {
+  std::vector<std::string_view> names;
+  for (int i = 0; i < kRuleKinds; ++i)
+    if (const auto kind = static_cast<RuleKind>(i); has_use_for(split, kind))
+      names.push_back(rule_name(kind));
+  return fmt::format("{}", fmt::join(names, ", "));
+}
 
 /// Which rules the split calls for: missing ones and ones that it has no use for.
 Status check_rules_fit(const Scheme& scheme) {
   const Split& split = *scheme.split;
   const bool given_by_mask = scheme.mask || scheme.factors;
-  const auto used = [&](RuleKind kind) {
-    switch (kind) {
-      case RuleKind::vertex:
-      case RuleKind::boundary_vertex: return split.births_vertices;
-      case RuleKind::edge:
-      case RuleKind::edge_end:
-      case RuleKind::boundary_edge: return split.births_edges;
-      case RuleKind::face: return split.births_faces;
-      case RuleKind::corner: return split.births_corners;
-      case RuleKind::boundary_edge_end: return split.trisects_boundary;
-    }
-    return false;
-  };
   for (int i = 0; i < kRuleKinds; ++i) {
     const auto kind = static_cast<RuleKind>(i);
+    const bool used = has_use_for(split, kind);
     const bool optional = kind >= RuleKind::boundary_vertex || kind == RuleKind::edge_end;
-    if (used(kind) && !optional && !given_by_mask && !scheme.rule(kind))
+    if (used && !optional && !given_by_mask && !scheme.rule(kind))
       return missing_rule(scheme, kind, regular_valence(kind, split.lattice));
-    if (!used(kind) && scheme.rule(kind)) {
+    if (!used && scheme.rule(kind)) {
       const Place& place = scheme.rule(kind)->front().place;
       return Error{fmt::format("the split {} has no use for a rule '{}'", split.name,
                                rule_name(kind)),
-                   {}, place.file, place.line, place.column};
+                   "its rules are " + rules_of(split), place.file, place.line, place.column};
     }
   }
   return Done{};
 }
 
-/// Every name in a let or a parameter must mean something, used or not.
-Status check_names(const Scheme& scheme) {
-  std::set<std::string> known{"n", "k"};
-  for (const auto& [name, formula] : scheme.lets) known.insert(name);
-  for (const Parameter& parameter : scheme.parameters) known.insert(parameter.name);
-  const auto check = [&](const Formula& formula) -> Status {
-    for (const std::string& name : formula.expression.names())
-      if (known.count(name) == 0)
-        return Error{fmt::format("unknown name '{}' in '{}'", name, formula.expression.text()),
-                     "names are n, k, the parameters and the lets", formula.place.file,
-                     formula.place.line, formula.place.column};
-    return Done{};
-  };
-  for (const auto& [name, formula] : scheme.lets)
-    if (Status status = check(formula); !status) return status;
-  for (const Parameter& parameter : scheme.parameters)
-    if (Status status = check(parameter.value); !status) return status;
-  return Done{};
-}
-
 Status check_scheme(Scheme& scheme) {
+  const ExactBudget budget(kExactWork);
   if (Status status = check_names(scheme); !status) return status;
   if (scheme.mask || scheme.factors)
     if (Status status = add_rules_from_mask(scheme); !status) return status;
@@ -78,16 +73,26 @@ Status check_scheme(Scheme& scheme) {
   return check_rules(scheme);
 }
 
-Result<Scheme> parse_at_depth(std::string_view text, const std::string& path, int depth) {
-  if (depth > kDeepestExtension)
-    return Error{"the chain of 'extends' is circular or too long", {}, path, 0, 0};
-  Result<Scheme> scheme = read_scheme_text(text, path, [&](const std::string& extended) {
-    return read_any(extended, path, depth + 1);
-  });
+/// `chain` ends with `path`.
+Result<Scheme> parse_in_chain(std::string_view text, const std::string& path, const Chain& chain) {
+  Result<Scheme> scheme = read_scheme_text(
+      text, path, [&](const std::string& extended) { return read_any(extended, chain); });
   if (!scheme) return scheme;
   if (scheme->name.empty()) scheme->name = std::filesystem::path(path).stem().string();
   if (Status status = check_scheme(*scheme); !status) return status.error();
   return scheme;
+}
+
+/// `id`: the path, or the name of a shipped scheme (which a user's file may be called after).
+Result<Scheme> parse_next(std::string_view text, const std::string& path, const std::string& id,
+                          Chain chain) {
+  if (chain.size() > kDeepestExtension)
+    return Error{fmt::format("more than {} schemes extend one another", kDeepestExtension), {}, {},
+                 0, 0};
+  if (std::find(chain.begin(), chain.end(), id) != chain.end())
+    return Error{fmt::format("circular: {} -> {}", fmt::join(chain, " -> "), id), {}, {}, 0, 0};
+  chain.push_back(id);
+  return parse_in_chain(text, path, chain);
 }
 
 std::size_t edit_distance(std::string_view a, std::string_view b) {
@@ -108,7 +113,7 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
 Error unknown_scheme(const std::string& name) {
   std::vector<std::string> near;
   for (const std::string& known : shipped_schemes())
-    if (edit_distance(name, known) <= 2 || known.find(name) != std::string::npos)
+    if (edit_distance(name, known) <= 2 || (name.size() > 2 && known.find(name) != known.npos))
       near.push_back(known);
   return {fmt::format("no shipped scheme and no file is called '{}'", name),
           near.empty() ? "`limn schemes` lists the shipped ones; else give the path of a .toml file"
@@ -116,26 +121,74 @@ Error unknown_scheme(const std::string& name) {
           {}, 0, 0};
 }
 
-/// A shipped name, or a path: relative to `base`'s folder where there is one.
-Result<Scheme> read_any(const std::string& name_or_path, const std::string& base, int depth) {
+/// What a file extends must be a file: no device or pipe, which may never end.
+Result<std::string> read_extended(const std::string& path) {
+  std::error_code ignored;
+  const auto status = std::filesystem::status(path, ignored);
+  if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status))
+    return Error{"cannot read: not a regular file", {}, path, 0, 0};
+  return read_file(path);
+}
+
+/// A shipped name, or a path: relative to the folder of the file that extends it, if one does.
+Result<Scheme> read_any(const std::string& name_or_path, const Chain& chain) {
   namespace fs = std::filesystem;
   for (const ShippedFile& shipped : shipped_files())
     if (shipped.name == name_or_path)
-      return parse_at_depth(shipped.text, name_or_path + ".toml", depth);
+      return parse_next(shipped.text, name_or_path + ".toml", name_or_path, chain);
   fs::path path(name_or_path);
-  if (!base.empty() && path.is_relative()) path = fs::path(base).parent_path() / path;
-  std::error_code ignored;
   const bool looks_like_path = path.has_parent_path() || path.extension() == ".toml";
+  if (!chain.empty() && path.is_relative())
+    path = (fs::path(chain.back()).parent_path() / path).lexically_normal();
+  std::error_code ignored;
   if (!looks_like_path && !fs::exists(path, ignored)) return unknown_scheme(name_or_path);
-  Result<std::string> text = read_file(path.string());
+  Result<std::string> text =
+      chain.empty() ? read_file(path.string()) : read_extended(path.string());
   if (!text) return text.error();
-  return parse_at_depth(*text, path.string(), depth);
+  return parse_next(*text, path.string(), path.string(), chain);
+}
+
+std::string trimmed(const std::string& text) {
+  const std::size_t begin = text.find_first_not_of(" \t");
+  if (begin == std::string::npos) return {};
+  return text.substr(begin, text.find_last_not_of(" \t") - begin + 1);
+}
+
+Error unknown_parameter(const Scheme& scheme, const std::string& name) {
+  std::vector<std::string_view> known;
+  for (const Parameter& parameter : scheme.parameters) known.push_back(parameter.name);
+  return {fmt::format("scheme '{}' has no parameter '{}'", scheme.name, name),
+          known.empty() ? "it has no parameters"
+                        : fmt::format("it has {}", fmt::join(known, ", ")),
+          {}, 0, 0};
+}
+
+/// Puts the expression in place; nothing is checked yet.
+Status assign(Scheme& scheme, const std::string& assignment) {
+  const std::size_t equals = assignment.find('=');
+  if (equals == std::string::npos)
+    return Error{fmt::format("'{}' sets no parameter", assignment),
+                 "write name=expression, as a=1/8", {}, 0, 0};
+  const std::string name = trimmed(assignment.substr(0, equals));
+  const auto found = std::find_if(scheme.parameters.begin(), scheme.parameters.end(),
+                                  [&](const Parameter& p) { return p.name == name; });
+  if (found == scheme.parameters.end()) return unknown_parameter(scheme, name);
+  Result<Expression> expression = Expression::parse(assignment.substr(equals + 1));
+  if (!expression) {
+    Error error = expression.error();
+    error.message = fmt::format("-p {}: column {}: {}", assignment,
+                                static_cast<int>(equals) + 1 + error.column, error.message);
+    error.column = 0;
+    return error;
+  }
+  found->value = {std::move(*expression), {}};
+  return Done{};
 }
 
 }  // namespace
 
 Result<Scheme> parse_scheme(std::string_view text, const std::string& path) {
-  return parse_at_depth(text, path, 0);
+  return parse_in_chain(text, path, {path});
 }
 
 Result<Scheme> read_scheme(const std::string& path) {
@@ -145,7 +198,7 @@ Result<Scheme> read_scheme(const std::string& path) {
 }
 
 Result<Scheme> find_scheme(const std::string& name_or_path) {
-  return read_any(name_or_path, {}, 0);
+  return read_any(name_or_path, {});
 }
 
 std::vector<std::string> shipped_schemes() {
@@ -154,31 +207,23 @@ std::vector<std::string> shipped_schemes() {
   return names;
 }
 
-Status set_parameter(Scheme& scheme, const std::string& assignment) {
-  const std::size_t equals = assignment.find('=');
-  if (equals == std::string::npos)
-    return Error{fmt::format("'{}' sets no parameter", assignment), "write name=expression, as "
-                 "a=1/8", {}, 0, 0};
-  const std::string name = assignment.substr(0, equals);
-  std::vector<std::string_view> known;
-  for (Parameter& parameter : scheme.parameters) {
-    known.push_back(parameter.name);
-    if (parameter.name != name) continue;
-    Result<Expression> expression = Expression::parse(assignment.substr(equals + 1));
-    if (!expression) {
-      Error error = expression.error();
-      error.message = fmt::format("-p {}: column {}: {}", assignment,
-                                  static_cast<int>(equals) + 1 + error.column, error.message);
-      error.column = 0;
-      return error;
-    }
-    parameter.value = {std::move(*expression), {}};
-    return check_scheme(scheme);
+Status set_parameters(Scheme& scheme, const std::vector<std::string>& assignments) {
+  if (assignments.empty()) return Done{};
+  Scheme changed = scheme;
+  for (const std::string& assignment : assignments)
+    if (Status status = assign(changed, assignment); !status) return status;
+  if (Status status = check_scheme(changed); !status) {
+    Error error = status.error();
+    error.message = fmt::format("-p {}: {}", fmt::join(assignments, " -p "), error.message);
+    if (error.line == 0) error.column = 0;
+    return error;
   }
-  return Error{fmt::format("scheme '{}' has no parameter '{}'", scheme.name, name),
-               known.empty() ? "it has no parameters"
-                             : fmt::format("it has {}", fmt::join(known, ", ")),
-               {}, 0, 0};
+  scheme = std::move(changed);
+  return Done{};
+}
+
+Status set_parameter(Scheme& scheme, const std::string& assignment) {
+  return set_parameters(scheme, {assignment});
 }
 
 }  // namespace limn

@@ -2,7 +2,9 @@
 /// A scheme: the content of one scheme file. The rules exist here once; every reading of them
 /// (refined positions, subdivision matrices, symbols, …) goes through `refine/` or `mask.h`.
 
+#include <algorithm>
 #include <array>
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -97,7 +99,8 @@ struct Scheme {
 };
 
 /// Resolves the names of an expression: n and k where they are given, parameters, lets.
-/// A let or a parameter may use n, k, and others of both; a circle is an error.
+/// A let or a parameter may use n, k, and others of both; a circle is an error. Each is
+/// evaluated once in the life of a scope.
 template <class Number>
 class Scope {
  public:
@@ -106,29 +109,41 @@ class Scope {
 
   /// Value of a formula; an error carries the formula's place.
   [[nodiscard]] Result<Number> operator()(const Formula& formula) {
-    Result<Number> value = formula.expression.template evaluate<Number>(
-        [this](const std::string& name) { return lookup(name); });
-    if (!value && value.error().file.empty() && !located_) {
-      locate(value.error(), formula);
-      located_ = true;
-    }
-    return value;
+    located_ = false;
+    return evaluate(formula);
   }
 
  private:
-  static constexpr int kDeepest = 64;
+  static constexpr std::size_t kDeepest = 64;  // so that a hostile file cannot exhaust the stack
 
-  static void locate(Error& error, const Formula& formula) {
+  Result<Number> evaluate(const Formula& formula) {
+    Result<Number> value = formula.expression.template evaluate<Number>(
+        [this](const std::string& name) { return lookup(name); });
+    if (!value && !located_) locate(value.error(), formula);
+    return value;
+  }
+
+  void locate(Error& error, const Formula& formula) {
     error.file = formula.place.file;
     error.line = formula.place.line;
     if (formula.place.line > 0) error.column = formula.place.column + error.column;
+    located_ = true;
+  }
+
+  [[nodiscard]] const Formula* find(const std::string& name) const {
+    for (const auto& [let, value] : scheme_.lets)
+      if (let == name) return &value;
+    for (const Parameter& parameter : scheme_.parameters)
+      if (parameter.name == name) return &parameter.value;
+    return nullptr;
   }
 
   Result<Number> lookup(const std::string& name);
 
   const Scheme& scheme_;
   std::optional<long long> n_, k_;
-  int depth_ = 0;
+  std::map<const Formula*, Number> known_;
+  std::vector<const Formula*> open_;  // being evaluated, outermost first
   bool located_ = false;
 };
 
@@ -137,11 +152,7 @@ Result<Number> Scope<Number>::lookup(const std::string& name) {
   using A = Arithmetic<Number>;
   if (name == "n" && n_) return A::from(Rational(*n_));
   if (name == "k" && k_) return A::from(Rational(*k_));
-  const Formula* formula = nullptr;
-  for (const auto& [let, value] : scheme_.lets)
-    if (let == name) formula = &value;
-  for (const Parameter& parameter : scheme_.parameters)
-    if (parameter.name == name) formula = &parameter.value;
+  const Formula* formula = find(name);
   if (formula == nullptr) {
     if (name == "n" || name == "k")
       return Error{name + " has no value here",
@@ -151,10 +162,15 @@ Result<Number> Scope<Number>::lookup(const std::string& name) {
     return Error{"unknown name '" + name + "'", "names are n, k, the parameters and the lets",
                  {}, 0, 0};
   }
-  if (++depth_ > kDeepest)
+  if (const auto known = known_.find(formula); known != known_.end()) return known->second;
+  if (std::find(open_.begin(), open_.end(), formula) != open_.end())
     return Error{"'" + name + "' is defined in terms of itself", {}, {}, 0, 0};
-  Result<Number> value = (*this)(*formula);
-  --depth_;
+  if (open_.size() == kDeepest)
+    return Error{"more than 64 definitions hang one on another", {}, {}, 0, 0};
+  open_.push_back(formula);
+  Result<Number> value = evaluate(*formula);
+  open_.pop_back();
+  if (value) known_.emplace(formula, *value);
   return value;
 }
 
@@ -170,8 +186,10 @@ Result<Number> Scope<Number>::lookup(const std::string& name) {
 /// Names of the shipped schemes, sorted.
 [[nodiscard]] std::vector<std::string> shipped_schemes();
 
-/// Sets parameter `name` to an expression (which may use n and the lets), then checks the rules
-/// and the parameter's range anew. `assignment` is "name=expression".
+/// Sets parameters to expressions (which may use n and the lets), then checks the rules and the
+/// ranges anew, of all of them together: counts of a box spline may fit only as a whole. Each
+/// assignment is "name=expression". On an error the scheme is unchanged.
+[[nodiscard]] Status set_parameters(Scheme& scheme, const std::vector<std::string>& assignments);
 [[nodiscard]] Status set_parameter(Scheme& scheme, const std::string& assignment);
 
 }  // namespace limn

@@ -14,11 +14,11 @@
 namespace limn {
 namespace {
 
-constexpr std::size_t kLargestFile = 1 << 20;
-
 constexpr std::string_view kKnownKeys =
     "name, title, split, source, notes, extends, let, parameter, roles, vertex, edge, edge-end, "
     "face, corner, boundary, mask, factors or facts";
+
+constexpr std::string_view kBoundary = "boundary.";  // of rules in the table [boundary]
 
 bool is_identifier(std::string_view name) {
   if (name.empty() || (std::isalpha(static_cast<unsigned char>(name[0])) == 0 && name[0] != '_'))
@@ -41,15 +41,8 @@ class SchemeFileReader {
       : in_(std::move(file)), extended_(extended) {}
 
   Result<Scheme> run(std::string_view text) {
-    if (text.size() > kLargestFile)
-      return Error{"the scheme file is larger than 1 MiB", {}, in_.file(), 0, 0};
-    toml::parse_result parsed = toml::parse(text, in_.file());
-    if (!parsed) {
-      const toml::source_position at = parsed.error().source().begin;
-      return Error{std::string(parsed.error().description()), "the file is not valid TOML",
-                   in_.file(), static_cast<int>(at.line), static_cast<int>(at.column)};
-    }
-    const toml::table& root = parsed.table();
+    const toml::table root = in_.parse(text);
+    if (!in_.ok()) return in_.take_error();
     scheme_.file = in_.file();
     read_split(root);
     in_.each(root, "the file", [&](const toml::key& key, const toml::node& node) {
@@ -104,7 +97,8 @@ class SchemeFileReader {
       scheme_.mask = read_rows(in_, node, name);
     } else if (name == "factors") {
       scheme_.factors = read_factors(in_, node);
-    } else if (name != "split" && name != "boundary" && !find_rule(name)) {
+    } else if (name != "split" && name != "boundary" &&
+               (!find_rule(name) || name.starts_with(kBoundary))) {
       in_.unknown_key(key, "a scheme file", std::string(kKnownKeys));
     }
   }
@@ -143,7 +137,8 @@ class SchemeFileReader {
       }
     });
     if (in_.ok() && !has_default)
-      in_.fail(node, fmt::format("parameter '{}' has no default", parameter.name));
+      in_.fail(node, fmt::format("parameter '{}' has no default", parameter.name),
+               "add default = \"...\"");
     scheme_.parameters.push_back(std::move(parameter));
   }
 
@@ -169,14 +164,19 @@ class SchemeFileReader {
     in_.each(node, key.str(), [&](const toml::key& role, const toml::node& v) {
       const std::string text = in_.text(v, role.str());
       if (!in_.ok()) return;
+      const Place at = in_.place(v);
       Result<Walk> walk = parse_walk(text);
-      if (walk) {
-        own_roles_[{*kind, std::string(role.str())}] = *walk;
+      if (!walk) {
+        in_.fail(Error{fmt::format("role '{}': {}", role.str(), walk.error().message),
+                       walk.error().hint, at.file, at.line, at.column + walk.error().column});
         return;
       }
-      const Place at = in_.place(v);
-      in_.fail(Error{walk.error().message, walk.error().hint, at.file, at.line,
-                     at.column + walk.error().column});
+      if (role.str() == "when") {
+        in_.fail(v, "'when' cannot be the name of a role", "it stands for the guard of a case");
+        return;
+      }
+      if (scheme_.split != nullptr) check_role(*kind, role.str(), *walk, at);
+      own_roles_[{*kind, std::string(role.str())}] = *walk;
     });
   }
 
@@ -184,12 +184,11 @@ class SchemeFileReader {
     for (int i = 0; i < kRuleKinds; ++i) {
       const auto kind = static_cast<RuleKind>(i);
       std::string_view name = rule_name(kind);
-      constexpr std::string_view prefix = "boundary.";
       const toml::node* node = nullptr;
-      if (name.substr(0, prefix.size()) == prefix) {
+      if (name.substr(0, kBoundary.size()) == kBoundary) {
         if (const toml::node* boundary = root.get("boundary"))
           if (const toml::table* table = boundary->as_table())
-            node = table->get(name.substr(prefix.size()));
+            node = table->get(name.substr(kBoundary.size()));
       } else {
         node = root.get(name);
       }
@@ -215,7 +214,8 @@ class SchemeFileReader {
         in_.fail(Error{"a case without a guard hides the cases after it",
                        "give it a guard, as when = \"n == 3\", or put it last", in_.file(),
                        rule[i].place.line, rule[i].place.column});
-    if (in_.ok() && rule.empty()) in_.fail(node, "the rule has no case");
+    if (in_.ok() && rule.empty())
+      in_.fail(node, fmt::format("the {} rule has no case", rule_name(kind)));
     scheme_.rules[static_cast<std::size_t>(kind)] = std::move(rule);
   }
 
@@ -236,7 +236,7 @@ class SchemeFileReader {
       weight.value = in_.formula(v, key.str());
       result.weights.push_back(std::move(weight));
     });
-    if (in_.ok() && result.weights.empty()) in_.fail(node, "the rule has no weights");
+    if (in_.ok() && result.weights.empty()) in_.fail(node, fmt::format("the {} rule has no weights", rule_name(kind)));
     return result;
   }
 
@@ -245,14 +245,15 @@ class SchemeFileReader {
     if (const auto own = own_roles_.find({kind, name}); own != own_roles_.end())
       return checked(kind, own->second, key);
     if (scheme_.split == nullptr) {
-      in_.fail(Error{"a file that extends another and states rules must name its split", {},
-                     in_.file(), in_.place(key).line, in_.place(key).column});
+      in_.fail(Error{"a file that extends another and states rules must name its split",
+                     "add split = \"...\", the same as there", in_.file(), in_.place(key).line, in_.place(key).column});
       return {};
     }
     std::vector<std::string_view> known{"when"};
     for (const NamedRole& role : named_roles(kind, scheme_.split->lattice)) {
       if (role.name == name) return checked(kind, parse_walk(role.walk).value(), key);
-      known.push_back(role.name);
+      if (!parse_walk(role.walk).value().reads_face || gives_every_face_a_vertex())
+        known.push_back(role.name);
     }
     in_.unknown_key(key, fmt::format("the {} rule of a {} scheme", rule_name(kind),
                                      scheme_.split->name),
@@ -261,18 +262,28 @@ class SchemeFileReader {
     return {};
   }
 
-  Walk checked(RuleKind kind, const Walk& walk, const toml::key& key) {
-    const Place at = in_.place(key);
+  /// Precondition, as for the next: the split is known.
+  [[nodiscard]] bool gives_every_face_a_vertex() const {
+    return scheme_.split->births_faces && !scheme_.split->trisects_boundary;
+  }
+
+  /// Fails at `at` where the walk makes no sense in the rule.
+  void check_role(RuleKind kind, std::string_view name, const Walk& walk, const Place& at) {
     const Split& split = *scheme_.split;
     const Result<Placement> placement = place(kind, split.lattice, walk);
     if (!placement)
-      in_.fail(Error{fmt::format("role '{}': {}", key.str(), placement.error().message), {},
-                     at.file, at.line, at.column});
-    if (walk.reads_face && (!split.births_faces || split.trisects_boundary))
+      in_.fail(Error{fmt::format("role '{}' of the {} rule: {}", name, rule_name(kind),
+                                 placement.error().message),
+                     placement.error().hint, at.file, at.line, at.column});
+    if (walk.reads_face && !gives_every_face_a_vertex())
       in_.fail(Error{fmt::format("role '{}' reads the new vertex of a face, and the split {} does "
                                  "not give every face one",
-                                 key.str(), split.name),
+                                 name, split.name),
                      {}, at.file, at.line, at.column});
+  }
+
+  Walk checked(RuleKind kind, const Walk& walk, const toml::key& key) {
+    check_role(kind, key.str(), walk, in_.place(key));
     return walk;
   }
 
@@ -305,11 +316,15 @@ class SchemeFileReader {
   void check_given_once() {
     if (!scheme_.mask && !scheme_.factors) return;
     const Place place = scheme_.mask ? scheme_.mask->place : scheme_.factors->place;
+    const std::string_view given = scheme_.mask ? "its mask" : "factors";
+    const auto twice = [&](std::string_view also) {
+      in_.fail(Error{fmt::format("the scheme is given by {} and by {} too", given, also),
+                     "keep the rules, the mask or the factors", place.file, place.line,
+                     place.column});
+    };
+    if (scheme_.mask && scheme_.factors) twice("factors");
     for (const auto& rule : scheme_.rules)
-      if (rule || (scheme_.mask && scheme_.factors))
-        in_.fail(Error{"the scheme is given in more than one way",
-                       "keep the rules, the mask or the factors", in_.file(), place.line,
-                       place.column});
+      if (rule) twice(extends_.empty() ? "rules" : "the rules that it extends");
   }
 
   TomlReader in_;

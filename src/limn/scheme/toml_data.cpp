@@ -9,11 +9,15 @@
 namespace limn {
 namespace {
 
+constexpr int kLargestStatedValence = 9999;
+constexpr std::int64_t kLongestStep = 8;
+
 void read_valences(TomlReader& in, const toml::node& node, Fact& fact) {
   if (const auto* integer = node.as_integer()) {
-    fact.first = fact.last = static_cast<int>(std::clamp<std::int64_t>(integer->get(), 0, 9999));
-  } else {
-    const std::string text = in.text(node, "valence");
+    if (integer->get() <= kLargestStatedValence)
+      fact.first = fact.last = static_cast<int>(std::max<std::int64_t>(integer->get(), 0));
+  } else if (const auto* string = node.as_string()) {
+    const std::string& text = string->get();
     const std::size_t dots = text.find("..");
     const auto digits = [](const std::string& s) {
       return !s.empty() && s.size() <= 4 &&
@@ -26,7 +30,8 @@ void read_valences(TomlReader& in, const toml::node& node, Fact& fact) {
     }
   }
   if (in.ok() && (fact.first < kSmallestValence || fact.last < fact.first))
-    in.fail(node, "a valence is an integer of at least 3, or a range as \"3..12\"");
+    in.fail(node, fmt::format("a valence is an integer from {} to {}, or a range as \"3..12\"",
+                              kSmallestValence, kLargestStatedValence));
 }
 
 void read_direction(TomlReader& in, const toml::node& node, Factors& factors) {
@@ -40,9 +45,10 @@ void read_direction(TomlReader& in, const toml::node& node, Factors& factors) {
       const bool good = pair != nullptr && pair->size() == 2 && (*pair)[0].is_integer() &&
                         (*pair)[1].is_integer();
       const auto entry = [&](std::size_t i) { return (*pair)[i].as_integer()->get(); };
-      if (!good || std::abs(entry(0)) > 8 || std::abs(entry(1)) > 8 ||
-          (entry(0) == 0 && entry(1) == 0)) {
-        in.fail(v, "a step is two small integers, not both 0, as [1, 0]");
+      const auto small = [](std::int64_t i) { return i >= -kLongestStep && i <= kLongestStep; };
+      if (!good || !small(entry(0)) || !small(entry(1)) || (entry(0) == 0 && entry(1) == 0)) {
+        in.fail(v, fmt::format("a step is two integers from -{0} to {0}, not both 0, as [1, 0]",
+                               kLongestStep));
         return;
       }
       step = {static_cast<int>(entry(0)), static_cast<int>(entry(1))};
@@ -98,6 +104,7 @@ Factors read_factors(TomlReader& in, const toml::node& node) {
 void read_fact(TomlReader& in, const toml::node& node, Scheme& scheme) {
   Fact fact;
   fact.place = in.place(node);
+  bool states_mask = false;
   in.each(node, "a fact", [&](const toml::key& key, const toml::node& v) {
     const std::string_view name = key.str();
     if (name == "valence") {
@@ -105,7 +112,9 @@ void read_fact(TomlReader& in, const toml::node& node, Scheme& scheme) {
     } else if (name == "source") {
       fact.source = in.text(v, name);
     } else if (name == "mask") {
+      if (scheme.stated_mask) in.fail(v, "the facts state the mask twice");
       scheme.stated_mask = read_rows(in, v, name);
+      states_mask = true;
     } else if (name == "tangent" || name == "cup" || name == "saddle") {
       fact.values.emplace_back(name, in.formula(v, name));
     } else {
@@ -114,6 +123,8 @@ void read_fact(TomlReader& in, const toml::node& node, Scheme& scheme) {
   });
   if (in.ok() && !fact.values.empty() && fact.first == 0)
     in.fail(node, "the fact names no valence", "add valence = 7 or valence = \"3..12\"");
+  if (in.ok() && fact.values.empty() && !states_mask)
+    in.fail(node, "the fact states nothing", "add tangent, cup, saddle or mask");
   if (!fact.values.empty()) scheme.facts.push_back(std::move(fact));
 }
 

@@ -1,13 +1,19 @@
 #include "limn/scheme/toml_reader.h"
 
 #include <algorithm>
+#include <cctype>
 #include <utility>
 #include <vector>
 
 #include <fmt/core.h>
 
+#include <algorithm>
+
 namespace limn {
 namespace {
+
+constexpr std::size_t kLargestFile = 1 << 18;
+constexpr int kMostDots = 1024;
 
 std::string_view type_name(const toml::node& node) {
   if (node.is_table()) return "a table";
@@ -19,12 +25,101 @@ std::string_view type_name(const toml::node& node) {
   return "a date or time";
 }
 
-int as_int(toml::source_index i) { return static_cast<int>(i); }
+/// A message is one line of text, whatever the file holds.
+void make_printable(std::string& text) {
+  for (char& c : text)
+    if (static_cast<unsigned char>(c) < ' ' || c == '\x7f') c = '?';
+}
+
+/// The byte of the dot that is one too many, or npos. toml++ makes a table of each part of a key
+/// a.b.c…, one within the other, and takes as many nested calls to free them; telling keys from
+/// text would take a parser, so every dot between words counts.
+std::size_t find_dot_too_many(std::string_view text) {
+  const auto is_blank = [](char c) { return c == ' ' || c == '\t'; };
+  const auto joins = [](char c) {
+    return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == '-' || c == '"' ||
+           c == '\'';
+  };
+  int dots = 0;
+  for (std::size_t at = text.find('.'); at != std::string_view::npos; at = text.find('.', at + 1)) {
+    std::size_t before = at;
+    while (before > 0 && is_blank(text[before - 1])) --before;
+    std::size_t after = at + 1;
+    while (after < text.size() && is_blank(text[after])) ++after;
+    if (before == 0 || after == text.size() || !joins(text[before - 1]) || !joins(text[after]))
+      continue;
+    if (++dots > kMostDots) return at;
+  }
+  return std::string_view::npos;
+}
+
+/// The first byte that begins no UTF-8 character, or npos. (toml++ says so too, elsewhere.)
+std::size_t find_no_utf8(std::string_view text) {
+  for (std::size_t at = 0; at < text.size();) {
+    const auto byte = [&](std::size_t i) {
+      return at + i < text.size() ? static_cast<unsigned char>(text[at + i]) : 0U;
+    };
+    const unsigned first = byte(0);
+    const std::size_t length =
+        first < 0x80U ? 1 : first < 0xC2U ? 0 : first < 0xE0U ? 2 : first < 0xF0U ? 3
+                      : first < 0xF5U ? 4 : 0;
+    bool good = length > 0;
+    for (std::size_t i = 1; i < length; ++i) good = good && (byte(i) & 0xC0U) == 0x80U;
+    // no detours, no halves of surrogate pairs, nothing beyond U+10FFFF
+    if (first == 0xE0U) good = good && byte(1) >= 0xA0U;
+    if (first == 0xEDU) good = good && byte(1) < 0xA0U;
+    if (first == 0xF0U) good = good && byte(1) >= 0x90U;
+    if (first == 0xF4U) good = good && byte(1) < 0x90U;
+    if (!good) return at;
+    at += length;
+  }
+  return std::string_view::npos;
+}
 
 }  // namespace
 
+void TomlReader::fail_at(std::size_t byte, std::string message, std::string hint) {
+  const auto line = std::upper_bound(line_begins_.begin(), line_begins_.end(), byte) - 1;
+  fail(Error{std::move(message), std::move(hint), file_,
+             static_cast<int>(line - line_begins_.begin()) + 1,
+             static_cast<int>(byte - *line) + 1});
+}
+
+toml::table TomlReader::parse(std::string_view text) {
+  if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);  // a byte order mark
+  text_ = text;
+  if (text.size() > kLargestFile) {
+    fail(Error{"the scheme file is larger than 256 KiB", {}, file_, 0, 0});
+    return {};
+  }
+  line_begins_ = {0};
+  for (std::size_t i = 0; i < text.size(); ++i)
+    if (text[i] == '\n') line_begins_.push_back(i + 1);
+  if (const std::size_t dot = find_dot_too_many(text); dot != std::string_view::npos) {
+    fail_at(dot, fmt::format("the file has more than {} dotted keys or sentences", kMostDots));
+    return {};
+  }
+  if (const std::size_t bad = find_no_utf8(text); bad != std::string_view::npos) {
+    fail_at(bad, "the file is not UTF-8 text", "save it as UTF-8");
+    return {};
+  }
+  toml::parse_result parsed = toml::parse(text, std::string_view(file_));
+  if (parsed) return std::move(parsed).table();
+  const Place at = place(parsed.error().source().begin);
+  std::string message(parsed.error().description());
+  const std::size_t byte = byte_of(at);
+  const bool in_string = message.find("parsing string") != std::string::npos;
+  if (in_string && byte < text.size() && (text[byte] == '\n' || text[byte] == '\r'))
+    message = "the string does not end on its line";
+  fail(Error{std::move(message), "the file is not valid TOML", file_, at.line, at.column});
+  return {};
+}
+
 void TomlReader::fail(Error error) {
-  if (!error_) error_ = std::move(error);
+  if (error_) return;
+  make_printable(error.message);
+  make_printable(error.hint);
+  error_ = std::move(error);
 }
 
 void TomlReader::fail(const toml::node& at, std::string message, std::string hint) {
@@ -32,14 +127,47 @@ void TomlReader::fail(const toml::node& at, std::string message, std::string hin
   fail(Error{std::move(message), std::move(hint), where.file, where.line, where.column});
 }
 
-Place TomlReader::place(const toml::node& node) const {
-  const toml::source_position begin = node.source().begin;
-  return {file_, as_int(begin.line), as_int(begin.column)};
+/// toml++ counts characters; a column of ours is a byte.
+Place TomlReader::place(toml::source_position position) const {
+  const int line = static_cast<int>(position.line);
+  const int column = static_cast<int>(position.column);
+  const auto index = static_cast<std::size_t>(line) - 1;
+  if (line < 1 || column < 1 || index >= line_begins_.size()) return {file_, line, column};
+  const auto [entry, fresh] = columns_.try_emplace(line);
+  std::vector<int>& columns = entry->second;
+  if (fresh) {
+    const std::size_t begin = line_begins_[index];
+    const std::size_t end = std::min(text_.find('\n', begin), text_.size());
+    const std::string_view text = text_.substr(begin, end - begin);
+    for (std::size_t i = 0; i < text.size(); ++i)
+      if ((static_cast<unsigned char>(text[i]) & 0xC0U) != 0x80U)
+        columns.push_back(static_cast<int>(i) + 1);
+    columns.push_back(static_cast<int>(text.size()) + 1);
+  }
+  return {file_, line, columns[std::min(static_cast<std::size_t>(column), columns.size()) - 1]};
 }
 
-Place TomlReader::place(const toml::key& key) const {
-  const toml::source_position begin = key.source().begin;
-  return {file_, as_int(begin.line), as_int(begin.column)};
+Place TomlReader::place(const toml::node& node) const { return place(node.source().begin); }
+
+Place TomlReader::place(const toml::key& key) const { return place(key.source().begin); }
+
+std::size_t TomlReader::byte_of(const Place& place) const {
+  const auto index = static_cast<std::size_t>(place.line) - 1;
+  return place.line < 1 || index >= line_begins_.size()
+             ? text_.size()
+             : std::min(line_begins_[index] + static_cast<std::size_t>(place.column) - 1,
+                        text_.size());
+}
+
+/// Where the byte before the text of a string stands, so that a column in the text can be added.
+Place TomlReader::place_of_expression(const toml::node& node) const {
+  Place result = place(node);
+  const std::string_view source = text_.substr(byte_of(result));
+  if (!source.starts_with("\"\"\"") && !source.starts_with("'''")) return result;
+  const std::string_view rest = source.substr(3);
+  if (rest.starts_with('\n') || rest.starts_with("\r\n")) return {file_, result.line + 1, 0};
+  result.column += 2;
+  return result;
 }
 
 std::string TomlReader::text(const toml::node& node, std::string_view what) {
@@ -49,7 +177,7 @@ std::string TomlReader::text(const toml::node& node, std::string_view what) {
 }
 
 Formula TomlReader::formula(const toml::node& node, std::string_view what) {
-  const Place where = place(node);
+  const Place where = place_of_expression(node);
   if (const auto* integer = node.as_integer())
     return {Expression::constant(Rational(integer->get())), where};
   if (node.is_floating_point()) {

@@ -1,13 +1,18 @@
 #pragma once
-/// What scheme_file.cpp needs of toml++: typed access in which every fault is an Error with its
+/// What scheme_reader.cpp needs of toml++: typed access in which every fault is an Error with its
 /// place. The first fault is kept; later calls return defaults, so reading code stays linear.
 
 #define TOML_EXCEPTIONS 0
 #define TOML_HEADER_ONLY 1
 #define TOML_ENABLE_FORMATTERS 0
+#include <toml++/impl/preprocessor.h>
+// toml++ 3.3 takes for granted that a key follows "[", before it looks (and then says so well)
+#undef TOML_ASSERT_ASSUME
+#define TOML_ASSERT_ASSUME(expression) static_assert(true)
 #include <toml++/toml.h>
 
 #include <functional>
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -19,6 +24,10 @@ namespace limn {
 class TomlReader {
  public:
   explicit TomlReader(std::string file) : file_(std::move(file)) {}
+
+  /// The file as a table; fails on what is no TOML, is too large or is nested too deeply.
+  /// `text` must outlive the reader.
+  toml::table parse(std::string_view text);
 
   [[nodiscard]] bool ok() const { return !error_; }
   [[nodiscard]] Error take_error() { return std::move(*error_); }
@@ -44,7 +53,16 @@ class TomlReader {
   void unknown_key(const toml::key& key, std::string_view what, const std::string& known);
 
  private:
+  [[nodiscard]] Place place(toml::source_position position) const;
+  void fail_at(std::size_t byte, std::string message, std::string hint = {});
+  [[nodiscard]] std::size_t byte_of(const Place& place) const;
+  [[nodiscard]] Place place_of_expression(const toml::node& node) const;
+
   std::string file_;
+  std::string_view text_;
+  std::vector<std::size_t> line_begins_;
+  // of each line that has been asked for: the byte that each of its characters begins at
+  mutable std::map<int, std::vector<int>> columns_;
   std::optional<Error> error_;
 };
 

@@ -1,0 +1,83 @@
+#include "limn/regular/regular_mask.h"
+
+#include <gtest/gtest.h>
+
+namespace limn {
+namespace {
+
+Mask mask_of(const std::string& name, const std::vector<std::string>& parameters = {}) {
+  Scheme scheme = find_scheme(name).value();
+  const Status set = set_parameters(scheme, parameters);
+  EXPECT_TRUE(set.ok()) << set.error().text();
+  const Result<Mask> mask = regular_mask(scheme);
+  EXPECT_TRUE(mask.ok()) << mask.error().text();
+  return mask.value();
+}
+
+TEST(RegularMask, IsTheOneThatTheLiteratureStates) {
+  int stated = 0;
+  for (const std::string& name : shipped_schemes()) {
+    const Scheme scheme = find_scheme(name).value();
+    if (!scheme.stated_mask) continue;
+    ++stated;
+    EXPECT_EQ(mask_of(name).coefficients,
+              mask_from_rows(scheme, *scheme.stated_mask).value().coefficients)
+        << name;
+  }
+  EXPECT_GE(stated, 10);
+}
+
+TEST(RegularMask, SumsToTheDeterminantAndToOneOverEachCoset) {
+  for (const std::string& name : shipped_schemes()) {
+    const Scheme scheme = find_scheme(name).value();
+    if (scheme.split->growth != 4) continue;
+    Rational sum = 0;
+    std::map<std::array<int, 2>, Rational> cosets;
+    for (const auto& [offset, value] : mask_of(name).coefficients) {
+      sum += value;
+      cosets[{((offset[0] % 4) + 4) % 4, ((offset[1] % 4) + 4) % 4}] += value;
+    }
+    EXPECT_EQ(sum, 4) << name;
+    EXPECT_EQ(cosets.size(), 4U) << name;
+    for (const auto& [coset, part] : cosets) EXPECT_EQ(part, 1) << name;
+  }
+}
+
+TEST(RegularMask, OfFactorsIsThatOfTheRulesTheyStandFor) {
+  EXPECT_EQ(mask_of("box-spline-triangle").coefficients, mask_of("loop").coefficients);
+  EXPECT_EQ(mask_of("box-spline-quad").coefficients, mask_of("catmull-clark").coefficients);
+  // linear interpolation, two ways
+  EXPECT_EQ(mask_of("box-spline-triangle", {"i=1", "j=1", "k3=1"}).coefficients,
+            mask_of("butterfly", {"w=0"}).coefficients);
+}
+
+TEST(RegularMask, OfAnUnsymmetricBoxSplineHasNoRulesButIsThere) {
+  const Result<Scheme> skew = parse_scheme(
+      "split = \"triangle-dyadic\"\n[factors]\ndirections = [ { step = [1, 0], count = 3 }, "
+      "{ step = [0, 1], count = 1 }, { step = [1, 1], count = 1 } ]\n",
+      "skew.toml");
+  ASSERT_TRUE(skew.ok()) << skew.error().text();
+  EXPECT_FALSE(skew->rule(RuleKind::vertex).has_value());
+  EXPECT_EQ(regular_mask(*skew).value().coefficients.size(), 13U);
+}
+
+TEST(RegularMask, PrintsAsAHexagonOrARectangle) {
+  EXPECT_EQ(to_string(mask_of("loop")),
+            "1/16 ×\n"
+            "       1   2   1\n"
+            "     2   6   6   2\n"
+            "   1   6  10   6   1\n"
+            "     2   6   6   2\n"
+            "       1   2   1\n");
+  EXPECT_EQ(to_string(mask_of("doo-sabin")),
+            "1/16 ×\n 1 3 3 1\n 3 9 9 3\n 3 9 9 3\n 1 3 3 1\n");
+}
+
+TEST(RegularMask, IsRefusedForSqrt3WithTheReason) {
+  const Result<Mask> mask = regular_mask(find_scheme("sqrt3").value());
+  ASSERT_FALSE(mask.ok());
+  EXPECT_NE(mask.error().message.find("sqrt3"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace limn
