@@ -250,7 +250,10 @@ Result<Exact> Exact::inverse() const {
   }
   const Result<Exact> norm = multiply(*this, conjugate);
   if (!norm) return norm;
-  if (norm->is_zero()) return failure("division by zero");
+  if (norm->is_zero()) {  // t is after all in the field, and a = ±b·t: the number is 2a, or 0
+    if (!(std::abs(approx()) > 1e-9 * magnitude())) return failure("division by zero");
+    return (*this + conjugate).inverse();
+  }
   Result<Exact> reciprocal = norm->inverse();
   if (!reciprocal) return reciprocal;
   return multiply(conjugate, *reciprocal);
