@@ -111,11 +111,11 @@ class ValueStep {
         Value sum{};
         const Number half = Arithmetic<Number>::from(Rational(1, 2));
         add_scaled(sum, half, apply_row(RuleKind::edge_end, h, false, *from));
-        add_scaled(sum, half, apply_row(RuleKind::edge_end, h, true, *to));
+        add_scaled(sum, half, apply_row(RuleKind::edge_end, mesh_.twin(h), false, *to));
         return sum;
       }
       if (from != nullptr) return apply_row(RuleKind::edge_end, h, false, *from);
-      if (to != nullptr) return apply_row(RuleKind::edge_end, h, true, *to);
+      if (to != nullptr) return apply_row(RuleKind::edge_end, mesh_.twin(h), false, *to);
     }
     return apply_row(RuleKind::edge, h, false, tables_.row(RuleKind::edge, 0));
   }

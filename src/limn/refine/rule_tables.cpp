@@ -1,5 +1,9 @@
 #include "limn/refine/rule_tables.h"
 
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
 #include <fmt/core.h>
 
 namespace limn {
@@ -14,6 +18,60 @@ Error at_element(Error error, RuleKind kind, Index example) {
   return error;
 }
 
+/// How the anchor's flag number `flag` is reached from the half-edge that names the anchor; the
+/// same order as anchor_flags. Nothing for flags that are not a fixed number of hops away.
+struct FlagHops {
+  std::vector<Hop> hops;
+  bool at_target;
+};
+std::optional<FlagHops> flag_hops(RuleKind kind, int flag) {
+  switch (kind) {
+    case RuleKind::vertex:
+    case RuleKind::corner:
+      if (flag == 0) return FlagHops{{}, false};
+      return FlagHops{{Hop::prev}, true};
+    case RuleKind::face:
+    case RuleKind::boundary_edge: return FlagHops{{}, flag == 1};
+    case RuleKind::edge:
+      if (flag < 2) return FlagHops{{}, flag == 1};
+      return FlagHops{{Hop::twin}, flag == 3};
+    case RuleKind::edge_end:
+      if (flag == 0) return FlagHops{{}, false};
+      return FlagHops{{Hop::twin}, true};
+    case RuleKind::boundary_vertex:
+    case RuleKind::boundary_edge_end: break;
+  }
+  return std::nullopt;
+}
+
+void append_hop(std::vector<Hop>& hops, Hop hop) {
+  const bool undone = !hops.empty() && ((hop == Hop::next && hops.back() == Hop::prev) ||
+                                        (hop == Hop::prev && hops.back() == Hop::next));
+  if (undone)
+    hops.pop_back();
+  else
+    hops.push_back(hop);
+}
+
+/// Fills in the step's hops, where its walk is one of hops alone.
+void make_direct(Step& step, RuleKind kind) {
+  std::optional<FlagHops> from = flag_hops(kind, step.flag);
+  if (!from || step.walk.repeated || step.walk.reads_face) return;
+  std::vector<Hop> hops = std::move(from->hops);
+  bool at_target = from->at_target;
+  for (const Move move : step.walk.before) {
+    if (move == Move::boundary) return;
+    if (move == Move::edge) append_hop(hops, at_target ? Hop::next : Hop::prev);
+    if (move == Move::face) hops.push_back(Hop::twin);
+    at_target = !at_target;
+  }
+  if (at_target) append_hop(hops, Hop::next);  // the target is the next half-edge's origin
+  if (hops.size() > step.hops.size()) return;
+  std::copy(hops.begin(), hops.end(), step.hops.begin());
+  step.hop_count = static_cast<std::uint8_t>(hops.size());
+  step.direct = true;
+}
+
 }  // namespace
 
 Program compile(const RuleCase& rule_case, RuleKind kind, Lattice lattice) {
@@ -21,9 +79,17 @@ Program compile(const RuleCase& rule_case, RuleKind kind, Lattice lattice) {
   for (const Weight& weight : rule_case.weights) {
     // the reader has refused roles that cannot be placed
     const Placement placement = place(kind, lattice, weight.walk).value();
-    for (const Start& start : placement.starts)
-      program.push_back({weight.walk, start.flag, placement.per_sector, start.extension,
-                         start.share, &weight});
+    for (const Start& start : placement.starts) {
+      Step step;
+      step.walk = weight.walk;
+      step.flag = start.flag;
+      step.per_sector = placement.per_sector;
+      step.extension = start.extension;
+      step.share = start.share;
+      step.weight = &weight;
+      make_direct(step, kind);
+      program.push_back(std::move(step));
+    }
   }
   return program;
 }

@@ -12,11 +12,18 @@
 
 namespace limn {
 
+/// A walk from the half-edge that names an anchor, without its flags: which end of an edge a walk
+/// is at is known beforehand, so that only moves between half-edges are left to make.
+enum class Hop : std::uint8_t { next, prev, twin };
+
 /// One walk of a rule's case, from one of the anchor's flags.
 struct Step {
+  std::array<Hop, 32> hops;
+  std::uint8_t hop_count = 0;
+  bool direct = false;      ///< the hops say it all: the vertex is the origin where they end
+  bool per_sector = false;
   Walk walk;
   int flag = 0;
-  bool per_sector = false;
   Extension extension;
   Rational share = 1;
   const Weight* weight = nullptr;  // in the scheme that the tables were made for
@@ -81,58 +88,91 @@ inline constexpr int kLargestExactValence = 64;
 
 // ---------------------------------------------------------------------------------------------
 
+namespace detail {
+
+/// One walk by its flags, with the extension where it leaves the mesh.
+template <class Number, class Sink>
+void visit_walk(const Mesh& mesh, const Step& step, Flag flag, const Number& weight, Sink& sink) {
+  const Flag start = flag;
+  if (apply(mesh, step.walk.before, flag)) {
+    if (step.walk.reads_face)
+      sink(Source{mesh.face(flag.halfedge), true}, weight);
+    else
+      sink(Source{vertex_of(mesh, flag), false}, weight);
+    return;
+  }
+  const Extension outside = step.extension;
+  Flag across = start;
+  Flag aside = start;
+  (void)apply(mesh, Move::vertex, across);
+  (void)apply(mesh, Move::edge, aside);
+  (void)apply(mesh, Move::vertex, aside);
+  sink(Source{vertex_of(mesh, start), false},
+       Number(Number(1 - outside.along - outside.aside) * weight));
+  sink(Source{vertex_of(mesh, across), false}, Number(Number(outside.along) * weight));
+  sink(Source{vertex_of(mesh, aside), false}, Number(Number(outside.aside) * weight));
+}
+
+/// The half-edge where the hops end; kNone where they leave the mesh.
+[[nodiscard]] inline Index follow(const Mesh& mesh, const Step& step, Index h) {
+  for (std::uint8_t i = 0; i < step.hop_count; ++i) {
+    switch (step.hops[i]) {
+      case Hop::next: h = mesh.next(h); break;
+      case Hop::prev: h = mesh.prev(h); break;
+      case Hop::twin: h = mesh.twin(h); break;
+    }
+    if (h == kNone) break;
+  }
+  return h;
+}
+
+/// A repeated step: positions k = 0 … n-1, each with its weight; returns past the last weight.
+template <class Number, class Sink>
+const Number* visit_repeated(const Mesh& mesh, const Step& step, Flag flag, const Number* weight,
+                             Sink& sink) {
+  (void)apply(mesh, step.walk.before, flag);
+  const Flag first = flag;
+  do {
+    Flag end = flag;
+    (void)apply(mesh, step.walk.after, end);
+    if (step.walk.reads_face)
+      sink(Source{mesh.face(end.halfedge), true}, *weight++);
+    else
+      sink(Source{vertex_of(mesh, end), false}, *weight++);
+    (void)apply(mesh, step.walk.step, flag);
+  } while (!(flag == first));
+  return weight;
+}
+
+}  // namespace detail
+
 /// Calls sink(Source, weight) for everything that the rule weighs at the anchor named by h (and
-/// `at_target`; see AnchorFlags). A vertex may come more than once: the weights add.
-/// Cost: the moves of the program's walks.
+/// `at_target`, for a boundary edge's ends; see AnchorFlags). A vertex may come more than once:
+/// the weights add. Cost: the moves of the program's walks.
 template <class Number, class Sink>
 void visit_stencil(const Mesh& mesh, RuleKind kind, Index h, bool at_target,
                    const Row<Number>& row, Sink&& sink) {
-  const auto walk_from = [&](const Step& step, Flag flag, const Number& weight) {
-    const Flag start = flag;
-    if (apply(mesh, step.walk.before, flag)) {
-      if (step.walk.reads_face)
-        sink(Source{mesh.face(flag.halfedge), true}, weight);
-      else
-        sink(Source{vertex_of(mesh, flag), false}, weight);
-      return;
-    }
-    const Extension outside = step.extension;
-    Flag across = start;
-    Flag aside = start;
-    (void)apply(mesh, Move::vertex, across);
-    (void)apply(mesh, Move::edge, aside);
-    (void)apply(mesh, Move::vertex, aside);
-    sink(Source{vertex_of(mesh, start), false},
-         Number(Number(1 - outside.along - outside.aside) * weight));
-    sink(Source{vertex_of(mesh, across), false}, Number(Number(outside.along) * weight));
-    sink(Source{vertex_of(mesh, aside), false}, Number(Number(outside.aside) * weight));
-  };
   const Number* weight = row.weights.data();
-  const AnchorFlags anchor = anchor_flags(kind, mesh, h, at_target);
+  const auto visit = [&](const Step& step, Index anchor) {
+    if (step.direct)
+      if (const Index end = detail::follow(mesh, step, anchor); end != kNone)
+        return sink(Source{mesh.origin(end), false}, *weight);
+    const Flag start = anchor_flags(kind, mesh, anchor, at_target).flags[step.flag];
+    detail::visit_walk(mesh, step, start, *weight, sink);
+  };
   for (const Step& step : *row.program) {
-    if (step.per_sector) {
-      Index sector = h;
-      do {
-        walk_from(step, anchor_flags(kind, mesh, sector).flags[step.flag], *weight);
-        sector = kind == RuleKind::face ? mesh.next(sector) : mesh.rotate(sector);
-      } while (sector != h);
-      ++weight;
-    } else if (step.walk.repeated) {
-      Flag flag = anchor.flags[step.flag];
-      (void)apply(mesh, step.walk.before, flag);
-      const Flag first = flag;
-      do {
-        Flag end = flag;
-        (void)apply(mesh, step.walk.after, end);
-        if (step.walk.reads_face)
-          sink(Source{mesh.face(end.halfedge), true}, *weight++);
-        else
-          sink(Source{vertex_of(mesh, end), false}, *weight++);
-        (void)apply(mesh, step.walk.step, flag);
-      } while (!(flag == first));
-    } else {
-      walk_from(step, anchor.flags[step.flag], *weight++);
+    if (step.walk.repeated) {
+      const Flag start = anchor_flags(kind, mesh, h, at_target).flags[step.flag];
+      weight = detail::visit_repeated(mesh, step, start, weight, sink);
+      continue;
     }
+    Index sector = h;
+    do {
+      visit(step, sector);
+      if (!step.per_sector) break;
+      sector = kind == RuleKind::face ? mesh.next(sector) : mesh.rotate(sector);
+    } while (sector != h);
+    ++weight;
   }
 }
 
