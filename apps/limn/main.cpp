@@ -1,5 +1,6 @@
 #include <csignal>
 #include <cstdio>
+#include <exception>
 #include <new>
 
 #include <unistd.h>
@@ -68,6 +69,10 @@ int main(int argc, char** argv) {
     return code;
   } catch (const std::bad_alloc&) {
     limn::remove_unfinished_files();
-    return limn::app::report({"out of memory", "refine fewer levels or a smaller mesh", {}, 0, 0});
+    std::fputs("limn: out of memory (refine fewer levels or a smaller mesh)\n", stderr);
+  } catch (const std::exception& failure) {  // printing failed: a full disk, a closed pipe
+    limn::remove_unfinished_files();
+    std::fprintf(stderr, "limn: %s\n", failure.what());
   }
+  return limn::app::kBadInput;
 }

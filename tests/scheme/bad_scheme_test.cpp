@@ -72,9 +72,8 @@ TEST_P(BadScheme, IsRefusedAsText) {
   ASSERT_FALSE(scheme.ok());
   EXPECT_TRUE(scheme.error().file.empty()) << scheme.error().file;
   EXPECT_FALSE(scheme.error().message.empty());
-  EXPECT_EQ(
-      std::to_string(scheme.error().line) + ":" + std::to_string(scheme.error().column),
-      expected.place);
+  EXPECT_EQ(std::to_string(scheme.error().line) + ":" + std::to_string(scheme.error().column),
+            expected.place);
 }
 
 INSTANTIATE_TEST_SUITE_P(Corpus, BadScheme, testing::ValuesIn(expectations()),
@@ -111,8 +110,7 @@ TEST(BadSchemes, TwoMebibytes) {
 }
 
 TEST(BadSchemes, NumberOfAHundredThousandDigits) {
-  const Error error =
-      error_of(kHead + "[vertex]\nself = \"" + std::string(100'000, '7') + "\"\n");
+  const Error error = error_of(kHead + "[vertex]\nself = \"" + std::string(100'000, '7') + "\"\n");
   EXPECT_EQ(error.line, 3);
   EXPECT_NE(error.message.find("the expression has more than 4096 bytes"), std::string::npos);
   const Error bare = error_of(kHead + "[vertex]\nself = " + std::string(100'000, '7') + "\n");

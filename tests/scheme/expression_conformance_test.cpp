@@ -31,8 +31,8 @@ struct Arithmetic<Measured> {
     return rounded(a.value - b.value, a.error + b.error);
   }
   static Result<Measured> multiply(Measured a, Measured b) {
-    return rounded(a.value * b.value, std::abs(a.value) * b.error + std::abs(b.value) * a.error +
-                                          a.error * b.error);
+    return rounded(a.value * b.value,
+                   std::abs(a.value) * b.error + std::abs(b.value) * a.error + a.error * b.error);
   }
   static Result<Measured> divide(Measured a, Measured b) {
     const double smallest = std::abs(b.value) - b.error;
@@ -117,11 +117,11 @@ TYPED_TEST(Conformance, Values) {
 }
 
 TYPED_TEST(Conformance, Failures) {
-  const std::pair<const char*, int> expected[] = {  // and the columns
-      {"1/0", 2},         {"1/(n - 7)", 2},  {"0^-1", 2},     {"sqrt(0 - 1)", 1},
-      {"sqrt(3 - n)", 1}, {"n % 0", 3},      {"n % -2", 3},   {"n % (1/2)", 3},
-      {"(1/2) % n", 7},   {"2^(1/2)", 2},    {"2^5000", 2},   {"1 + foo", 5},
-      {"2^n^9", 2},
+  const std::pair<const char*, int> expected[] = {
+      // and the columns
+      {"1/0", 2},    {"1/(n - 7)", 2}, {"0^-1", 2},      {"sqrt(0 - 1)", 1}, {"sqrt(3 - n)", 1},
+      {"n % 0", 3},  {"n % -2", 3},    {"n % (1/2)", 3}, {"(1/2) % n", 7},   {"2^(1/2)", 2},
+      {"2^5000", 2}, {"1 + foo", 5},   {"2^n^9", 2},
   };
   for (const auto& [text, column] : expected) {
     const Result<TypeParam> result = evaluate<TypeParam>(text);
@@ -152,17 +152,16 @@ rc::Gen<std::string> any_atom() {
 rc::Gen<std::string> any_expression(int depth) {
   if (depth == 0) return any_atom();
   const auto inner = any_expression(depth - 1);
-  const auto binary = rc::gen::apply(
-      [](const std::string& a, const std::string& op, const std::string& b) {
-        return "(" + a + op + b + ")";
-      },
-      inner,
-      rc::gen::element<std::string>(" + ", " - ", "*", "/", " % ", " == ", " < ", " >= ", " != ",
-                                    " and ", " or "),
-      inner);
-  const auto unary = rc::gen::apply(
-      [](const std::string& op, const std::string& a) { return op + a + ")"; },
-      rc::gen::element<std::string>("(-", "(not ", "sqrt(", "(2 + "), inner);
+  const auto binary =
+      rc::gen::apply([](const std::string& a, const std::string& op,
+                        const std::string& b) { return "(" + a + op + b + ")"; },
+                     inner,
+                     rc::gen::element<std::string>(" + ", " - ", "*", "/", " % ", " == ", " < ",
+                                                   " >= ", " != ", " and ", " or "),
+                     inner);
+  const auto unary =
+      rc::gen::apply([](const std::string& op, const std::string& a) { return op + a + ")"; },
+                     rc::gen::element<std::string>("(-", "(not ", "sqrt(", "(2 + "), inner);
   const auto power = rc::gen::apply(
       [](const std::string& a, int exponent) { return a + "^" + std::to_string(exponent); },
       any_atom(), rc::gen::inRange(-3, 4));

@@ -31,7 +31,8 @@ TEST(Role, RuleNamesRoundTrip) {
 }
 
 TEST(Role, WalksAsText) {
-  for (const char* text : {"", "v", "efev", "bv", "(ef)*v", "(ve)*", "F", "vF", "e(ef)*vev", "(ef)*F"})
+  for (const char* text :
+       {"", "v", "efev", "bv", "(ef)*v", "(ve)*", "F", "vF", "e(ef)*vev", "(ef)*F"})
     EXPECT_EQ(shown(text), text);
   const Walk walk = parse_walk("e(fe)*vevF").value();
   EXPECT_EQ(walk.before, Moves{Move::edge});
@@ -76,8 +77,8 @@ RC_GTEST_PROP(RoleLaws, TextRoundTrip, ()) {
 
 /// Any text is either a walk that says the same again, or a fault within it.
 RC_GTEST_PROP(RoleLaws, AnyText, ()) {
-  const auto text = *rc::gen::container<std::string>(rc::gen::element('v', 'e', 'f', 'b', 'F', '(',
-                                                                      ')', '*', 'x'));
+  const auto text = *rc::gen::container<std::string>(
+      rc::gen::element('v', 'e', 'f', 'b', 'F', '(', ')', '*', 'x'));
   const Result<Walk> walk = parse_walk(text);
   if (walk) RC_ASSERT(to_string(*walk) == text);
   if (!walk) RC_ASSERT(walk.error().column >= 1);

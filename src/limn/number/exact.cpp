@@ -16,7 +16,12 @@ constexpr double kMostBits = 4096;
 constexpr double kLargestExponent = 1000;  // numbers stay within a double's range
 constexpr double kMostTerms = 64;
 constexpr double kDeepestRoots = 4;
-constexpr double kMostWork = 5e5;          // of one operation
+constexpr double kMostWork = 5e5;  // of one operation
+
+/// Of two integers below 1e9.
+double common_multiple(double a, double b) {
+  return static_cast<double>(std::lcm(static_cast<long long>(a), static_cast<long long>(b)));
+}
 
 thread_local double work_left = std::numeric_limits<double>::infinity();
 
@@ -55,8 +60,8 @@ Exact Exact::pi() {
 
 bool Exact::is_rational() const {
   if (pi_ != 0) return false;
-  return terms_.empty() || (terms_.size() == 1 && terms_[0].roots.empty() &&
-                            terms_[0].coefficient.is_rational());
+  return terms_.empty() ||
+         (terms_.size() == 1 && terms_[0].roots.empty() && terms_[0].coefficient.is_rational());
 }
 
 Rational Exact::rational() const {
@@ -108,10 +113,7 @@ Exact::Size Exact::size() const {
   };
   const auto join = [&size](double order) {
     // beyond what is allowed anyway the exact value does not matter
-    size.order = size.order * order > 1e9
-                     ? 1e9
-                     : static_cast<double>(std::lcm(static_cast<long long>(size.order),
-                                                    static_cast<long long>(order)));
+    size.order = size.order * order > 1e9 ? 1e9 : common_multiple(size.order, order);
   };
   measure(pi_);
   for (const Term& term : terms_) {
@@ -133,11 +135,10 @@ Exact::Size Exact::size() const {
 /// Takes the cost of an operation on a and b from the budget: `operations` multiplications of
 /// rationals per pair of terms (in the square of the field's order, where both are irrational).
 Status Exact::charge(const Size& a, const Size& b, double operations) {
-  const double order = a.order == 1 || b.order == 1 ? std::max(a.order, b.order)
-                                                    : std::lcm(static_cast<long long>(a.order),
-                                                               static_cast<long long>(b.order));
+  const double order = common_multiple(a.order, b.order);
   if (order > kLargestField && a.order != 1 && b.order != 1)
-    return failure("cosines of such small or such different fractions of pi cannot be combined exactly");
+    return failure(
+        "cosines of such small or such different fractions of pi cannot be combined exactly");
   const double pairs = std::max(1.0, a.terms) * std::max(1.0, b.terms);
   const double length = 1 + (a.bits + b.bits) / 256;
   const double work = pairs * length * (1 + operations * order);
@@ -220,10 +221,8 @@ Result<Exact> Exact::multiply(const Exact& a, const Exact& b) {
                    "pi may only stand in the argument of cos or sin, times a rational");
   const Size left = a.size();
   const Size right = b.size();
-  const double operations = std::min(left.order, right.order) == 1
-                                ? 1
-                                : std::lcm(static_cast<long long>(left.order),
-                                           static_cast<long long>(right.order));
+  const bool scales = std::min(left.order, right.order) == 1;
+  const double operations = scales ? 1 : common_multiple(left.order, right.order);
   if (Status status = charge(left, right, operations); !status) return status.error();
   return bounded(a * b);
 }
@@ -248,7 +247,7 @@ Result<Exact> Exact::inverse() const {
       term.coefficient *= Cyclotomic(Rational(-1));
     conjugate.add(std::move(term));
   }
-  const Result<Exact> norm = multiply(*this, conjugate);
+  Result<Exact> norm = multiply(*this, conjugate);
   if (!norm) return norm;
   if (norm->is_zero()) {  // t is after all in the field, and a = ±b·t: the number is 2a, or 0
     if (!(std::abs(approx()) > 1e-9 * magnitude())) return failure("division by zero");
@@ -271,8 +270,9 @@ Result<Exact> Exact::cos(const Exact& angle) {
                    "write it as in cos(2*pi*k/n)");
   const Rational turns = angle.pi_ / 2;
   const Integer q = boost::multiprecision::denominator(turns);
-  if (q > kLargestOrder) return failure("cos or sin of a fraction of pi below 1/" +
-                                        std::to_string(kLargestOrder / 2) + " is not exact here");
+  if (q > kLargestOrder)
+    return failure("cos or sin of a fraction of pi below 1/" + std::to_string(kLargestOrder / 2) +
+                   " is not exact here");
   const Integer p = boost::multiprecision::numerator(turns) % q;
   return Exact(Cyclotomic::cos_turn(p.convert_to<long long>(), q.convert_to<long long>()));
 }

@@ -64,9 +64,9 @@ class Exact {
   /// How large a number is, roots within roots included: what the cost of arithmetic grows with.
   struct Size {
     double terms = 0;
-    double order = 1;  // least common multiple of the fields' orders
-    double bits = 1;   // of the longest numerator or denominator
-    double depth = 0;  // of square roots within square roots
+    double order = 1;   // least common multiple of the fields' orders
+    double bits = 1;    // of the longest numerator or denominator
+    double depth = 0;   // of square roots within square roots
     bool huge = false;  // beyond what a double can hold
   };
   [[nodiscard]] Size size() const;

@@ -109,8 +109,8 @@ Json parameters_json(const Scheme& scheme) {
 }  // namespace
 
 std::string describe(const Scheme& scheme) {
-  std::string text = fmt::format("{}: {}\n  split   {} ({})\n", scheme.name, scheme.title,
-                                 scheme.split->name, scheme.split->description);
+  std::string text = scheme.name + (scheme.title.empty() ? "" : ": " + scheme.title) + '\n';
+  text += fmt::format("  split   {} ({})\n", scheme.split->name, scheme.split->description);
   if (!scheme.source.empty()) text += fmt::format("  source  {}\n", scheme.source);
   if (!scheme.notes.empty()) text += fmt::format("  notes   {}\n", scheme.notes);
   if (!scheme.parameters.empty()) text += "\nparameters\n";

@@ -107,8 +107,8 @@ Error wrong_sum(RuleKind kind, int n, const Exact& sum, const Place& place) {
   if (!sum.is_rational() && std::abs(sum.approx() - 1) < 1e-9)
     return faulty_rule(kind, n, "has weights whose sum cannot be shown to be exactly 1",
                        "write the same square root wherever one is a multiple of another", place);
-  const std::string value = sum.is_rational() ? to_string(sum.rational())
-                                              : fmt::format("about {:.12g}", sum.approx());
+  const std::string value =
+      sum.is_rational() ? to_string(sum.rational()) : fmt::format("about {:.12g}", sum.approx());
   return faulty_rule(kind, n, "has weights that sum to " + value + ", not 1",
                      "each weight counts once per position of its role", place);
 }
@@ -150,7 +150,10 @@ Status check_range(const Parameter& parameter, RuleKind kind, int n, Scope<Exact
   const Place& place = parameter.value.place;
   const auto fault = [&](const std::string& what) {
     return Error{fmt::format("parameter {} {}{}", parameter.name, what, at_valence(kind, n)),
-                 {}, place.file, place.line, place.column};
+                 {},
+                 place.file,
+                 place.line,
+                 place.column};
   };
   const Result<int> width = order(scope, parameter.low, parameter.high);
   const Result<int> above_low = order(scope, parameter.low, parameter.value);
@@ -201,7 +204,7 @@ Error missing_rule(const Scheme& scheme, RuleKind kind, int n) {
   const std::string where = scheme.rule(kind) || by_mask ? at_valence(kind, n) : std::string();
   const Place place = place_without(scheme, kind);
   return {fmt::format("scheme '{}' has no {} rule{}", scheme.name, rule_name(kind), where), hint,
-           place.file, place.line, place.column};
+          place.file, place.line, place.column};
 }
 
 Result<const RuleCase*> applicable_case(const Scheme& scheme, RuleKind kind, int n) {

@@ -67,7 +67,10 @@ class ExpressionParser {
   }
 
   Status fail(const std::string& expected, std::size_t where) {
-    error_ = {"found " + shown(text(), where) + ", expected " + expected, {}, {}, 0,
+    error_ = {"found " + shown(text(), where) + ", expected " + expected,
+              {},
+              {},
+              0,
               static_cast<int>(where) + 1};
     return error_;
   }
@@ -114,8 +117,8 @@ class ExpressionParser {
 
   bool disjunction() {
     if (++depth_ > kDeepestNesting) return refuse("the expression is nested too deeply", {}, at_);
-    const bool ok = chain(&ExpressionParser::conjunction,
-                          std::array<Spelling, 1>{{{"or", Op::either}}});
+    const bool ok =
+        chain(&ExpressionParser::conjunction, std::array<Spelling, 1>{{{"or", Op::either}}});
     --depth_;
     return ok;
   }
@@ -133,9 +136,12 @@ class ExpressionParser {
   }
   bool comparison() {
     return chain(&ExpressionParser::sum,
-                 std::array<Spelling, 6>{{{"==", Op::equal}, {"!=", Op::differ},
-                                          {"<=", Op::less_equal}, {">=", Op::greater_equal},
-                                          {"<", Op::less}, {">", Op::greater}}},
+                 std::array<Spelling, 6>{{{"==", Op::equal},
+                                          {"!=", Op::differ},
+                                          {"<=", Op::less_equal},
+                                          {">=", Op::greater_equal},
+                                          {"<", Op::less},
+                                          {">", Op::greater}}},
                  false);
   }
   bool sum() {
@@ -143,9 +149,9 @@ class ExpressionParser {
                  std::array<Spelling, 2>{{{"+", Op::add}, {"-", Op::subtract}}});
   }
   bool product() {
-    return chain(&ExpressionParser::signed_power,
-                 std::array<Spelling, 3>{
-                     {{"*", Op::multiply}, {"/", Op::divide}, {"%", Op::modulo}}});
+    return chain(
+        &ExpressionParser::signed_power,
+        std::array<Spelling, 3>{{{"*", Op::multiply}, {"/", Op::divide}, {"%", Op::modulo}}});
   }
   bool signed_power() {
     skip_blanks();
@@ -220,7 +226,8 @@ class ExpressionParser {
       return fail("a number, a name or '('", where).ok();
     skip_blanks();
     if (at_ < text().size() && text()[at_] == '(')
-      return refuse("unknown function '" + word + "'", "the functions are cos, sin and sqrt", where);
+      return refuse("unknown function '" + word + "'", "the functions are cos, sin and sqrt",
+                    where);
     auto& names = result_.names_;
     const auto found = std::find(names.begin(), names.end(), word);
     emit(Op::name, where, static_cast<int>(found - names.begin()));

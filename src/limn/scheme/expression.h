@@ -40,16 +40,36 @@ class Expression {
 
   /// The value, with `lookup(name)` → Result<Number> for each name. Fails, with the column of
   /// the operation at fault, on division by zero, on sqrt of a negative number, on an exponent
-  /// beyond 4096, and where the number type cannot hold the result. Cost: one operation per instruction.
+  /// beyond 4096, and where the number type cannot hold the result. Cost: one operation per
+  /// instruction.
   template <class Number, class Lookup>
   [[nodiscard]] Result<Number> evaluate(Lookup&& lookup) const;
 
  private:
   friend class ExpressionParser;
   enum class Op : unsigned char {
-    constant, name, pi, add, subtract, multiply, divide, modulo, power, negate,
-    cosine, sine, root, equal, differ, less, less_equal, greater, greater_equal,
-    both, either, invert
+    constant,
+    name,
+    pi,
+    add,
+    subtract,
+    multiply,
+    divide,
+    modulo,
+    power,
+    negate,
+    cosine,
+    sine,
+    root,
+    equal,
+    differ,
+    less,
+    less_equal,
+    greater,
+    greater_equal,
+    both,
+    either,
+    invert
   };
   struct Instruction {
     Op op;

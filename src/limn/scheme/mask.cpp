@@ -22,9 +22,8 @@ Result<Rational> rational_value(const Scheme& scheme, const Formula& formula) {
   Result<Exact> value = Scope<Exact>(scheme, std::nullopt, std::nullopt)(formula);
   if (!value) return value.error();
   if (!value->is_rational())
-    return at(formula.place,
-              fmt::format("a mask needs rational numbers, found {} = {:.6g}",
-                          formula.expression.text(), value->approx()));
+    return at(formula.place, fmt::format("a mask needs rational numbers, found {} = {:.6g}",
+                                         formula.expression.text(), value->approx()));
   return value->rational();
 }
 
@@ -69,9 +68,10 @@ Result<Polynomial> polynomial_from_rows(const Scheme& scheme, const Rows& rows) 
       const int x = 2 * i - (width - 1);
       // on triangles e2 leans back by half an edge: Cartesian x = a - b/2
       if (triangles && (y % 2 != 0 || (x + y / 2) % 2 != 0))
-        return at(rows.place, fmt::format("row {} of the mask, with {} coefficients, does not lie "
-                                          "on the triangle lattice",
-                                          r + 1, width),
+        return at(rows.place,
+                  fmt::format("row {} of the mask, with {} coefficients, does not lie "
+                              "on the triangle lattice",
+                              r + 1, width),
                   "a hexagon has an odd number of rows, each one longer or shorter than the next");
       const Formula& entry = row[static_cast<std::size_t>(i)];
       Result<Rational> value = rational_value(scheme, entry);
@@ -130,8 +130,8 @@ Result<Mask> checked(const Scheme& scheme, Polynomial polynomial, const Place& p
     if (value == 0) continue;
     const auto [x, y] = offset;
     if (!fits(x) || !fits(y))
-      return at(place, fmt::format("the mask's centre does not fit the split {}",
-                                   scheme.split->name),
+      return at(place,
+                fmt::format("the mask's centre does not fit the split {}", scheme.split->name),
                 parity == 0 ? "a primal split needs a coefficient at the centre: an odd number of "
                               "rows, the middle one of odd length"
                             : "a dual split needs none at the centre: an even number of rows, of "

@@ -19,15 +19,16 @@ struct Mask {
   std::map<std::array<int, 2>, Rational> coefficients;  // none of them 0
 };
 
-/// The key in `coefficients` of a new vertex that lies `way` from an old one: twice the offset in the
-/// refined lattice of a dyadic split.
+/// The key in `coefficients` of a new vertex that lies `way` from an old one: twice the offset in
+/// the refined lattice of a dyadic split.
 [[nodiscard]] inline std::array<int, 2> mask_offset(Twelfths way) {
   return {way[0] / 3, way[1] / 3};
 }
 
 /// The mask that rows or factors denote, at the scheme's present parameters. Fails, with the
-/// place, on rows that form no hexagon or rectangle, on a mask whose centre does not fit the split, on a
-/// count that is no integer in 0 … 64, on more than 24 refined edges from centre to rim, on cosets that do not sum to 1.
+/// place, on rows that form no hexagon or rectangle, on a mask whose centre does not fit the split,
+/// on a count that is no integer in 0 … 64, on more than 24 refined edges from centre to rim, on
+/// cosets that do not sum to 1.
 [[nodiscard]] Result<Mask> mask_from_rows(const Scheme& scheme, const Rows& rows);
 [[nodiscard]] Result<Mask> mask_from_factors(const Scheme& scheme, const Factors& factors);
 

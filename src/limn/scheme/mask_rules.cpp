@@ -101,10 +101,9 @@ std::optional<std::vector<Weight>> weights_of(const Mask& mask, RuleKind kind, c
   std::map<Index, Moves> walks = shortest_walks(mesh, flags.front(), wanted);
   std::vector<Weight> weights;
   while (!walks.empty()) {
-    const auto shortest =
-        std::min_element(walks.begin(), walks.end(), [](const auto& a, const auto& b) {
-          return a.second.size() < b.second.size();
-        });
+    const auto shortest = std::min_element(
+        walks.begin(), walks.end(),
+        [](const auto& a, const auto& b) { return a.second.size() < b.second.size(); });
     Walk walk;
     walk.before = shortest->second;
     const std::set<Index> orbit = ends(mesh, flags, walk.before);
@@ -114,7 +113,8 @@ std::optional<std::vector<Weight>> weights_of(const Mask& mask, RuleKind kind, c
       if (found == values.end() || found->second != value) return std::nullopt;
       walks.erase(v);
     }
-    weights.push_back({name_of(kind, mask.lattice, mesh, flags, orbit, walk), walk,
+    weights.push_back({name_of(kind, mask.lattice, mesh, flags, orbit, walk),
+                       walk,
                        {Expression::constant(value), place}});
   }
   return weights;

@@ -63,8 +63,8 @@ Status check_known(const Scheme& scheme, const Definitions& definitions) {
   each_formula(scheme, [&](const Formula& formula) {
     for (const std::string& name : formula.expression.names()) {
       if (fault || name == "n" || name == "k" || definitions.count(name) > 0) continue;
-      fault = at_name(formula, name, fmt::format("unknown name '{}'", name),
-                      names_hint(definitions));
+      fault =
+          at_name(formula, name, fmt::format("unknown name '{}'", name), names_hint(definitions));
     }
   });
   if (fault) return *fault;

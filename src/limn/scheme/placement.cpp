@@ -14,9 +14,9 @@
 namespace limn {
 namespace {
 
-constexpr Index kSide = 32;       // of the torus: more than twice the reach of the longest walk
-constexpr int kDeepestTree = 9;   // crossings; beyond them walks count as different: safe
-constexpr int kSectorReach = 2;   // how many sectors apart two equal walks are looked for
+constexpr Index kSide = 32;      // of the torus: more than twice the reach of the longest walk
+constexpr int kDeepestTree = 9;  // crossings; beyond them walks count as different: safe
+constexpr int kSectorReach = 2;  // how many sectors apart two equal walks are looked for
 
 Error fault(std::string message) { return {std::move(message), {}, {}, 0, 0}; }
 
@@ -59,7 +59,9 @@ Index end_of(const Mesh& mesh, Flag flag, const Walk& walk) {
 }
 
 std::array<Index, 2> difference(Index from, Index to) {
-  const auto centred = [](Index d) { return ((d + kSide / 2) % kSide + kSide) % kSide - kSide / 2; };
+  const auto centred = [](Index d) {
+    return ((d + kSide / 2) % kSide + kSide) % kSide - kSide / 2;
+  };
   return {centred(to % kSide - from % kSide), centred(to / kSide - from / kSide)};
 }
 
@@ -123,8 +125,7 @@ std::vector<Moves> flag_words(RuleKind kind) {
     case RuleKind::vertex:
     case RuleKind::corner: return {{}, {Move::edge}};
     case RuleKind::face: return {{}, {Move::vertex}};
-    case RuleKind::edge:
-      return {{}, {Move::vertex}, {Move::face, Move::vertex}, {Move::face}};
+    case RuleKind::edge: return {{}, {Move::vertex}, {Move::face, Move::vertex}, {Move::face}};
     case RuleKind::edge_end: return {{}, {Move::face}};
     default: return {};  // at the boundary every flag stands for itself
   }
@@ -229,8 +230,7 @@ Result<Placement> place_flat(RuleKind kind, Lattice lattice, const Walk& walk) {
         continue;
       }
       const Flag flag = anchors.flags[i];
-      const Extension outside =
-          walk.reads_face ? Extension{} : extension(regular.mesh, flag, end);
+      const Extension outside = walk.reads_face ? Extension{} : extension(regular.mesh, flag, end);
       starts.push_back({i, share, outside});
     }
     placement.starts.insert(placement.starts.end(), starts.begin(), starts.end());
@@ -271,17 +271,17 @@ Result<Placement> place_in_sectors(RuleKind kind, Lattice lattice, const Walk& w
   const Moves second = flag_words(kind)[1];
   bool mirrored = false;  // does the second flag of some sector always end where ours does?
   for (int s = -kSectorReach; s <= kSectorReach; ++s)
-    mirrored = mirrored || same_end(lattice, walk.before,
-                                    joined({sector_word(kind, s), second, walk.before}),
-                                    walk.reads_face);
+    mirrored =
+        mirrored || same_end(lattice, walk.before,
+                             joined({sector_word(kind, s), second, walk.before}), walk.reads_face);
   placement.per_sector = true;
   placement.times_n = true;
   placement.count = Rational(2, sharers);
   for (int t = 0; t < (mirrored ? 1 : 2); ++t) {
     const Flag flag = first.flags[t];
-    const Extension outside =
-        walk.reads_face ? Extension{}
-                        : extension(regular.mesh, flag, end_of(regular.mesh, flag, walk));
+    const Extension outside = walk.reads_face
+                                  ? Extension{}
+                                  : extension(regular.mesh, flag, end_of(regular.mesh, flag, walk));
     placement.starts.push_back({t, Rational(mirrored ? 2 : 1, sharers), outside});
   }
   return placement;
@@ -295,8 +295,7 @@ Placement place_repeated(RuleKind kind, Lattice lattice, const Walk& walk) {
   const Moves back(walk.step.rbegin(), walk.step.rend());
   const auto steps = [&](int count) {
     Moves word = walk.before;
-    for (int i = 0; i < std::abs(count); ++i)
-      word = joined({word, count > 0 ? walk.step : back});
+    for (int i = 0; i < std::abs(count); ++i) word = joined({word, count > 0 ? walk.step : back});
     return joined({word, walk.after});
   };
   const auto mirrors = [&](int shift) {  // k from the second flag is shift - k from the first
@@ -327,8 +326,7 @@ AnchorFlags anchor_flags(RuleKind kind, const Mesh& mesh, Index h, bool at_targe
       return {{{h, false}, {h, true}, {twin, false}, {twin, true}}, 4};
     }
     case RuleKind::edge_end: return {{{h, at_target}, {mesh.twin(h), !at_target}}, 2};
-    case RuleKind::boundary_vertex:
-      return {{{h, false}, other_boundary_flag(mesh, {h, false})}, 2};
+    case RuleKind::boundary_vertex: return {{{h, false}, other_boundary_flag(mesh, {h, false})}, 2};
     case RuleKind::boundary_edge_end: return {{{h, at_target}}, 1};
   }
   return {};

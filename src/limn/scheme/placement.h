@@ -16,16 +16,16 @@ namespace limn {
 
 /// Where a walk that leaves the mesh would have ended: the affine extension of the start flag's
 /// own face, v + along·(v' − v) + aside·(w − v), with v' the other end of the flag's edge
-/// and w the next vertex of the flag's face on v's other side. For the butterfly's outer vertex this
-/// is the usual reflection across the boundary edge.
+/// and w the next vertex of the flag's face on v's other side. For the butterfly's outer vertex
+/// this is the usual reflection across the boundary edge.
 struct Extension {
   int along = 0;
   int aside = 0;
 };
 
 struct Start {
-  int flag;            ///< which of the anchor's flags, or of a sector's two
-  Rational share;      ///< of the position's weight
+  int flag;        ///< which of the anchor's flags, or of a sector's two
+  Rational share;  ///< of the position's weight
   Extension extension;
 };
 

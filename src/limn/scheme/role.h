@@ -47,7 +47,7 @@ inline constexpr int kRuleKinds = 8;
 
 struct Walk {
   Moves before;
-  Moves step;    ///< repeated k times; empty where `repeated` is false
+  Moves step;  ///< repeated k times; empty where `repeated` is false
   Moves after;
   bool repeated = false;
   bool reads_face = false;  ///< the new vertex of the face reached, instead of the old vertex

@@ -56,9 +56,9 @@ Status check_rules_fit(const Scheme& scheme) {
       return missing_rule(scheme, kind, regular_valence(kind, split.lattice));
     if (!used && scheme.rule(kind)) {
       const Place& place = scheme.rule(kind)->front().place;
-      return Error{fmt::format("the split {} has no use for a rule '{}'", split.name,
-                               rule_name(kind)),
-                   "its rules are " + rules_of(split), place.file, place.line, place.column};
+      return Error{
+          fmt::format("the split {} has no use for a rule '{}'", split.name, rule_name(kind)),
+          "its rules are " + rules_of(split), place.file, place.line, place.column};
     }
   }
   return Done{};
@@ -87,8 +87,8 @@ Result<Scheme> parse_in_chain(std::string_view text, const std::string& path, co
 Result<Scheme> parse_next(std::string_view text, const std::string& path, const std::string& id,
                           Chain chain) {
   if (chain.size() > kDeepestExtension)
-    return Error{fmt::format("more than {} schemes extend one another", kDeepestExtension), {}, {},
-                 0, 0};
+    return Error{
+        fmt::format("more than {} schemes extend one another", kDeepestExtension), {}, {}, 0, 0};
   if (std::find(chain.begin(), chain.end(), id) != chain.end())
     return Error{fmt::format("circular: {} -> {}", fmt::join(chain, " -> "), id), {}, {}, 0, 0};
   chain.push_back(id);
@@ -118,7 +118,9 @@ Error unknown_scheme(const std::string& name) {
   return {fmt::format("no shipped scheme and no file is called '{}'", name),
           near.empty() ? "`limn schemes` lists the shipped ones; else give the path of a .toml file"
                        : fmt::format("did you mean {}?", fmt::join(near, " or ")),
-          {}, 0, 0};
+          {},
+          0,
+          0};
 }
 
 /// What a file extends must be a file: no device or pipe, which may never end.
@@ -156,11 +158,13 @@ std::string trimmed(const std::string& text) {
 
 Error unknown_parameter(const Scheme& scheme, const std::string& name) {
   std::vector<std::string_view> known;
+  known.reserve(scheme.parameters.size());
   for (const Parameter& parameter : scheme.parameters) known.push_back(parameter.name);
   return {fmt::format("scheme '{}' has no parameter '{}'", scheme.name, name),
-          known.empty() ? "it has no parameters"
-                        : fmt::format("it has {}", fmt::join(known, ", ")),
-          {}, 0, 0};
+          known.empty() ? "it has no parameters" : fmt::format("it has {}", fmt::join(known, ", ")),
+          {},
+          0,
+          0};
 }
 
 /// Puts the expression in place; nothing is checked yet.
@@ -168,7 +172,10 @@ Status assign(Scheme& scheme, const std::string& assignment) {
   const std::size_t equals = assignment.find('=');
   if (equals == std::string::npos)
     return Error{fmt::format("'{}' sets no parameter", assignment),
-                 "write name=expression, as a=1/8", {}, 0, 0};
+                 "write name=expression, as a=1/8",
+                 {},
+                 0,
+                 0};
   const std::string name = trimmed(assignment.substr(0, equals));
   const auto found = std::find_if(scheme.parameters.begin(), scheme.parameters.end(),
                                   [&](const Parameter& p) { return p.name == name; });
@@ -197,13 +204,12 @@ Result<Scheme> read_scheme(const std::string& path) {
   return parse_scheme(*text, path);
 }
 
-Result<Scheme> find_scheme(const std::string& name_or_path) {
-  return read_any(name_or_path, {});
-}
+Result<Scheme> find_scheme(const std::string& name_or_path) { return read_any(name_or_path, {}); }
 
 std::vector<std::string> shipped_schemes() {
   std::vector<std::string> names;
   for (const ShippedFile& file : shipped_files()) names.emplace_back(file.name);
+  std::sort(names.begin(), names.end());  // the files are in the order of NAME.toml
   return names;
 }
 

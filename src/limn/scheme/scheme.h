@@ -34,7 +34,7 @@ struct Formula {
 struct Weight {
   std::string role;  ///< as the file names it
   Walk walk;
-  Formula value;     ///< of one position of the role
+  Formula value;  ///< of one position of the role
 };
 
 /// One alternative of a rule; the first whose guard holds is taken.
@@ -158,9 +158,11 @@ Result<Number> Scope<Number>::lookup(const std::string& name) {
       return Error{name + " has no value here",
                    name == "k" ? "k is defined in the weights of a role with a repeated step"
                                : "n is defined in rules of a vertex, a face or an edge's end",
-                   {}, 0, 0};
-    return Error{"unknown name '" + name + "'", "names are n, k, the parameters and the lets",
-                 {}, 0, 0};
+                   {},
+                   0,
+                   0};
+    return Error{
+        "unknown name '" + name + "'", "names are n, k, the parameters and the lets", {}, 0, 0};
   }
   if (const auto known = known_.find(formula); known != known_.end()) return known->second;
   if (std::find(open_.begin(), open_.end(), formula) != open_.end())

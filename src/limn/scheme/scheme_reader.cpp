@@ -2,6 +2,7 @@
 #include <array>
 #include <cctype>
 #include <map>
+#include <utility>
 
 #include <fmt/core.h>
 #include <fmt/ranges.h>
@@ -45,9 +46,8 @@ class SchemeFileReader {
     if (!in_.ok()) return in_.take_error();
     scheme_.file = in_.file();
     read_split(root);
-    in_.each(root, "the file", [&](const toml::key& key, const toml::node& node) {
-      read_header(key, node);
-    });
+    in_.each(root, "the file",
+             [&](const toml::key& key, const toml::node& node) { read_header(key, node); });
     if (in_.ok()) read_rules(root);
     if (in_.ok()) inherit();
     if (in_.ok()) check_given_once();
@@ -236,7 +236,8 @@ class SchemeFileReader {
       weight.value = in_.formula(v, key.str());
       result.weights.push_back(std::move(weight));
     });
-    if (in_.ok() && result.weights.empty()) in_.fail(node, fmt::format("the {} rule has no weights", rule_name(kind)));
+    if (in_.ok() && result.weights.empty())
+      in_.fail(node, fmt::format("the {} rule has no weights", rule_name(kind)));
     return result;
   }
 
@@ -246,7 +247,8 @@ class SchemeFileReader {
       return checked(kind, own->second, key);
     if (scheme_.split == nullptr) {
       in_.fail(Error{"a file that extends another and states rules must name its split",
-                     "add split = \"...\", the same as there", in_.file(), in_.place(key).line, in_.place(key).column});
+                     "add split = \"...\", the same as there", in_.file(), in_.place(key).line,
+                     in_.place(key).column});
       return {};
     }
     std::vector<std::string_view> known{"when"};
@@ -255,8 +257,8 @@ class SchemeFileReader {
       if (!parse_walk(role.walk).value().reads_face || gives_every_face_a_vertex())
         known.push_back(role.name);
     }
-    in_.unknown_key(key, fmt::format("the {} rule of a {} scheme", rule_name(kind),
-                                     scheme_.split->name),
+    in_.unknown_key(key,
+                    fmt::format("the {} rule of a {} scheme", rule_name(kind), scheme_.split->name),
                     fmt::format("{}, or a role defined under [roles.{}]", fmt::join(known, ", "),
                                 rule_name(kind)));
     return {};
@@ -279,7 +281,10 @@ class SchemeFileReader {
       in_.fail(Error{fmt::format("role '{}' reads the new vertex of a face, and the split {} does "
                                  "not give every face one",
                                  name, split.name),
-                     {}, at.file, at.line, at.column});
+                     {},
+                     at.file,
+                     at.line,
+                     at.column});
   }
 
   Walk checked(RuleKind kind, const Walk& walk, const toml::key& key) {
@@ -292,14 +297,18 @@ class SchemeFileReader {
     if (extends_.empty()) return;
     Result<Scheme> base = extended_(extends_);
     if (!base) {
-      in_.fail(Error{fmt::format("extends '{}': {}", extends_, base.error().text()), {},
+      const std::string hint = std::exchange(base.error().hint, {});
+      in_.fail(Error{fmt::format("extends '{}': {}", extends_, base.error().text()), hint,
                      in_.file(), extends_place_.line, extends_place_.column});
       return;
     }
     if (scheme_.split != nullptr && base->split != scheme_.split) {
-      in_.fail(Error{fmt::format("'{}' has the split {}, this file {}", extends_,
-                                 base->split->name, scheme_.split->name),
-                     {}, in_.file(), extends_place_.line, extends_place_.column});
+      in_.fail(Error{fmt::format("'{}' has the split {}, this file {}", extends_, base->split->name,
+                                 scheme_.split->name),
+                     {},
+                     in_.file(),
+                     extends_place_.line,
+                     extends_place_.column});
       return;
     }
     scheme_.split = base->split;

@@ -20,8 +20,7 @@ void read_valences(TomlReader& in, const toml::node& node, Fact& fact) {
     const std::string& text = string->get();
     const std::size_t dots = text.find("..");
     const auto digits = [](const std::string& s) {
-      return !s.empty() && s.size() <= 4 &&
-             s.find_first_not_of("0123456789") == std::string::npos;
+      return !s.empty() && s.size() <= 4 && s.find_first_not_of("0123456789") == std::string::npos;
     };
     if (dots != std::string::npos && digits(text.substr(0, dots)) &&
         digits(text.substr(dots + 2))) {
@@ -93,7 +92,8 @@ Factors read_factors(TomlReader& in, const toml::node& node) {
     } else if (key.str() == "kernel") {
       factors.kernel = read_rows(in, v, "kernel");
     } else if (key.str() == "directions") {
-      in.each_element(v, "directions", [&](const toml::node& d) { read_direction(in, d, factors); });
+      in.each_element(v, "directions",
+                      [&](const toml::node& d) { read_direction(in, d, factors); });
     } else {
       in.unknown_key(key, "factors", "stages, directions or kernel");
     }

@@ -60,9 +60,12 @@ std::size_t find_no_utf8(std::string_view text) {
       return at + i < text.size() ? static_cast<unsigned char>(text[at + i]) : 0U;
     };
     const unsigned first = byte(0);
-    const std::size_t length =
-        first < 0x80U ? 1 : first < 0xC2U ? 0 : first < 0xE0U ? 2 : first < 0xF0U ? 3
-                      : first < 0xF5U ? 4 : 0;
+    const std::size_t length = first < 0x80U   ? 1
+                               : first < 0xC2U ? 0
+                               : first < 0xE0U ? 2
+                               : first < 0xF0U ? 3
+                               : first < 0xF5U ? 4
+                                               : 0;
     bool good = length > 0;
     for (std::size_t i = 1; i < length; ++i) good = good && (byte(i) & 0xC0U) == 0x80U;
     // no detours, no halves of surrogate pairs, nothing beyond U+10FFFF

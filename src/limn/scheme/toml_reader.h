@@ -2,15 +2,6 @@
 /// What scheme_reader.cpp needs of toml++: typed access in which every fault is an Error with its
 /// place. The first fault is kept; later calls return defaults, so reading code stays linear.
 
-#define TOML_EXCEPTIONS 0
-#define TOML_HEADER_ONLY 1
-#define TOML_ENABLE_FORMATTERS 0
-#include <toml++/impl/preprocessor.h>
-// toml++ 3.3 takes for granted that a key follows "[", before it looks (and then says so well)
-#undef TOML_ASSERT_ASSUME
-#define TOML_ASSERT_ASSUME(expression) static_assert(true)
-#include <toml++/toml.h>
-
 #include <functional>
 #include <map>
 #include <optional>
@@ -18,6 +9,7 @@
 #include <string_view>
 
 #include "limn/scheme/scheme.h"
+#include "limn/scheme/toml_library.h"
 
 namespace limn {
 

@@ -125,6 +125,7 @@ class ElementReader {
 
   bool vertices(const PlyElement& element) {
     std::vector<int> axes;
+    axes.reserve(element.properties.size());
     for (const PlyProperty& property : element.properties) axes.push_back(axis_of(property));
     mesh_.positions.reserve(static_cast<std::size_t>(element.count));
     static constexpr const char* names[3] = {"the x coordinate", "the y coordinate",
@@ -147,6 +148,7 @@ class ElementReader {
 
   bool faces(const PlyElement& element) {
     std::vector<char> is_index;
+    is_index.reserve(element.properties.size());
     for (const PlyProperty& property : element.properties) {
       is_index.push_back(is_index_list(property) ? 1 : 0);
     }

@@ -48,7 +48,10 @@ class Merger {
     return h;
   }
 
-  static bool same_bits(Point3 a, Point3 b) { return std::memcmp(&a, &b, sizeof(a)) == 0; }
+  // the bits are what is meant: +0 and -0 are different corners
+  static bool same_bits(Point3 a, Point3 b) {
+    return std::memcmp(&a, &b, sizeof(a)) == 0;  // NOLINT(bugprone-suspicious-memory-comparison)
+  }
 
   Index& find(Point3 point) {
     std::size_t k = hash(point) & (slots_.size() - 1);
