@@ -41,18 +41,16 @@ Result<Mesh> build_control_mesh(const RefineOptions& options, const Polygons& po
 void print_result(const RefineOptions& options, const Scheme& scheme, const Mesh& mesh,
                   double seconds) {
   if (options.json) {
-    const nlohmann::ordered_json json{{"vertices", mesh.vertex_count()},
-                                      {"faces", mesh.face_count()},
-                                      {"levels", options.levels},
-                                      {"seconds", seconds},
-                                      {"scheme", scheme.name},
-                                      {"output", options.output}};
+    const nlohmann::ordered_json json{
+        {"vertices", mesh.vertex_count()}, {"faces", mesh.face_count()},
+        {"levels", options.levels},        {"seconds", seconds},
+        {"scheme", scheme.name},           {"output", options.output}};
     fmt::print("{}\n", json.dump());
     return;
   }
   fmt::print("{}: {} vertices, {} faces, after {} level{} of {} in {:.3g} s\n", options.output,
-             mesh.vertex_count(), mesh.face_count(), options.levels,
-             options.levels == 1 ? "" : "s", scheme.name, seconds);
+             mesh.vertex_count(), mesh.face_count(), options.levels, options.levels == 1 ? "" : "s",
+             scheme.name, seconds);
 }
 
 int refine_mesh(const RefineOptions& options) {
@@ -68,12 +66,12 @@ int refine_mesh(const RefineOptions& options) {
 
   ProgressLine line;
   const auto start = std::chrono::steady_clock::now();
-  Result<Refined<Point3>> refined = refine(
-      *scheme, std::move(*mesh), std::move(polygons->positions), options.levels,
-      [&](int done, int levels, const Mesh& fine) {
-        line.show(fmt::format("refining: {} of {} levels, {} vertices", done, levels,
-                              fine.vertex_count()));
-      });
+  Result<Refined<Point3>> refined =
+      refine(*scheme, std::move(*mesh), std::move(polygons->positions), options.levels,
+             [&](int done, int levels, const Mesh& fine) {
+               line.show(fmt::format("refining: {} of {} levels, {} vertices", done, levels,
+                                     fine.vertex_count()));
+             });
   const std::chrono::duration<double> time = std::chrono::steady_clock::now() - start;
   if (!refined) {
     Error error = refined.error();
@@ -98,15 +96,17 @@ void declare_refine(CLI::App& parser, Action& action) {
   command->add_option("-n,--levels", options->levels, "refinement steps")
       ->capture_default_str()
       ->check(CLI::Range(0, 64));
-  command->add_option("-o,--output", options->output,
-                      "where the refined mesh goes: .obj, .off, .ply, .stl or .glb")
+  command
+      ->add_option("-o,--output", options->output,
+                   "where the refined mesh goes: .obj, .off, .ply, .stl or .glb")
       ->required();
   options->scheme.declare_parameters(*command);
   command->add_flag("--triangulate", options->triangulate,
                     "cut polygons into triangles first, each from its first corner");
   command->add_flag("--json", options->json, "print one JSON object");
-  command->footer("Example: limn refine mesh.obj -s catmull-clark -n 4 -o fine.ply\n"
-                  "         limn refine mesh.obj -s butterfly -p w=1/20 -n 5 -o fine.glb");
+  command->footer(
+      "Example: limn refine mesh.obj -s catmull-clark -n 4 -o fine.ply\n"
+      "         limn refine mesh.obj -s butterfly -p w=1/20 -n 5 -o fine.glb");
   command->callback([&action, options] { action = [options] { return refine_mesh(*options); }; });
 }
 

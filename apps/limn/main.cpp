@@ -31,15 +31,17 @@ Status check_command(const CLI::App& parser, const std::string& word) {
 }
 
 int run(int argc, char** argv) {
-  CLI::App parser("limn: define a subdivision scheme in a text file, refine meshes with it", "limn");
+  CLI::App parser("limn: define a subdivision scheme in a text file, refine meshes with it",
+                  "limn");
   parser.set_version_flag("--version", "limn " LIMN_VERSION);
   parser.require_subcommand(1);
   int threads = 0;
   parser.add_option("--threads", threads, "use at most this many threads; 0 means all")
       ->check(CLI::Range(0, 4096));
   parser.fallthrough();
-  parser.footer("Example: limn refine mesh.obj -s loop -n 4 -o fine.ply\n"
-                "`limn COMMAND --help` explains a command.");
+  parser.footer(
+      "Example: limn refine mesh.obj -s loop -n 4 -o fine.ply\n"
+      "`limn COMMAND --help` explains a command.");
   Action action;
   for (const Declare declare : kCommands) declare(parser, action);
   if (const std::string word = argc > 1 ? argv[1] : ""; !word.empty() && word[0] != '-')
@@ -49,7 +51,8 @@ int run(int argc, char** argv) {
   } catch (const CLI::Success& success) {  // --help, --version
     return parser.exit(success);
   } catch (const CLI::ParseError& error) {
-    return report({error.what(), "`limn --help` and `limn COMMAND --help` explain the use", {}, 0, 0});
+    return report(
+        {error.what(), "`limn --help` and `limn COMMAND --help` explain the use", {}, 0, 0});
   }
   set_thread_limit(threads);
   return action();

@@ -38,9 +38,8 @@ TEST(Command, ListsTheShippedSchemes) {
   EXPECT_EQ(text.code, 0);
   for (const char* name :
        {"loop", "loop-warren", "butterfly", "butterfly-modified", "interpolating-loop", "sqrt3",
-        "catmull-clark", "doo-sabin", "laplacian-loop", "laplacian-loop-low",
-        "laplacian-butterfly", "optimal", "optimal-high", "optimal-low", "box-spline-triangle",
-        "box-spline-quad"})
+        "catmull-clark", "doo-sabin", "laplacian-loop", "laplacian-loop-low", "laplacian-butterfly",
+        "optimal", "optimal-high", "optimal-low", "box-spline-triangle", "box-spline-quad"})
     EXPECT_NE(text.out.find("\n" + std::string(name) + " "), text.out.find(name)) << name;
 }
 
@@ -162,8 +161,9 @@ TEST(Command, RefusesBadMeshes) {
   expect_refused(folder.limn("refine t.obj -s loop -o no/such/y.obj"), {"no/such"});
   folder.write("nan.obj", "v 0 0 nan\n");
   expect_refused(folder.limn("refine nan.obj -s loop -o y.obj"), {"nan.obj:1:7"});
-  folder.write("fan.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nv 0 -1 0\n"
-                          "f 1 2 3\nf 1 2 4\nf 1 2 5\n");
+  folder.write("fan.obj",
+               "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nv 0 -1 0\n"
+               "f 1 2 3\nf 1 2 4\nf 1 2 5\n");
   expect_refused(folder.limn("refine fan.obj -s loop -o y.obj"), {"fan.obj", "0", "1"});
   expect_refused(folder.limn("refine " + kQuads + " -s loop -o y.obj"),
                  {"corners", "--triangulate"});
@@ -189,8 +189,8 @@ TEST(Command, WarnsOnceOfContentThatIsNotRefined) {
 
 TEST(Command, AnInterruptLeavesNothingHalfWritten) {
   const Folder folder;
-  const Outcome outcome = folder.limn("refine " + kBracket + " -s loop -n 8 -o big.obj",
-                                      "timeout --signal=INT 0.7");
+  const Outcome outcome =
+      folder.limn("refine " + kBracket + " -s loop -n 8 -o big.obj", "timeout --signal=INT 0.7");
   // fast machines may finish: then the file must be whole
   const int files = folder.count();
   if (outcome.code == 0)
@@ -209,8 +209,8 @@ TEST(Command, AFullDiskIsNotSuccess) {
 
 TEST(Command, HelpAndVersionSucceed) {
   const Folder folder;
-  for (const char* arguments : {"--help", "--version", "show --help", "refine --help",
-                                "schemes --help"}) {
+  for (const char* arguments :
+       {"--help", "--version", "show --help", "refine --help", "schemes --help"}) {
     const Outcome outcome = folder.limn(arguments);
     EXPECT_EQ(outcome.code, 0) << arguments;
     EXPECT_FALSE(outcome.out.empty()) << arguments;

@@ -107,24 +107,15 @@ class RandomMesh {
   Mesh base() {
     const Lattice lattice = chance(2) ? Lattice::triangle : Lattice::quad;
     switch (below(9)) {
-      case 0:
-        return tetrahedron();
-      case 1:
-        return cube();
-      case 2:
-        return icosahedron();
-      case 3:
-        return torus(lattice, 3 + below(4), 3 + below(4));
-      case 4:
-        return star(lattice, 3 + below(6), 1 + below(3));
-      case 5:
-        return face_star(3 + below(6), 1 + below(3));
-      case 6:
-        return tree(lattice, below(3));
-      case 7:
-        return pillow(3 + below(4));
-      default:
-        return torus(lattice, 3 + below(3), 3 + below(3));
+      case 0: return tetrahedron();
+      case 1: return cube();
+      case 2: return icosahedron();
+      case 3: return torus(lattice, 3 + below(4), 3 + below(4));
+      case 4: return star(lattice, 3 + below(6), 1 + below(3));
+      case 5: return face_star(3 + below(6), 1 + below(3));
+      case 6: return tree(lattice, below(3));
+      case 7: return pillow(3 + below(4));
+      default: return torus(lattice, 3 + below(3), 3 + below(3));
     }
   }
 

@@ -69,8 +69,7 @@ TEST(RegularMask, PrintsAsAHexagonOrARectangle) {
             "   1   6  10   6   1\n"
             "     2   6   6   2\n"
             "       1   2   1\n");
-  EXPECT_EQ(to_string(mask_of("doo-sabin")),
-            "1/16 ×\n 1 3 3 1\n 3 9 9 3\n 3 9 9 3\n 1 3 3 1\n");
+  EXPECT_EQ(to_string(mask_of("doo-sabin")), "1/16 ×\n 1 3 3 1\n 3 9 9 3\n 3 9 9 3\n 1 3 3 1\n");
 }
 
 TEST(RegularMask, IsRefusedForSqrt3WithTheReason) {

@@ -50,8 +50,8 @@ class [[nodiscard]] Result {
   std::variant<T, Error> state_;
 };
 
-struct Done {};                 ///< the value of an action that returns nothing
-using Status = Result<Done>;    ///< done, or why not
+struct Done {};               ///< the value of an action that returns nothing
+using Status = Result<Done>;  ///< done, or why not
 
 using Warnings = std::vector<Error>;
 

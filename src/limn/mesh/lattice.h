@@ -26,7 +26,8 @@ using Twelfths = std::array<Index, 2>;
 /// modulo (12 nx, 12 ny).
 [[nodiscard]] Twelfths torus_birth_place(const Mesh& torus, Index nx, Index ny,
                                          const Births& births, Index vertex);
-/// to − from on a torus of that many vertices along each side, each coordinate the one of least size.
+/// to − from on a torus of that many vertices along each side, each coordinate the one of least
+/// size.
 [[nodiscard]] Twelfths torus_difference(Twelfths from, Twelfths to, Index nx, Index ny);
 
 /// The disc of `rings` rings round one vertex of valence n, every other interior vertex

@@ -22,9 +22,9 @@ namespace limn {
 class Mesh {
  public:
   /// Connectivity of `polygons`. Refused, with the vertices named (0-based; a caller who knows
-  /// the file puts it into the error): an index out of range; a face with fewer than three corners or with a
-  /// repeated vertex; an edge in more than two faces; two neighbours that run through their
-  /// edge in the same direction (flipped); a vertex whose faces form more than one fan
+  /// the file puts it into the error): an index out of range; a face with fewer than three corners
+  /// or with a repeated vertex; an edge in more than two faces; two neighbours that run through
+  /// their edge in the same direction (flipped); a vertex whose faces form more than one fan
   /// (bow-tie). Isolated vertices are kept, with one warning. Cost O(V + corners).
   static Result<Mesh> build(const Polygons& polygons, Warnings* warnings = nullptr);
 
@@ -35,7 +35,9 @@ class Mesh {
 
   /// The common degree of all faces, or 0 where they differ (or there are none).
   [[nodiscard]] Index uniform_degree() const { return degree_; }
-  [[nodiscard]] Index face_begin(Index f) const { return degree_ > 0 ? f * degree_ : face_begin_[f]; }
+  [[nodiscard]] Index face_begin(Index f) const {
+    return degree_ > 0 ? f * degree_ : face_begin_[f];
+  }
   [[nodiscard]] Index degree(Index f) const { return face_begin(f + 1) - face_begin(f); }
 
   [[nodiscard]] Index origin(Index h) const { return origin_[h]; }

@@ -22,9 +22,9 @@ inline Point3 operator-(Point3 a, Point3 b) { return {a.x - b.x, a.y - b.y, a.z 
 inline Point3 operator*(double s, Point3 a) { return {s * a.x, s * a.y, s * a.z}; }
 
 struct Polygons {
-  std::vector<Point3> positions;    ///< one per vertex
+  std::vector<Point3> positions;     ///< one per vertex
   std::vector<Index> face_begin{0};  ///< F+1 offsets into `corners`
-  std::vector<Index> corners;       ///< vertex of each corner, face by face, in the order given
+  std::vector<Index> corners;        ///< vertex of each corner, face by face, in the order given
 
   [[nodiscard]] Index vertex_count() const { return static_cast<Index>(positions.size()); }
   [[nodiscard]] Index face_count() const { return static_cast<Index>(face_begin.size()) - 1; }

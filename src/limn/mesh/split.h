@@ -46,7 +46,7 @@ struct Split {
   bool births_vertices, births_edges, births_faces, births_corners;
   /// The boundary is left alone in even steps and each of its edges cut in three in odd ones.
   bool trisects_boundary;
-  double growth;                 ///< |det M|, faces after one step ÷ faces before, in the long run
+  double growth;  ///< |det M|, faces after one step ÷ faces before, in the long run
   /// One step. `step` counts from 0: sqrt3 refines the boundary in every second step only.
   /// Preconditions: all faces are triangles unless any_polygons; growth * halfedge_count() is
   /// below 2^31 (no split gives more half-edges than that).

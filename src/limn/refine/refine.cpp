@@ -69,9 +69,8 @@ Forecast forecast(const Split& split, const Mesh& mesh, int levels, std::size_t 
   Forecast result{counts, bytes_of(counts, bytes_per_value)};
   for (int i = 0; i < levels; ++i) {
     const Counts next = after_step(split, counts, i);
-    result.peak_bytes =
-        std::max(result.peak_bytes,
-                 bytes_of(counts, bytes_per_value) + bytes_of(next, bytes_per_value));
+    result.peak_bytes = std::max(
+        result.peak_bytes, bytes_of(counts, bytes_per_value) + bytes_of(next, bytes_per_value));
     counts = next;
   }
   result.last = counts;
@@ -106,7 +105,10 @@ Status check_refinable(const Scheme& scheme, const Mesh& mesh, int levels,
       if (mesh.degree(f) != 3)
         return Error{fmt::format("scheme '{}' refines triangles, but face {} has {} corners",
                                  scheme.name, f, mesh.degree(f)),
-                     "--triangulate cuts polygons into triangles", {}, 0, 0};
+                     "--triangulate cuts polygons into triangles",
+                     {},
+                     0,
+                     0};
   const Forecast result = forecast(split, mesh, levels, bytes_per_value);
   const std::string size =
       fmt::format("{} levels would make about {:.3g} vertices and {:.3g} faces", levels,
@@ -116,7 +118,10 @@ Status check_refinable(const Scheme& scheme, const Mesh& mesh, int levels,
   if (result.peak_bytes > memory_limit)
     return Error{fmt::format("{} and need about {} of memory; {} are free", size,
                              bytes_text(result.peak_bytes), bytes_text(memory_limit)),
-                 "use fewer levels", {}, 0, 0};
+                 "use fewer levels",
+                 {},
+                 0,
+                 0};
   return Done{};
 }
 

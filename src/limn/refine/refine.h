@@ -40,8 +40,7 @@ template <class Value, class Number = double>
 [[nodiscard]] Result<Refined<Value>> refine(const Scheme& scheme, Mesh mesh,
                                             std::vector<Value> values, int levels,
                                             const RefineProgress& progress = {}) {
-  const Status refinable =
-      check_refinable(scheme, mesh, levels, sizeof(Value), available_memory());
+  const Status refinable = check_refinable(scheme, mesh, levels, sizeof(Value), available_memory());
   if (!refinable) return refinable.error();
   RuleTables<Number> tables(scheme);
   Refined<Value> result{std::move(mesh), std::move(values)};

@@ -62,7 +62,8 @@ class ValueStep {
     Value sum{};
     if (!row.program) return sum;
     visit_stencil(mesh_, kind, h, at_target, row, [&](Source source, const Number& weight) {
-      add_scaled(sum, weight, source.is_face ? fresh_[faces_at_ + source.index] : old_[source.index]);
+      add_scaled(sum, weight,
+                 source.is_face ? fresh_[faces_at_ + source.index] : old_[source.index]);
     });
     return sum;
   }
@@ -102,8 +103,7 @@ class ValueStep {
     }
     const Index h = mesh_.halfedge_of_edge(i);
     if (mesh_.twin(h) == kNone)
-      return apply_row(RuleKind::boundary_edge, h, false,
-                       tables_.row(RuleKind::boundary_edge, 0));
+      return apply_row(RuleKind::boundary_edge, h, false, tables_.row(RuleKind::boundary_edge, 0));
     if (ends_) {
       const Row<Number>* from = end_row(mesh_.origin(h));
       const Row<Number>* to = end_row(mesh_.target(h));

@@ -124,7 +124,10 @@ Result<Row<Number>> RuleTables<Number>::tabulate(RuleKind kind, int n) const {
   if (!(std::abs(sum - 1) < kSumTolerance))
     return Error{fmt::format("the {} rule has weights that sum to about {} at n = {}",
                              rule_name(kind), sum, n),
-                 {}, scheme_->file, 0, 0};
+                 {},
+                 scheme_->file,
+                 0,
+                 0};
   row.program = std::move(program);
   return row;
 }

@@ -20,7 +20,7 @@ enum class Hop : std::uint8_t { next, prev, twin };
 struct Step {
   std::array<Hop, 32> hops;
   std::uint8_t hop_count = 0;
-  bool direct = false;      ///< the hops say it all: the vertex is the origin where they end
+  bool direct = false;  ///< the hops say it all: the vertex is the origin where they end
   bool per_sector = false;
   Walk walk;
   int flag = 0;
@@ -150,8 +150,8 @@ const Number* visit_repeated(const Mesh& mesh, const Step& step, Flag flag, cons
 /// `at_target`, for a boundary edge's ends; see AnchorFlags). A vertex may come more than once:
 /// the weights add. Cost: the moves of the program's walks.
 template <class Number, class Sink>
-void visit_stencil(const Mesh& mesh, RuleKind kind, Index h, bool at_target,
-                   const Row<Number>& row, Sink&& sink) {
+void visit_stencil(const Mesh& mesh, RuleKind kind, Index h, bool at_target, const Row<Number>& row,
+                   Sink&& sink) {
   const Number* weight = row.weights.data();
   const auto visit = [&](const Step& step, Index anchor) {
     if (step.direct)

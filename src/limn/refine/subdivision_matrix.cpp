@@ -85,7 +85,10 @@ Result<SubdivisionMatrix<Number>> subdivision_matrix(const Scheme& scheme, int n
         return Error{fmt::format("the {}-ring neighbourhood at valence {} is not invariant under "
                                  "scheme '{}'",
                                  rings, n, scheme.name),
-                     "take more rings", {}, 0, 0};
+                     "take more rings",
+                     {},
+                     0,
+                     0};
       }
     }
   return matrix;

@@ -13,7 +13,7 @@ namespace limn {
 template <class Number>
 struct SubdivisionMatrix {
   int size = 0;
-  int center = 0;   ///< 1 where vertex 0 is the centre; 0 for dual splits, which have none
+  int center = 0;  ///< 1 where vertex 0 is the centre; 0 for dual splits, which have none
   std::vector<Number> entries;  ///< row by row
 
   [[nodiscard]] const Number& operator()(int row, int column) const {
@@ -34,8 +34,7 @@ template <class Number>
 [[nodiscard]] Result<int> invariant_rings(const Scheme& scheme, int n, int largest = 6);
 
 extern template Result<SubdivisionMatrix<double>> subdivision_matrix<double>(const Scheme&, int,
-                                                                            int);
-extern template Result<SubdivisionMatrix<Exact>> subdivision_matrix<Exact>(const Scheme&, int,
-                                                                          int);
+                                                                             int);
+extern template Result<SubdivisionMatrix<Exact>> subdivision_matrix<Exact>(const Scheme&, int, int);
 
 }  // namespace limn

@@ -54,9 +54,9 @@ std::string case_text(const Scheme& scheme, RuleKind kind, const RuleCase& rule_
   for (const Weight& weight : rule_case.weights)
     widest = std::max(widest, weight.value.expression.text().size());
   for (const Weight& weight : rule_case.weights)
-    text += fmt::format("    {:<9} {:>2} × {:<{}}  {}\n", weight.role,
-                        positions(scheme, kind, weight), weight.value.expression.text(), widest,
-                        meaning(scheme, kind, weight));
+    text +=
+        fmt::format("    {:<9} {:>2} × {:<{}}  {}\n", weight.role, positions(scheme, kind, weight),
+                    weight.value.expression.text(), widest, meaning(scheme, kind, weight));
   return text;
 }
 

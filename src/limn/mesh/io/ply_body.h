@@ -123,22 +123,14 @@ class BinaryBody {
 
   [[nodiscard]] double decode(PlyType type, const char* from) const {
     switch (type) {
-      case PlyType::int8:
-        return load<std::int8_t>(from, swap_);
-      case PlyType::uint8:
-        return load<std::uint8_t>(from, swap_);
-      case PlyType::int16:
-        return load<std::int16_t>(from, swap_);
-      case PlyType::uint16:
-        return load<std::uint16_t>(from, swap_);
-      case PlyType::int32:
-        return load<std::int32_t>(from, swap_);
-      case PlyType::uint32:
-        return load<std::uint32_t>(from, swap_);
-      case PlyType::float32:
-        return double{load<float>(from, swap_)};
-      case PlyType::float64:
-        break;
+      case PlyType::int8: return load<std::int8_t>(from, swap_);
+      case PlyType::uint8: return load<std::uint8_t>(from, swap_);
+      case PlyType::int16: return load<std::int16_t>(from, swap_);
+      case PlyType::uint16: return load<std::uint16_t>(from, swap_);
+      case PlyType::int32: return load<std::int32_t>(from, swap_);
+      case PlyType::uint32: return load<std::uint32_t>(from, swap_);
+      case PlyType::float32: return double{load<float>(from, swap_)};
+      case PlyType::float64: break;
     }
     return load<double>(from, swap_);
   }

@@ -159,17 +159,13 @@ class HeaderReader {
 std::size_t size_of(PlyType type) {
   switch (type) {
     case PlyType::int8:
-    case PlyType::uint8:
-      return 1;
+    case PlyType::uint8: return 1;
     case PlyType::int16:
-    case PlyType::uint16:
-      return 2;
+    case PlyType::uint16: return 2;
     case PlyType::int32:
     case PlyType::uint32:
-    case PlyType::float32:
-      return 4;
-    case PlyType::float64:
-      return 8;
+    case PlyType::float32: return 4;
+    case PlyType::float64: return 8;
   }
   return 8;
 }
