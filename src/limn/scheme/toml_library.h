@@ -3,6 +3,8 @@
 /// too, that a key follows "[" and that a character like 'é' never stands where white space may.
 /// Both are faults that a file can have; with these two macros it reports them.
 
+#include <cstdint>  // toml++'s tables of characters need it and do not include it
+
 #define TOML_EXCEPTIONS 0
 #define TOML_HEADER_ONLY 1
 #define TOML_ENABLE_FORMATTERS 0
