@@ -30,6 +30,12 @@ Error needed_by(RuleKind kind, int n, Error error) {
   return error;
 }
 
+/// An error of arithmetic between the values of one weight, with that weight's place.
+Error placed(Error error, const Weight& weight) {
+  const Place& place = weight.value.place;
+  return {std::move(error.message), std::move(error.hint), place.file, place.line, place.column};
+}
+
 /// The values that names have in one rule at one valence, and for each k in its repeated roles.
 class Scopes {
  public:
@@ -72,7 +78,10 @@ Status check_symmetry(const std::vector<Exact>& values, RuleKind kind, const Wei
   if (placed_twice && !round) return Done{};
   for (int k = 1; k < n; ++k) {
     const int mirror = round ? 0 : n - k;
-    if (values[static_cast<std::size_t>(k)] == values[static_cast<std::size_t>(mirror)]) continue;
+    const Result<Exact> difference = Exact::subtract(values[static_cast<std::size_t>(k)],
+                                                     values[static_cast<std::size_t>(mirror)]);
+    if (!difference) return needed_by(kind, n, placed(difference.error(), weight));
+    if (difference->is_zero()) continue;
     const std::string_view law = round ? "no k is the first here, so a weight must not depend on it"
                                        : "a weight must be the same for k and n-k";
     return faulty_rule(kind, n,
@@ -100,6 +109,7 @@ Result<Exact> sum_of_weight(const Scheme& scheme, Scopes& scopes, RuleKind kind,
   Result<Exact> sum = Exact(0);
   for (const Exact& value : *values)
     if (sum) sum = Exact::add(*sum, value);
+  if (!sum) return needed_by(kind, n, placed(sum.error(), weight));
   return sum;
 }
 
@@ -120,7 +130,7 @@ Status check_sum(const Scheme& scheme, RuleKind kind, int n, const RuleCase& rul
     const Result<Exact> part = sum_of_weight(scheme, scopes, kind, n, weight);
     if (!part) return part.error();
     Result<Exact> longer = Exact::add(sum, *part);
-    if (!longer) return needed_by(kind, n, longer.error());
+    if (!longer) return needed_by(kind, n, placed(longer.error(), weight));
     sum = std::move(*longer);
   }
   if (sum == Exact(1)) return Done{};
