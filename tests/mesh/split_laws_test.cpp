@@ -80,7 +80,7 @@ void check_step(const Split& split, const Mesh& mesh, int step, const SplitResul
   RC_ASSERT(fine.check() == "");
   RC_ASSERT((Counts{fine.vertex_count(), fine.edge_count(), fine.face_count()}) ==
             expected_counts(split, mesh, step));
-  RC_ASSERT(fine.halfedge_count() <= split.growth * mesh.halfedge_count());
+  RC_ASSERT(fine.halfedge_count() <= split.dilation.growth() * mesh.halfedge_count());
   RC_ASSERT(euler_characteristic(fine) == euler_characteristic(mesh));
   RC_ASSERT(boundary_loops(fine) == boundary_loops(mesh));
   RC_ASSERT(isolated_count(fine) == isolated_count(mesh));
@@ -143,7 +143,7 @@ TEST_P(SplitLaws, RegularMeshesStayRegular) {
   const Mesh mesh = torus(split.lattice, 4, 3);
   const SplitResult refined = split.apply(mesh, 0);
   EXPECT_EQ(refined.mesh.uniform_degree(), mesh.uniform_degree());
-  EXPECT_EQ(refined.mesh.face_count(), split.growth * mesh.face_count());
+  EXPECT_EQ(refined.mesh.face_count(), split.dilation.growth() * mesh.face_count());
   for (Index v = 0; v < refined.mesh.vertex_count(); ++v)
     EXPECT_EQ(refined.mesh.valence(v), mesh.valence(0));
 }

@@ -30,16 +30,18 @@ TEST(RegularMask, IsTheOneThatTheLiteratureStates) {
 TEST(RegularMask, SumsToTheDeterminantAndToOneOverEachCoset) {
   for (const std::string& name : shipped_schemes()) {
     const Scheme scheme = find_scheme(name).value();
-    if (scheme.split->growth != 4) continue;
+    const int growth = scheme.split->dilation.growth();
+    const int parity = scheme.split->births_corners ? 1 : 0;
     Rational sum = 0;
-    std::map<std::array<int, 2>, Rational> cosets;
+    std::map<int, Rational> sums;
     for (const auto& [offset, value] : mask_of(name).coefficients) {
       sum += value;
-      cosets[{((offset[0] % 4) + 4) % 4, ((offset[1] % 4) + 4) % 4}] += value;
+      sums[coset_of(scheme.split->dilation,
+                    {(offset[0] - parity) / 2, (offset[1] - parity) / 2})] += value;
     }
-    EXPECT_EQ(sum, 4) << name;
-    EXPECT_EQ(cosets.size(), 4U) << name;
-    for (const auto& [coset, part] : cosets) EXPECT_EQ(part, 1) << name;
+    EXPECT_EQ(sum, growth) << name;
+    EXPECT_EQ(sums.size(), static_cast<std::size_t>(growth)) << name;
+    for (const auto& [coset, part] : sums) EXPECT_EQ(part, 1) << name;
   }
 }
 
@@ -72,10 +74,27 @@ TEST(RegularMask, PrintsAsAHexagonOrARectangle) {
   EXPECT_EQ(to_string(mask_of("doo-sabin")), "1/16 ×\n 1 3 3 1\n 3 9 9 3\n 3 9 9 3\n 1 3 3 1\n");
 }
 
-TEST(RegularMask, IsRefusedForSqrt3WithTheReason) {
-  const Result<Mask> mask = regular_mask(find_scheme("sqrt3").value());
-  ASSERT_FALSE(mask.ok());
-  EXPECT_NE(mask.error().message.find("sqrt3"), std::string::npos);
+TEST(RegularMask, OfSqrt3IsWrittenInTheTurnedLattice) {
+  EXPECT_EQ(to_string(mask_of("sqrt3")),
+            "1/18 ×\n"
+            "       0   1   0\n"
+            "     1   6   6   1\n"
+            "   0   6  12   6   0\n"
+            "     1   6   6   1\n"
+            "       0   1   0\n");
+}
+
+TEST(RegularMask, GivesSqrt3ItsRules) {
+  const Result<Scheme> scheme = parse_scheme(
+      "split = \"sqrt3\"\n[mask]\nscale = \"1/18\"\nrows = [ [0, 1, 0], [1, 6, 6, 1], "
+      "[0, 6, 12, 6, 0], [1, 6, 6, 1], [0, 1, 0] ]\n",
+      "mine.toml");
+  ASSERT_TRUE(scheme.ok()) << scheme.error().text();
+  ASSERT_TRUE(scheme->rule(RuleKind::vertex).has_value());
+  ASSERT_TRUE(scheme->rule(RuleKind::face).has_value());
+  Scheme rules = *scheme;
+  rules.mask.reset();  // so that the mask is read off the rules that the first one gave
+  EXPECT_EQ(regular_mask(rules).value().coefficients, mask_of("sqrt3").coefficients);
 }
 
 }  // namespace

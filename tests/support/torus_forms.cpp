@@ -70,7 +70,7 @@ Result<Mask> refined_mask(const Scheme& scheme) {
   const std::vector<LinearForm<Exact>> forms =
       refine_values(scheme, mesh, split.births, tables, unit_forms<Exact>(mesh.vertex_count()));
   const std::vector<Offset> places = birth_places(mesh, split.births);
-  Mask mask{scheme.split->lattice, {}};
+  Mask mask{scheme.split->lattice, scheme.split->dilation, {}};
   std::map<Offset, int> met;
   for (std::size_t i = 0; i < forms.size(); ++i) {
     for (const auto& [vertex, weight] : forms[i].terms) {

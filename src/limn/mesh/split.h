@@ -9,11 +9,10 @@
 #include <string_view>
 #include <vector>
 
+#include "limn/mesh/dilation.h"
 #include "limn/mesh/mesh.h"
 
 namespace limn {
-
-enum class Lattice { triangle, quad };
 
 /// Which old element each new vertex is born from, block by block.
 struct Births {
@@ -46,10 +45,11 @@ struct Split {
   bool births_vertices, births_edges, births_faces, births_corners;
   /// The boundary is left alone in even steps and each of its edges cut in three in odd ones.
   bool trisects_boundary;
-  double growth;  ///< |det M|, faces after one step ÷ faces before, in the long run
+  /// Coordinates of old vertices in the refined lattice; the lattice may turn (sqrt3: by 30°).
+  LatticeMatrix dilation;
   /// One step. `step` counts from 0: sqrt3 refines the boundary in every second step only.
-  /// Preconditions: all faces are triangles unless any_polygons; growth * halfedge_count() is
-  /// below 2^31 (no split gives more half-edges than that).
+  /// Preconditions: all faces are triangles unless any_polygons; dilation.growth() *
+  /// halfedge_count() is below 2^31 (no split gives more half-edges than that).
   SplitResult (*apply)(const Mesh& mesh, int step);
 };
 

@@ -24,7 +24,7 @@ Status collect(const Scheme& scheme, Twelfths birth, const LinearForm<Exact>& fo
                    0,
                    0};
     const Twelfths old{12 * (vertex % kSide), 12 * (vertex / kSide)};
-    const auto offset = mask_offset(torus_difference(old, birth, kSide, kSide));
+    const auto offset = mask_offset(mask.dilation, torus_difference(old, birth, kSide, kSide));
     mask.coefficients.insert_or_assign(offset, value.rational());
   }
   return Done{};
@@ -36,21 +36,13 @@ Result<Mask> regular_mask(const Scheme& scheme) {
   const Split& split = *scheme.split;
   if (scheme.mask) return mask_from_rows(scheme, *scheme.mask);
   if (scheme.factors) return mask_from_factors(scheme, *scheme.factors);
-  if (split.growth != 4)
-    return Error{
-        fmt::format("the mask of a {} scheme is not written in the control lattice's basis",
-                    split.name),
-        {},
-        scheme.file,
-        0,
-        0};
   const Mesh mesh = torus(split.lattice, kSide, kSide);
   const SplitResult fine = split.apply(mesh, 0);
   RuleTables<Exact> tables(scheme);
   if (Status status = tables.prepare(mesh, fine.births); !status) return status.error();
   const std::vector<LinearForm<Exact>> forms =
       refine_values(scheme, mesh, fine.births, tables, unit_forms<Exact>(mesh.vertex_count()));
-  Mask mask{split.lattice, {}};
+  Mask mask{split.lattice, split.dilation, {}};
   for (Index v = 0; v < fine.mesh.vertex_count(); ++v) {
     const Twelfths birth = torus_birth_place(mesh, kSide, kSide, fine.births, v);
     if (Status status = collect(scheme, birth, forms[v], mask); !status) return status.error();

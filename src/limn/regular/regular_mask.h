@@ -5,9 +5,8 @@
 
 namespace limn {
 
-/// The scheme's mask on the regular lattice, exactly. For schemes with a dyadic split; weights
-/// at regular valence must come out rational. Fails, with the reason, otherwise, and where a rule
-/// is missing.
+/// The scheme's mask on the regular lattice, exactly. Weights at regular valence must come out
+/// rational. Fails, with the reason, otherwise, and where a rule is missing.
 [[nodiscard]] Result<Mask> regular_mask(const Scheme& scheme);
 
 /// The mask as people print it: rows from the top, a hexagon on triangles, integers over a

@@ -8,9 +8,6 @@
 namespace limn {
 namespace {
 
-using Offset = std::array<int, 2>;
-using Polynomial = std::map<Offset, Rational>;  // offsets from an arbitrary origin
-
 constexpr int kMostFactors = 64;
 constexpr int kLargestReach = 24;  // of a mask, in refined edges; bounds the lattices it is read on
 
@@ -41,14 +38,8 @@ Error too_far(const Place& place) {
                                kLargestReach));
 }
 
-Status check_dyadic(const Scheme& scheme, const Place& place) {
-  if (scheme.split->growth == 4) return Done{};
-  return at(place, fmt::format("a {} scheme cannot be given by a mask yet", scheme.split->name),
-            "write its rules");
-}
-
 /// Rows into coefficients by twice the offset from the centre; all of one parity, or an error.
-Result<Polynomial> polynomial_from_rows(const Scheme& scheme, const Rows& rows) {
+Result<Laurent> polynomial_from_rows(const Scheme& scheme, const Rows& rows) {
   Rational scale = 1;
   if (rows.scale) {
     Result<Rational> value = rational_value(scheme, *rows.scale);
@@ -58,7 +49,7 @@ Result<Polynomial> polynomial_from_rows(const Scheme& scheme, const Rows& rows) 
   const bool triangles = scheme.split->lattice == Lattice::triangle;
   const int height = static_cast<int>(rows.rows.size());
   if (height > 2 * kLargestReach + 1) return too_far(rows.place);
-  Polynomial result;
+  Laurent result;
   for (int r = 0; r < height; ++r) {
     const auto& row = rows.rows[static_cast<std::size_t>(r)];
     if (row.size() > 2 * kLargestReach + 1) return too_far(rows.place);
@@ -82,23 +73,12 @@ Result<Polynomial> polynomial_from_rows(const Scheme& scheme, const Rows& rows) 
   return result;
 }
 
-Polynomial product(const Polynomial& a, const Polynomial& b) {
-  Polynomial result;
-  for (const auto& [p, x] : a)
-    for (const auto& [q, y] : b) result[{p[0] + q[0], p[1] + q[1]}] += x * y;
-  return result;
-}
-
-/// a·(1 + z^step)/2, centred: in doubled offsets the two terms lie at ±step.
-Polynomial smoothed(const Polynomial& a, Offset step) {
-  const Rational half(1, 2);
-  return product(a, {{step, half}, {{-step[0], -step[1]}, half}});
-}
-
-/// What a coset's new points are; `x`, `y`: whether the offset in the refined lattice is odd.
-std::string_view points_of_coset(const Scheme& scheme, int x, int y) {
+/// What the new points of a coset are, by one of its members.
+std::string points_of_coset(const Scheme& scheme, LatticeVector member) {
+  const auto [x, y] = member;
   if (scheme.split->births_corners) return "of one corner";
   if (x == 0 && y == 0) return "at the vertices";
+  if (!scheme.split->births_edges) return "of one kind of face";
   if (y == 0) return "on the edges along (1, 0)";
   if (x == 0) return "on the edges along (0, 1)";
   return scheme.split->births_faces ? "of the faces" : "on the edges along (1, 1)";
@@ -106,26 +86,28 @@ std::string_view points_of_coset(const Scheme& scheme, int x, int y) {
 
 Status check_cosets(const Scheme& scheme, const Mask& mask, const Place& place) {
   const int parity = scheme.split->births_corners ? 1 : 0;
-  const auto odd = [parity](int doubled) { return std::abs((doubled - parity) / 2 % 2); };
-  std::array<Rational, 4> sums;
-  for (const auto& [offset, value] : mask.coefficients)
-    sums[static_cast<std::size_t>(2 * odd(offset[0]) + odd(offset[1]))] += value;
-  for (int i = 0; i < 4; ++i)
-    if (const Rational& sum = sums[static_cast<std::size_t>(i)]; sum != 1)
+  const std::vector<LatticeVector> members = cosets(mask.dilation);
+  std::vector<Rational> sums(members.size());
+  for (const auto& [offset, value] : mask.coefficients) {
+    const LatticeVector k{(offset[0] - parity) / 2, (offset[1] - parity) / 2};
+    sums[static_cast<std::size_t>(coset_of(mask.dilation, k))] += value;
+  }
+  for (std::size_t i = 0; i < sums.size(); ++i)
+    if (sums[i] != 1)
       return at(place,
                 fmt::format("the mask's coefficients for the new points {} sum to {}, not 1",
-                            points_of_coset(scheme, i / 2, i % 2), to_string(sum)),
-                "a coset of the mask, every second coefficient of every second row, makes one "
-                "kind of new point");
+                            points_of_coset(scheme, members[i]), to_string(sums[i])),
+                "a coset of the mask makes one kind of new point: in a dyadic scheme, every second "
+                "coefficient of every second row");
   return Done{};
 }
 
 /// All offsets must have the parity that the split needs, and each coset must sum to 1.
-Result<Mask> checked(const Scheme& scheme, Polynomial polynomial, const Place& place) {
+Result<Mask> checked(const Scheme& scheme, Laurent polynomial, const Place& place) {
   const int parity = scheme.split->births_corners ? 1 : 0;
   const auto fits = [parity](int doubled) { return std::abs(doubled % 2) == parity; };
   const auto far = [](int doubled) { return std::abs(doubled) > 2 * kLargestReach; };
-  Mask mask{scheme.split->lattice, {}};
+  Mask mask{scheme.split->lattice, scheme.split->dilation, {}};
   for (auto& [offset, value] : polynomial) {
     if (value == 0) continue;
     const auto [x, y] = offset;
@@ -144,7 +126,7 @@ Result<Mask> checked(const Scheme& scheme, Polynomial polynomial, const Place& p
 }
 
 /// The longest way that the directions take from the centre, in refined edges along an axis.
-int reach(const std::vector<std::pair<Offset, int>>& directions) {
+int reach(const std::vector<std::pair<LatticeVector, int>>& directions) {
   int x = 0;
   int y = 0;
   for (const auto& [step, count] : directions) {
@@ -158,32 +140,34 @@ int reach(const std::vector<std::pair<Offset, int>>& directions) {
 }  // namespace
 
 Result<Mask> mask_from_rows(const Scheme& scheme, const Rows& rows) {
-  if (Status status = check_dyadic(scheme, rows.place); !status) return status.error();
-  Result<Polynomial> polynomial = polynomial_from_rows(scheme, rows);
+  Result<Laurent> polynomial = polynomial_from_rows(scheme, rows);
   if (!polynomial) return polynomial.error();
   return checked(scheme, std::move(*polynomial), rows.place);
 }
 
 Result<Mask> mask_from_factors(const Scheme& scheme, const Factors& factors) {
-  if (Status status = check_dyadic(scheme, factors.place); !status) return status.error();
-  std::vector<std::pair<Offset, int>> directions;
+  const Split& split = *scheme.split;
+  std::vector<std::pair<LatticeVector, int>> directions;
   if (factors.stages) {
     const Result<int> stages = count_value(scheme, *factors.stages);
     if (!stages) return stages.error();
-    directions = {{{1, 0}, *stages}, {{0, 1}, *stages}};
-    if (scheme.split->lattice == Lattice::triangle) directions.push_back({{1, 1}, *stages});
+    for (const LatticeVector step : edge_directions(split.lattice))
+      directions.emplace_back(step, *stages);
   }
   for (const auto& [step, formula] : factors.directions) {
     const Result<int> count = count_value(scheme, formula);
     if (!count) return count.error();
     directions.push_back({step, *count});
   }
-  if (reach(directions) > kLargestReach) return too_far(factors.place);
-  Polynomial polynomial{{{0, 0}, Rational(4)}};
-  for (const auto& [step, count] : directions)
-    for (int i = 0; i < count; ++i) polynomial = smoothed(polynomial, step);
+  const int box = arity(split.dilation);
+  if (reach(directions) * (box - 1) > kLargestReach) return too_far(factors.place);
+  Laurent polynomial{{{0, 0}, Rational(split.dilation.growth())}};
+  for (const auto& [step, count] : directions) {
+    const Laurent smoothing = scaled(centred_box(step, box), Rational(1, box));
+    for (int i = 0; i < count; ++i) polynomial = product(polynomial, smoothing);
+  }
   if (factors.kernel) {
-    Result<Polynomial> kernel = polynomial_from_rows(scheme, *factors.kernel);
+    Result<Laurent> kernel = polynomial_from_rows(scheme, *factors.kernel);
     if (!kernel) return kernel.error();
     polynomial = product(polynomial, *kernel);
   }

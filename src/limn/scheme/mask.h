@@ -1,28 +1,28 @@
 #pragma once
-/// The regular mask: refining the regular lattice is new(m) = Σ_j a(m − 2j) old(j), with m in the
+/// The regular mask: refining the regular lattice is new(m) = Σ_j a(m − M j) old(j), with m in the
 /// refined lattice. A scheme can be given by it, or by its factors; rules for regular meshes
 /// then follow from it.
 
-#include <array>
-#include <map>
-
+#include "limn/mesh/dilation.h"
 #include "limn/mesh/lattice.h"
+#include "limn/number/laurent.h"
 #include "limn/scheme/scheme.h"
 
 namespace limn {
 
-/// Coefficients a(k) of a dyadic split, by *twice* the offset k from the mask's centre, in
-/// the basis of mesh/lattice.h: even pairs for primal splits, odd pairs for dual ones. They sum to
-/// |det M| = 4, and to 1 over each of the four cosets.
+/// Coefficients a(k) by *twice* the offset k from the mask's centre, in the basis of the refined
+/// lattice (mesh/dilation.h, mesh/lattice.h): even pairs for primal splits, odd pairs for dual
+/// ones. They sum to |det M|, and to 1 over each coset of M Z².
 struct Mask {
   Lattice lattice = Lattice::triangle;
-  std::map<std::array<int, 2>, Rational> coefficients;  // none of them 0
+  LatticeMatrix dilation;
+  Laurent coefficients;  ///< none of them 0
 };
 
-/// The key in `coefficients` of a new vertex that lies `way` from an old one: twice the offset in
-/// the refined lattice of a dyadic split.
-[[nodiscard]] inline std::array<int, 2> mask_offset(Twelfths way) {
-  return {way[0] / 3, way[1] / 3};
+/// Twice the offset, in the refined lattice, of a new vertex that lies `way` from an old one.
+[[nodiscard]] inline LatticeVector mask_offset(const LatticeMatrix& dilation, Twelfths way) {
+  const LatticeVector offset = dilation.apply(way);
+  return {offset[0] / 6, offset[1] / 6};
 }
 
 /// The mask that rows or factors denote, at the scheme's present parameters. Fails, with the

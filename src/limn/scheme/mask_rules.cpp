@@ -91,8 +91,8 @@ std::optional<std::vector<Weight>> weights_of(const Mask& mask, RuleKind kind, c
   std::set<Index> wanted;
   for (Index v = 0; v < mesh.vertex_count(); ++v) {
     const Twelfths old{12 * (v % kSide), 12 * (v / kSide)};
-    const auto found =
-        mask.coefficients.find(mask_offset(torus_difference(old, birth, kSide, kSide)));
+    const auto found = mask.coefficients.find(
+        mask_offset(mask.dilation, torus_difference(old, birth, kSide, kSide)));
     if (found == mask.coefficients.end()) continue;
     values[v] = found->second;
     wanted.insert(v);

@@ -1,0 +1,179 @@
+#include "limn/regular/artifacts.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+#include "limn/regular/limit_values.h"
+
+namespace limn {
+namespace {
+
+const double kTwoPi = 2 * std::acos(-1.0);
+
+double percent(double artifacts, double signal) {
+  if (artifacts == 0) return 0;
+  if (signal == 0) return std::numeric_limits<double>::infinity();
+  return 100 * artifacts / std::abs(signal);
+}
+
+Symbol symbol_of(const std::map<LatticeVector, double>& values) {
+  std::vector<Symbol::Term> all;
+  for (const auto& [k, value] : values)
+    all.push_back({{static_cast<double>(k[0]), static_cast<double>(k[1])}, value});
+  return Symbol(all);
+}
+
+double square(double x) { return x * x; }
+
+}  // namespace
+
+double Components::sum() const { return std::accumulate(artifacts.begin(), artifacts.end(), 0.0); }
+
+double Components::mean_energy() const {
+  double squares = 0;
+  for (const double artifact : artifacts) squares += square(artifact);
+  return std::sqrt(squares / static_cast<double>(artifacts.size()));
+}
+
+double Components::percent_of_signal() const { return percent(mean_energy(), signal); }
+
+Result<ArtifactAnalysis> ArtifactAnalysis::of(const Mask& mask) {
+  if (!is_point_symmetric(mask.coefficients))
+    return Error{
+        "the mask is not the same from both sides of its centre: its artifacts have no "
+        "real magnitudes",
+        "a(-k) must be a(k)",
+        {},
+        0,
+        0};
+  return ArtifactAnalysis(mask);
+}
+
+ArtifactAnalysis::ArtifactAnalysis(const Mask& mask)
+    : mask_(mask),
+      factors_(factor(mask)),
+      aliases_(dual_cosets(mask.dilation)),
+      symbol_(mask.coefficients, 1.0 / mask.dilation.growth()),
+      stage_(smoothing_stage(mask.lattice, mask.dilation)) {
+  const auto& m = mask.dilation.rows;
+  for (int a = -2; a <= 2; ++a)
+    for (int b = -2; b <= 2; ++b)
+      shortest_.push_back({m[0][0] * a + m[1][0] * b, m[0][1] * a + m[1][1] * b});
+  const auto limit = approx_limit_stencil(mask);
+  if (limit)
+    limit_ = symbol_of(*limit);
+  else
+    limit_status_ = limit.error();
+  const auto inner = approx_inner_products(mask);
+  if (inner)
+    inner_products_ = symbol_of(*inner);
+  else
+    energy_status_ = inner.error();
+}
+
+std::vector<Frequency> ArtifactAnalysis::artifact_frequencies(Frequency f) const {
+  std::vector<Frequency> frequencies;
+  for (std::size_t i = 1; i < aliases_.size(); ++i) {
+    Frequency nearest{};
+    double least = std::numeric_limits<double>::infinity();
+    for (const LatticeVector& shift : shortest_) {
+      const LatticeVector kappa{aliases_[i][0] + shift[0], aliases_[i][1] + shift[1]};
+      const Frequency way =
+          frequency_of_phase(mask_.lattice, {kTwoPi * kappa[0], kTwoPi * kappa[1]});
+      const Frequency sum{f[0] + way[0], f[1] + way[1]};
+      const double length = std::hypot(sum[0], sum[1]);
+      // the margin keeps ties, at f along an axis, from being decided by rounding
+      if (length < least - 1e-12) {
+        least = length;
+        nearest = sum;
+      }
+    }
+    frequencies.push_back(nearest);
+  }
+  return frequencies;
+}
+
+std::vector<Phase> ArtifactAnalysis::refined_phases(Frequency f) const {
+  std::vector<Phase> phases{mask_.dilation.refined_phase(control_phase(mask_.lattice, f))};
+  for (const Frequency& g : artifact_frequencies(f))
+    phases.push_back(mask_.dilation.refined_phase(control_phase(mask_.lattice, g)));
+  return phases;
+}
+
+Components ArtifactAnalysis::after_stages(Frequency f, int stages) const {
+  Components result;
+  for (const Phase& theta : refined_phases(f))
+    result.artifacts.push_back(std::pow(stage_(theta), stages));
+  result.signal = result.artifacts.front();
+  result.artifacts.erase(result.artifacts.begin());
+  return result;
+}
+
+Components ArtifactAnalysis::after_steps(Frequency f, int steps) const {
+  Components result;
+  for (Phase theta : refined_phases(f)) {
+    double value = 1;
+    for (int step = 0; step < steps; ++step) {
+      value *= symbol_(theta);
+      theta = mask_.dilation.refined_phase(theta);
+    }
+    result.artifacts.push_back(value);
+  }
+  result.signal = result.artifacts.front();
+  result.artifacts.erase(result.artifacts.begin());
+  return result;
+}
+
+Components ArtifactAnalysis::in_limit(Frequency f) const {
+  Components result;
+  for (const Phase& theta : refined_phases(f))
+    result.artifacts.push_back(symbol_(theta) * limit_(theta));
+  result.signal = result.artifacts.front();
+  result.artifacts.erase(result.artifacts.begin());
+  return result;
+}
+
+double ArtifactAnalysis::amplitude(Frequency g) const {
+  Phase theta = control_phase(mask_.lattice, g);
+  double value = 1;
+  // m = 1 - O(θ²), so that what is left of the product differs from 1 by O(θ²)
+  while (std::max(std::abs(theta[0]), std::abs(theta[1])) > 1e-9 && value != 0) {
+    theta = mask_.dilation.refined_phase(theta);
+    value *= symbol_(theta);
+  }
+  return value;
+}
+
+double ArtifactAnalysis::energy(Frequency f) const {
+  const double all = inner_products_(control_phase(mask_.lattice, f));
+  return std::max(0.0, all - square(amplitude(f)));
+}
+
+double ArtifactAnalysis::energy_percent(Frequency f) const {
+  return percent(std::sqrt(energy(f)), amplitude(f));
+}
+
+double ArtifactAnalysis::steps_energy(Frequency f, int steps) const {
+  // Σ over the waves on the finest lattice of their squares: the transition operator of the
+  // autocorrelation, applied `steps` times to the constant 1
+  const Mask squared = autocorrelation(mask_);
+  std::map<LatticeVector, double> sums{{{0, 0}, 1.0}};
+  for (int step = 0; step < steps; ++step) {
+    std::map<LatticeVector, double> next;
+    for (const auto& [k, weight] : squared.coefficients)
+      for (const auto& [j, value] : sums)
+        if (const auto i = mask_.dilation.divide({k[0] / 2 + j[0], k[1] / 2 + j[1]}))
+          next[*i] += to_double(weight) * value;
+    sums = std::move(next);
+  }
+  const double all = symbol_of(sums)(control_phase(mask_.lattice, f));
+  return std::max(0.0, all - square(after_steps(f, steps).signal));
+}
+
+double ArtifactAnalysis::steps_energy_percent(Frequency f, int steps) const {
+  return percent(std::sqrt(steps_energy(f, steps)), after_steps(f, steps).signal);
+}
+
+}  // namespace limn

@@ -1,0 +1,96 @@
+#pragma once
+/// Artifacts on the regular lattice [ADS]: what one refinement makes of a pure wave on the
+/// control points. The wave comes back as |det M| waves: the signal, which has its frequency f, and
+/// |det M| - 1 artifacts, one for each other class κ of the dual lattice (dual_cosets), which no
+/// movement of control points can remove.
+///
+/// Components are signed and relative to the wave's amplitude. All are computed in double
+/// precision from the exact mask; they are right to about 1e-14.
+///
+/// An artifact's frequency is f + κ, with κ the member of its class for which |f + κ| is least:
+/// the ripple that one sees. (On the first refined lattice all members are the same wave. Of dual
+/// splits, where the new points lie between lattice points, the choice fixes the sign.)
+
+#include <optional>
+#include <vector>
+
+#include "limn/regular/factors.h"
+#include "limn/regular/symbol.h"
+#include "limn/scheme/mask.h"
+
+namespace limn {
+
+/// Magnitudes of the signal and of the artifacts, in the order of dual_cosets.
+struct Components {
+  double signal = 0;
+  std::vector<double> artifacts;
+
+  /// Of the artifacts.
+  [[nodiscard]] double sum() const;
+  /// sqrt(mean of their squares)
+  [[nodiscard]] double mean_energy() const;
+  /// 100 · mean_energy / |signal|; infinite where the signal vanishes.
+  [[nodiscard]] double percent_of_signal() const;
+};
+
+class ArtifactAnalysis {
+ public:
+  /// Fails where the mask is not point-symmetric: its components would not be real.
+  [[nodiscard]] static Result<ArtifactAnalysis> of(const Mask& mask);
+
+  [[nodiscard]] const Mask& mask() const { return mask_; }
+  [[nodiscard]] const Factorization& factors() const { return factors_; }
+  /// |det M| - 1
+  [[nodiscard]] int artifact_count() const { return mask_.dilation.growth() - 1; }
+
+  /// The frequencies of the artifacts of f: f + κ.
+  [[nodiscard]] std::vector<Frequency> artifact_frequencies(Frequency f) const;
+
+  /// After one refinement and `stages` smoothing stages alone, 0 ≤ stages [ADS §2.3]. (ADS's R_N^s;
+  /// the scheme's kernel and single directions are left out.)
+  [[nodiscard]] Components after_stages(Frequency f, int stages) const;
+  /// After `steps` ≥ 1 steps: each wave, once made by the first step, is multiplied by its symbol
+  /// on each finer lattice. (Later steps make further artifacts: see steps_energy.)
+  [[nodiscard]] Components after_steps(Frequency f, int steps) const;
+
+  /// Whether the scheme has limit values, and if not, why. Needed by the functions below.
+  [[nodiscard]] const Status& limit_status() const { return limit_status_; }
+  /// The limit surface at the points of the first refined lattice [ADS §2.4]: one step, times the
+  /// symbol of the limit stencil. Higher harmonics are folded in.
+  [[nodiscard]] Components in_limit(Frequency f) const;
+  /// The limit stencil's symbol, at phases of the lattice it is applied on.
+  [[nodiscard]] const Symbol& limit_symbol() const { return limit_; }
+
+  /// Amplitude in the limit surface of the wave of any frequency g itself, φ̂(g) = Π_j m(M⁻ᵀʲ t(g)).
+  /// The limit of the wave f holds f + κ with amplitude φ̂(f + κ), for every κ of the dual lattice.
+  [[nodiscard]] double amplitude(Frequency g) const;
+  /// Whether the limit has finite energy (φ in L²), and if not, why.
+  [[nodiscard]] const Status& energy_status() const { return energy_status_; }
+  /// All waves of the limit surface but f together: Σ_κ |φ̂(f + κ)|² - |φ̂(f)|², exact up to rounding
+  /// (absolute error about 1e-15): from the inner products of φ. Precondition:
+  /// energy_status().ok().
+  [[nodiscard]] double energy(Frequency f) const;
+  /// 100 · sqrt(energy(f)) / |φ̂(f)|
+  [[nodiscard]] double energy_percent(Frequency f) const;
+  /// The same after `steps` ≥ 1 steps, of the |det M|^steps - 1 artifacts on that lattice.
+  [[nodiscard]] double steps_energy(Frequency f, int steps) const;
+  [[nodiscard]] double steps_energy_percent(Frequency f, int steps) const;
+
+  /// The one-step symbol, at phases of the refined lattice.
+  [[nodiscard]] const Symbol& symbol() const { return symbol_; }
+
+ private:
+  explicit ArtifactAnalysis(const Mask& mask);
+  /// Phases on the first refined lattice of f and of its artifacts.
+  [[nodiscard]] std::vector<Phase> refined_phases(Frequency f) const;
+
+  Mask mask_;
+  Factorization factors_;
+  std::vector<LatticeVector> aliases_;   // κ, the signal's 0 first
+  std::vector<LatticeVector> shortest_;  // of Mᵀ Z², to find the member of a class nearest to -f
+  Symbol symbol_, stage_, limit_, inner_products_;
+  Status limit_status_ = Done{};
+  Status energy_status_ = Done{};
+};
+
+}  // namespace limn

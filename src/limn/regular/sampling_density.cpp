@@ -1,0 +1,107 @@
+#include "limn/regular/sampling_density.h"
+
+#include <cmath>
+
+#include <fmt/core.h>
+
+namespace limn {
+namespace {
+
+constexpr int kDirections = 180;
+constexpr int kSteps = 256;
+const double kDegree = std::acos(-1.0) / 180;
+
+/// Where the ray leaves the Nyquist region.
+double rim(Lattice lattice, double angle) {
+  const std::vector<Frequency> corners = nyquist_region(lattice);
+  const Frequency ray{std::cos(angle), std::sin(angle)};
+  double length = 0;
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const Frequency& a = corners[i];
+    const Frequency& b = corners[(i + 1) % corners.size()];
+    const Frequency edge{b[0] - a[0], b[1] - a[1]};
+    const double across = ray[0] * edge[1] - ray[1] * edge[0];
+    if (across <= 1e-12) continue;  // the ray does not leave through this side
+    const double way = (a[0] * edge[1] - a[1] * edge[0]) / across;
+    if (length == 0 || way < length) length = way;
+  }
+  return length;
+}
+
+class Search {
+ public:
+  Search(const ArtifactAnalysis& analysis, double tolerance, ArtifactMeasure measure)
+      : analysis_(analysis), tolerance_(tolerance), measure_(measure) {}
+
+  [[nodiscard]] DirectionalDensity along(double degrees) const {
+    const double angle = degrees * kDegree;
+    const double far = rim(analysis_.mask().lattice, angle);
+    DirectionalDensity result{degrees, far, 1 / far, false};
+    for (int step = 1; step <= kSteps; ++step) {
+      const double length = far * step / kSteps;
+      if (!exceeded(angle, length)) continue;
+      double inside = far * (step - 1) / kSteps;
+      double outside = length;
+      while (outside - inside > 1e-13) {
+        const double middle = (inside + outside) / 2;
+        (exceeded(angle, middle) ? outside : inside) = middle;
+      }
+      return {degrees, inside, 1 / inside, true};
+    }
+    return result;
+  }
+
+  /// The extreme direction near one of the sampled: `sign` 1 looks for the largest |f|.
+  [[nodiscard]] DirectionalDensity refined(const DirectionalDensity& sampled, double sign) const {
+    DirectionalDensity best = sampled;
+    for (double step = 0.5; step > 1e-4; step /= 2)
+      for (const double degrees : {best.direction - step, best.direction + step}) {
+        const DirectionalDensity candidate = along(degrees);
+        if (sign * candidate.frequency > sign * best.frequency + 1e-12) best = candidate;
+      }
+    best.direction = std::fmod(best.direction + 360, 180);
+    return best;
+  }
+
+ private:
+  [[nodiscard]] bool exceeded(double angle, double length) const {
+    const Frequency f{length * std::cos(angle), length * std::sin(angle)};
+    const double percent = measure_ == ArtifactMeasure::total_energy
+                               ? analysis_.energy_percent(f)
+                               : analysis_.in_limit(f).percent_of_signal();
+    return !(percent <= tolerance_);
+  }
+
+  const ArtifactAnalysis& analysis_;
+  double tolerance_;
+  ArtifactMeasure measure_;
+};
+
+}  // namespace
+
+Result<SamplingDensity> sampling_density(const ArtifactAnalysis& analysis, double tolerance,
+                                         ArtifactMeasure measure) {
+  if (!(tolerance >= kLeastTolerance && tolerance <= 100))
+    return Error{fmt::format("a tolerance of {} percent", tolerance),
+                 fmt::format("it is a percentage from {} to 100", kLeastTolerance),
+                 {},
+                 0,
+                 0};
+  const Status& status =
+      measure == ArtifactMeasure::total_energy ? analysis.energy_status() : analysis.limit_status();
+  if (!status) return status.error();
+  const Search search(analysis, tolerance, measure);
+  SamplingDensity result;
+  result.tolerance = tolerance;
+  for (int degrees = 0; degrees < kDirections; ++degrees) {
+    const DirectionalDensity density = search.along(degrees);
+    if (degrees == 0 || density.frequency < result.worst.frequency - 1e-12) result.worst = density;
+    if (degrees == 0 || density.frequency > result.best.frequency + 1e-12) result.best = density;
+    result.directions.push_back(density);
+  }
+  result.worst = search.refined(result.worst, -1);
+  result.best = search.refined(result.best, 1);
+  return result;
+}
+
+}  // namespace limn

@@ -1,0 +1,36 @@
+#pragma once
+/// How densely a surface must be sampled: control edges per wavelength for a tolerance.
+
+#include "limn/regular/artifacts.h"
+
+namespace limn {
+
+/// What is held below the tolerance, in percent of the signal.
+enum class ArtifactMeasure {
+  total_energy,  ///< all artifacts of the limit surface together, ArtifactAnalysis::energy_percent
+  mean_energy    ///< [ADS]'s: mean energy of the artifacts on the first refined lattice
+};
+
+struct DirectionalDensity {
+  double direction = 0;             ///< of f, in degrees from the x axis, 0 ≤ direction < 180
+  double frequency = 0;             ///< the largest |f| up to which the tolerance is kept
+  double edges_per_wavelength = 0;  ///< 1/|f|
+  bool reached = true;              ///< false: kept in the whole Nyquist region, |f| is its rim
+};
+
+struct SamplingDensity {
+  double tolerance = 0;  ///< percent
+  DirectionalDensity worst, best;
+  std::vector<DirectionalDensity> directions;  ///< one a degree
+};
+
+/// The least tolerance that is computed: below it rounding begins to show.
+inline constexpr double kLeastTolerance = 1e-3;
+
+/// In each direction the |f| where the measure first exceeds the tolerance, to 1e-12 once it is
+/// enclosed by steps of 1/256 of the way to the rim. Fails on a tolerance outside
+/// [kLeastTolerance, 100] percent, and where the limit does not exist.
+[[nodiscard]] Result<SamplingDensity> sampling_density(const ArtifactAnalysis& analysis,
+                                                       double tolerance, ArtifactMeasure measure);
+
+}  // namespace limn
