@@ -9,7 +9,7 @@ elseif(command_sources)
   set_target_properties(limn_command PROPERTIES OUTPUT_NAME limn)
   target_compile_definitions(limn_command PRIVATE LIMN_VERSION="${PROJECT_VERSION}")
   target_link_libraries(limn_command PRIVATE
-    limn::limn CLI11::CLI11 fmt::fmt nlohmann_json::nlohmann_json)
+    limn::limn CLI11::CLI11 FastFloat::fast_float fmt::fmt nlohmann_json::nlohmann_json)
 else()
   message(STATUS "apps/limn has no sources: the command is not built")
 endif()

@@ -25,6 +25,7 @@ using Declare = void (*)(CLI::App& parser, Action& action);
 void declare_schemes(CLI::App& parser, Action& action);
 void declare_show(CLI::App& parser, Action& action);
 void declare_refine(CLI::App& parser, Action& action);
+void declare_artifacts(CLI::App& parser, Action& action);
 
 /// Prints "limn: …" on standard error; returns kBadInput.
 int report(const Error& error);

@@ -11,12 +11,19 @@ namespace {
 
 struct ShowOptions {
   SchemeOptions scheme;
+  bool latex = false;
   bool json = false;
 };
 
 int show(const ShowOptions& options) {
   const Result<Scheme> scheme = options.scheme.load();
   if (!scheme) return report(scheme.error());
+  if (options.latex) {
+    const Result<std::string> latex = describe_latex(*scheme);
+    if (!latex) return report(latex.error());
+    fmt::print("{}", *latex);
+    return kDone;
+  }
   if (options.json)
     fmt::print("{}\n", describe_json(*scheme).dump());
   else
@@ -28,12 +35,16 @@ int show(const ShowOptions& options) {
 
 void declare_show(CLI::App& parser, Action& action) {
   CLI::App* command =
-      parser.add_subcommand("show", "a scheme's rules, regular mask, parameters and source");
+      parser.add_subcommand("show", "a scheme's rules, mask, factors, closed formulas, source");
   const auto options = std::make_shared<ShowOptions>();
   command->add_option("SCHEME", options->scheme.name, "a shipped scheme, or a scheme file")
       ->required();
   options->scheme.declare_parameters(*command);
-  command->add_flag("--json", options->json, "print one JSON object");
+  CLI::Option* json = command->add_flag("--json", options->json, "print one JSON object");
+  command
+      ->add_flag("--latex", options->latex,
+                 "print mask, factors, limit stencil and artifact formulas as LaTeX")
+      ->excludes(json);
   command->footer("Example: limn show laplacian-butterfly -p b=3/16");
   command->callback([&action, options] { action = [options] { return show(*options); }; });
 }

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "limn/regular/regular_mask.h"
+#include "limn/report/lattice_report.h"
 #include "limn/scheme/placement.h"
 
 namespace limn {
@@ -60,16 +61,6 @@ std::string case_text(const Scheme& scheme, RuleKind kind, const RuleCase& rule_
   return text;
 }
 
-std::string indented(const std::string& text) {
-  std::string result;
-  for (std::size_t at = 0; at < text.size();) {
-    const std::size_t end = std::min(text.find('\n', at), text.size());
-    result += "  " + text.substr(at, end - at) + "\n";
-    at = end + 1;
-  }
-  return result;
-}
-
 Json rule_json(const Scheme& scheme, RuleKind kind, const Rule& rule) {
   Json cases = Json::array();
   for (const RuleCase& rule_case : rule) {
@@ -85,13 +76,6 @@ Json rule_json(const Scheme& scheme, RuleKind kind, const Rule& rule) {
     cases.push_back(std::move(entry));
   }
   return cases;
-}
-
-Json mask_json(const Mask& mask) {
-  Json coefficients = Json::array();
-  for (const auto& [offset, value] : mask.coefficients)
-    coefficients.push_back({{"twice_offset", {offset[0], offset[1]}}, {"value", to_string(value)}});
-  return coefficients;
 }
 
 Json parameters_json(const Scheme& scheme) {
@@ -131,8 +115,8 @@ std::string describe(const Scheme& scheme) {
   }
   if (!any) text += "  none: the mask lacks the lattice's symmetry\n";
   const Result<Mask> mask = regular_mask(scheme);
-  if (mask) text += "\nmask on the regular lattice\n" + indented(to_string(*mask));
-  return text;
+  return text + (mask ? lattice_text(*mask)
+                      : fmt::format("\nno analysis on the lattice: {}\n", mask.error().text()));
 }
 
 nlohmann::ordered_json summary_json(const Scheme& scheme) {
@@ -156,8 +140,14 @@ nlohmann::ordered_json describe_json(const Scheme& scheme) {
       json["rules"][std::string(rule_name(kind))] = rule_json(scheme, kind, *scheme.rule(kind));
   }
   const Result<Mask> mask = regular_mask(scheme);
-  json["mask"] = mask ? mask_json(*mask) : Json();
+  json.update(mask ? lattice_json(*mask) : Json{{"mask", nullptr}});
   return json;
+}
+
+Result<std::string> describe_latex(const Scheme& scheme) {
+  const Result<Mask> mask = regular_mask(scheme);
+  if (!mask) return mask.error();
+  return lattice_latex(scheme.name, *mask);
 }
 
 }  // namespace limn

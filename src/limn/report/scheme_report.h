@@ -13,9 +13,14 @@ namespace limn {
 
 /// The same for programs: {"name", "title", "split", "source", "notes", "file", "parameters":
 /// [{"name", "value", "range", "meaning"}], "lets": {name: expression}, "rules": {rule:
-/// [{"when", "weights": [{"role", "walk", "positions", "weight"}]}]}, "mask": {"denominator"…} or
-/// null}. Weights and mask coefficients are strings, exact.
+/// [{"when", "weights": [{"role", "walk", "positions", "weight"}]}]}, and what
+/// lattice_json says; "mask" is null where there is none}. Weights and coefficients are strings,
+/// exact.
 [[nodiscard]] nlohmann::ordered_json describe_json(const Scheme& scheme);
+
+/// LaTeX for a paper: mask, factors, limit stencil and artifact formulas (needs amsmath). Fails
+/// where regular_mask does.
+[[nodiscard]] Result<std::string> describe_latex(const Scheme& scheme);
 
 /// Name, title, split and parameters only.
 [[nodiscard]] nlohmann::ordered_json summary_json(const Scheme& scheme);

@@ -1,0 +1,188 @@
+#include <cmath>
+#include <memory>
+
+#include <fast_float/fast_float.h>
+#include <fmt/core.h>
+#include <nlohmann/json.hpp>
+
+#include "command.h"
+#include "limn/regular/regular_mask.h"
+#include "limn/report/artifact_report.h"
+
+namespace limn::app {
+namespace {
+
+constexpr double kLargestFrequency = 1000;
+constexpr int kMostSteps = 30;
+constexpr int kMostStages = 64;
+
+struct ArtifactOptions {
+  std::vector<std::string> schemes;
+  SchemeOptions parameters;
+  std::string frequency;
+  std::string tolerance;
+  int steps = 0;
+  int stages = -1;
+  bool json = false;
+
+  [[nodiscard]] bool wants_values() const { return !frequency.empty(); }
+  [[nodiscard]] bool wants_sampling() const { return frequency.empty() || !tolerance.empty(); }
+  [[nodiscard]] Stage stage() const {
+    if (steps > 0) return {Stage::Kind::steps, steps};
+    if (stages >= 0) return {Stage::Kind::smoothing, stages};
+    return {};
+  }
+};
+
+/// The whole of `text` as one finite number.
+bool read_number(std::string_view text, double& value) {
+  const auto [end, fault] = fast_float::from_chars(text.data(), text.data() + text.size(), value);
+  return fault == std::errc() && end == text.data() + text.size() && std::isfinite(value);
+}
+
+Result<Frequency> read_frequency(const std::string& text) {
+  Frequency f{};
+  const std::size_t comma = text.find(',');
+  if (comma == std::string::npos || !read_number(std::string_view(text).substr(0, comma), f[0]) ||
+      !read_number(std::string_view(text).substr(comma + 1), f[1]))
+    return Error{fmt::format("--frequency: '{}' is not a frequency", text),
+                 "two numbers fx,fy, in cycles per control edge, as 0.1,0.05",
+                 {},
+                 0,
+                 0};
+  if (std::hypot(f[0], f[1]) > kLargestFrequency)
+    return Error{fmt::format("--frequency: {} is beyond {} cycles per control edge", text,
+                             kLargestFrequency),
+                 "a wave beyond about half a cycle per edge is, on the control points, the same as "
+                 "one below",
+                 {},
+                 0,
+                 0};
+  return f;
+}
+
+Result<double> read_tolerance(const std::string& text) {
+  double tolerance = 0;
+  if (!read_number(text, tolerance))
+    return Error{fmt::format("--tolerance: '{}' is not a number", text),
+                 "percent of the signal, as 1",
+                 {},
+                 0,
+                 0};
+  return tolerance;
+}
+
+Result<std::vector<NamedAnalysis>> load(const ArtifactOptions& options) {
+  std::vector<NamedAnalysis> list;
+  for (const std::string& name : options.schemes) {
+    SchemeOptions one = options.parameters;
+    one.name = name;
+    const Result<Scheme> scheme = one.load();
+    if (!scheme) return scheme.error();
+    const Result<Mask> mask = regular_mask(*scheme);
+    if (!mask) return mask.error();
+    Result<ArtifactAnalysis> analysis = ArtifactAnalysis::of(*mask);
+    if (!analysis) {
+      analysis.error().file = scheme->file;
+      return analysis.error();
+    }
+    list.push_back({scheme->name, *std::move(analysis)});
+  }
+  return list;
+}
+
+/// One scheme's object, or {"schemes": […]} of several.
+template <class Make>
+int print_json(const std::vector<NamedAnalysis>& schemes, Make make) {
+  nlohmann::ordered_json list = nlohmann::ordered_json::array();
+  for (const NamedAnalysis& scheme : schemes) {
+    const Result<nlohmann::ordered_json> json = make(scheme);
+    if (!json) return report(json.error());
+    list.push_back(*json);
+  }
+  if (list.size() == 1)
+    fmt::print("{}\n", list.front().dump());
+  else
+    fmt::print("{}\n", nlohmann::ordered_json{{"schemes", list}}.dump());
+  return kDone;
+}
+
+Result<nlohmann::ordered_json> analysis_json(const NamedAnalysis& scheme,
+                                             const ArtifactOptions& options, Frequency f,
+                                             double tolerance) {
+  nlohmann::ordered_json json;
+  if (options.wants_values()) {
+    const Result<nlohmann::ordered_json> values = artifacts_json(scheme, f, options.stage());
+    if (!values) return values.error();
+    json.update(*values);
+  }
+  if (options.wants_sampling()) {
+    const Result<nlohmann::ordered_json> sampling = sampling_json(scheme, tolerance);
+    if (!sampling) return sampling.error();
+    json.update(*sampling);
+  }
+  return json;
+}
+
+int print_text(const std::vector<NamedAnalysis>& schemes, const ArtifactOptions& options,
+               Frequency f, double tolerance) {
+  Result<std::string> values = std::string();
+  Result<std::string> sampling = std::string();
+  if (options.wants_values()) values = artifacts_text(schemes, f, options.stage());
+  if (!values) return report(values.error());
+  if (options.wants_sampling()) sampling = sampling_text(schemes, tolerance);
+  if (!sampling) return report(sampling.error());
+  fmt::print("{}{}", *values, *sampling);
+  return kDone;
+}
+
+int analyse(const ArtifactOptions& options) {
+  const Result<Frequency> f =
+      options.wants_values() ? read_frequency(options.frequency) : Frequency{};
+  if (!f) return report(f.error());
+  const Result<double> tolerance =
+      options.tolerance.empty() ? 1.0 : read_tolerance(options.tolerance);
+  if (!tolerance) return report(tolerance.error());
+  const Result<std::vector<NamedAnalysis>> schemes = load(options);
+  if (!schemes) return report(schemes.error());
+  if (!options.json) return print_text(*schemes, options, *f, *tolerance);
+  return print_json(*schemes, [&](const NamedAnalysis& scheme) {
+    return analysis_json(scheme, options, *f, *tolerance);
+  });
+}
+
+}  // namespace
+
+void declare_artifacts(CLI::App& parser, Action& action) {
+  CLI::App* command =
+      parser.add_subcommand("artifacts", "ripples that no control point can remove, by frequency");
+  const auto options = std::make_shared<ArtifactOptions>();
+  command->add_option("SCHEME", options->schemes, "shipped schemes, or scheme files")->required();
+  command
+      ->add_option("-f,--frequency", options->frequency,
+                   "a wave's frequency, Cartesian, in cycles per control edge")
+      ->type_name("FX,FY");
+  CLI::Option* steps =
+      command->add_option("--steps", options->steps, "after so many steps, not in the limit")
+          ->check(CLI::Range(1, kMostSteps))
+          ->needs("--frequency");
+  command
+      ->add_option("--stages", options->stages,
+                   "after one refinement and so many smoothing stages alone")
+      ->check(CLI::Range(0, kMostStages))
+      ->needs("--frequency")
+      ->excludes(steps);
+  command
+      ->add_option("--tolerance", options->tolerance,
+                   "how densely to sample for artifacts of so many percent of the signal "
+                   "(without --frequency: 1)")
+      ->type_name("PERCENT");
+  options->parameters.declare_parameters(*command);
+  command->add_flag("--json", options->json, "print one JSON object");
+  command->footer(
+      "Example: limn artifacts loop --frequency 0.2,0.1\n"
+      "         limn artifacts loop butterfly interpolating-loop --tolerance 1");
+  command->callback([&action, options] { action = [options] { return analyse(*options); }; });
+}
+
+}  // namespace limn::app

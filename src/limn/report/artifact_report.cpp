@@ -1,0 +1,170 @@
+#include "limn/report/artifact_report.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/core.h>
+#include <nlohmann/json.hpp>
+
+namespace limn {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json finite(double value) { return std::isfinite(value) ? Json(value) : Json(); }
+
+Json density_json(const DirectionalDensity& density) {
+  return {{"direction_degrees", density.direction},
+          {"frequency", density.frequency},
+          {"edges_per_wavelength", density.edges_per_wavelength},
+          {"reached", density.reached}};
+}
+
+Error named(const NamedAnalysis& scheme, Error error) {
+  error.message = fmt::format("scheme '{}': {}", scheme.name, error.message);
+  return error;
+}
+
+std::size_t longest_name(const std::vector<NamedAnalysis>& schemes) {
+  std::size_t longest = 6;
+  for (const NamedAnalysis& scheme : schemes) longest = std::max(longest, scheme.name.size());
+  return longest;
+}
+
+std::string percent_text(double percent) {
+  return std::isfinite(percent) ? fmt::format("{:.6g} %", percent) : "no signal is left";
+}
+
+/// A waves' frequency, as people read it.
+std::string wave_text(Frequency f) {
+  const double length = std::hypot(f[0], f[1]);
+  return length == 0 ? "constant" : fmt::format("{:.4g} edges long", 1 / length);
+}
+
+std::string values_text(const NamedAnalysis& scheme, Frequency f, const StageValues& values,
+                        Stage stage) {
+  std::string text = scheme.name + "\n";
+  text += fmt::format("  signal   {: .9f}  {}\n", values.components.signal, wave_text(f));
+  const std::vector<Frequency> waves = scheme.analysis.artifact_frequencies(f);
+  for (std::size_t i = 0; i < waves.size(); ++i)
+    text += fmt::format("  {:<7}  {: .9f}  {}\n", artifact_name(static_cast<int>(i)),
+                        values.components.artifacts[i], wave_text(waves[i]));
+  text += fmt::format("  sum      {: .9f}\n  mean     {: .9f}  (energy) {} of the signal\n",
+                      values.components.sum(), values.components.mean_energy(),
+                      percent_text(values.components.percent_of_signal()));
+  const char* what = stage.kind == Stage::Kind::limit
+                         ? "all waves of the limit surface but the signal"
+                         : "all artifacts together";
+  return text +
+         fmt::format("  {}: {} of the signal\n", what, percent_text(values.total_energy_percent));
+}
+
+std::string density_text(const DirectionalDensity& density) {
+  return fmt::format("{:>6.3f}{} at {:>3.0f}°", density.edges_per_wavelength,
+                     density.reached ? " " : "≤", density.direction);
+}
+
+}  // namespace
+
+std::string to_string(Stage stage) {
+  const std::string plural = stage.count == 1 ? "" : "s";
+  switch (stage.kind) {
+    case Stage::Kind::limit: return "in the limit";
+    case Stage::Kind::steps: return fmt::format("after {} step{}", stage.count, plural);
+    case Stage::Kind::smoothing:
+      return fmt::format("after refinement and {} smoothing stage{}", stage.count, plural);
+  }
+  return {};
+}
+
+std::string artifact_name(int artifact) { return fmt::format("Y{}", artifact + 1); }
+
+Result<StageValues> values_at(const ArtifactAnalysis& analysis, Frequency f, Stage stage) {
+  StageValues values;
+  if (stage.kind == Stage::Kind::steps) {
+    values.components = analysis.after_steps(f, stage.count);
+    values.total_energy_percent = analysis.steps_energy_percent(f, stage.count);
+    return values;
+  }
+  if (stage.kind == Stage::Kind::smoothing) {
+    values.components = analysis.after_stages(f, stage.count);
+    // one refinement alone: the artifacts are all there are
+    values.total_energy_percent = values.components.percent_of_signal() *
+                                  std::sqrt(static_cast<double>(analysis.artifact_count()));
+    return values;
+  }
+  for (const Status* status : {&analysis.limit_status(), &analysis.energy_status()})
+    if (!*status) return status->error();
+  values.components = analysis.in_limit(f);
+  values.total_energy_percent = analysis.energy_percent(f);
+  return values;
+}
+
+Result<nlohmann::ordered_json> artifacts_json(const NamedAnalysis& scheme, Frequency f,
+                                              Stage stage) {
+  const Result<StageValues> values = values_at(scheme.analysis, f, stage);
+  if (!values) return named(scheme, values.error());
+  const Components& components = values->components;
+  Json json{{"scheme", scheme.name}, {"frequency", {f[0], f[1]}}};
+  if (stage.kind == Stage::Kind::smoothing)
+    json["smoothing_stages"] = stage.count;
+  else
+    json["stage"] = stage.kind == Stage::Kind::limit ? Json("limit") : Json(stage.count);
+  json["signal"] = components.signal;
+  json["artifacts"] = components.artifacts;
+  json["artifact_frequencies"] = Json::array();
+  for (const Frequency& g : scheme.analysis.artifact_frequencies(f))
+    json["artifact_frequencies"].push_back({g[0], g[1]});
+  json["sum"] = components.sum();
+  json["mean_energy"] = components.mean_energy();
+  json["percent_of_signal"] = finite(components.percent_of_signal());
+  json["total_energy_percent"] = finite(values->total_energy_percent);
+  return json;
+}
+
+Result<std::string> artifacts_text(const std::vector<NamedAnalysis>& schemes, Frequency f,
+                                   Stage stage) {
+  std::string text = fmt::format("wave of frequency ({:g}, {:g}) cycles per control edge, {}\n",
+                                 f[0], f[1], to_string(stage));
+  for (const NamedAnalysis& scheme : schemes) {
+    const Result<StageValues> values = values_at(scheme.analysis, f, stage);
+    if (!values) return named(scheme, values.error());
+    text += values_text(scheme, f, *values, stage);
+  }
+  return text;
+}
+
+Result<nlohmann::ordered_json> sampling_json(const NamedAnalysis& scheme, double tolerance) {
+  Json json{{"scheme", scheme.name}, {"tolerance_percent", tolerance}};
+  for (const auto& [key, measure] : {std::pair{"total_energy", ArtifactMeasure::total_energy},
+                                     std::pair{"mean_energy", ArtifactMeasure::mean_energy}}) {
+    const Result<SamplingDensity> density = sampling_density(scheme.analysis, tolerance, measure);
+    if (!density) return named(scheme, density.error());
+    json["sampling"][key] = {{"worst", density_json(density->worst)},
+                             {"best", density_json(density->best)}};
+  }
+  return json;
+}
+
+Result<std::string> sampling_text(const std::vector<NamedAnalysis>& schemes, double tolerance) {
+  const std::size_t width = longest_name(schemes);
+  std::string text = fmt::format(
+      "control edges per wavelength that keep artifacts within {:g} % of the signal\n"
+      "{:<{}}  all artifacts of the limit surface   mean energy on the first refined lattice\n"
+      "{:<{}}  worst             best                worst             best\n",
+      tolerance, "", width, "scheme", width);
+  for (const NamedAnalysis& scheme : schemes) {
+    text += fmt::format("{:<{}}", scheme.name, width);
+    for (const ArtifactMeasure measure :
+         {ArtifactMeasure::total_energy, ArtifactMeasure::mean_energy}) {
+      const Result<SamplingDensity> density = sampling_density(scheme.analysis, tolerance, measure);
+      if (!density) return named(scheme, density.error());
+      text += fmt::format("  {}   {}  ", density_text(density->worst), density_text(density->best));
+    }
+    text.erase(text.find_last_not_of(' ') + 1);
+    text += '\n';
+  }
+  return text;
+}
+
+}  // namespace limn

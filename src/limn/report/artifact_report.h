@@ -1,0 +1,65 @@
+#pragma once
+/// Artifacts of one scheme or several, as text, JSON and tables of numbers: `limn artifacts`.
+
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+#include <vector>
+
+#include "limn/regular/artifacts.h"
+#include "limn/regular/sampling_density.h"
+
+namespace limn {
+
+/// A scheme's name and its analysis.
+struct NamedAnalysis {
+  std::string name;
+  ArtifactAnalysis analysis;
+};
+
+/// Where in the process magnitudes are taken.
+struct Stage {
+  enum class Kind {
+    limit,     ///< the limit, on the points of the first refined lattice [ADS]
+    steps,     ///< after `count` ≥ 1 whole steps
+    smoothing  ///< after one refinement and `count` ≥ 0 smoothing stages alone
+  };
+  Kind kind = Kind::limit;
+  int count = 0;
+};
+
+/// "in the limit", "after 2 steps", "after refinement and 1 smoothing stage".
+[[nodiscard]] std::string to_string(Stage stage);
+
+/// Magnitudes at that stage, and all artifacts together in percent of the signal: in the limit
+/// by their energy in the limit surface.
+struct StageValues {
+  Components components;
+  double total_energy_percent = 0;
+};
+
+/// Fails where the stage is the limit and there is none.
+[[nodiscard]] Result<StageValues> values_at(const ArtifactAnalysis& analysis, Frequency f,
+                                            Stage stage);
+
+/// What an artifact is called: Y1, Y2, ….
+[[nodiscard]] std::string artifact_name(int artifact);
+
+/// {"scheme", "frequency": [fx, fy], "stage": "limit" or K, "signal", "artifacts": […],
+/// "artifact_frequencies": [[gx, gy], …], "sum", "mean_energy", "percent_of_signal",
+/// "total_energy_percent"}; "smoothing_stages": S takes the place of "stage" where that is asked.
+/// A percentage is null where the signal vanishes.
+[[nodiscard]] Result<nlohmann::ordered_json> artifacts_json(const NamedAnalysis& scheme,
+                                                            Frequency f, Stage stage);
+[[nodiscard]] Result<std::string> artifacts_text(const std::vector<NamedAnalysis>& schemes,
+                                                 Frequency f, Stage stage);
+
+/// {"scheme", "tolerance_percent", "sampling": {"total_energy": {"worst", "best"}, "mean_energy":
+/// the same}}; each of worst and best {"direction_degrees", "frequency", "edges_per_wavelength",
+/// "reached"}.
+[[nodiscard]] Result<nlohmann::ordered_json> sampling_json(const NamedAnalysis& scheme,
+                                                           double tolerance);
+/// Side by side, a line a scheme.
+[[nodiscard]] Result<std::string> sampling_text(const std::vector<NamedAnalysis>& schemes,
+                                                double tolerance);
+
+}  // namespace limn
