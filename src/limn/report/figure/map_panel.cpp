@@ -1,0 +1,106 @@
+#include "limn/report/figure/map_panel.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "limn/report/figure/colour_bar.h"
+#include "limn/report/figure/region_plot.h"
+
+namespace limn {
+namespace {
+
+constexpr double kBarGap = 8;
+constexpr Stroke kOutline = {0.6, {}};
+constexpr Stroke kContour = {0.35, {}};
+constexpr double kContourLabelSize = 5.5;
+
+double title_height(const std::string& title) { return title.empty() ? 4 : kTitleHeight; }
+
+ColourScale scale_of(const MapPanel& panel) {
+  const Range data = range_of(panel.values);
+  const Range range = {panel.low.value_or(data.low), panel.high.value_or(data.high)};
+  return colour_scale(range, data, panel.contours);
+}
+
+double distance(PagePoint a, PagePoint b) { return std::hypot(b[0] - a[0], b[1] - a[1]); }
+
+/// Writes the number into the middle of the longest of the lines, if it is long enough.
+void label_contour(Canvas& canvas, const RegionPlot& plot, const std::vector<Polyline>& lines,
+                   const std::string& label, Colour background) {
+  const Polyline* longest = nullptr;
+  double length = 0;
+  const auto step = [&](const Polyline& line, std::size_t i) {
+    return distance(plot.point(line[i - 1]), plot.point(line[i]));
+  };
+  for (const Polyline& line : lines) {
+    double sum = 0;
+    for (std::size_t i = 1; i < line.size(); ++i) sum += step(line, i);
+    if (sum > length) length = sum, longest = &line;
+  }
+  const double width = text_width(label, {.size = kContourLabelSize}) + 2;
+  if (longest == nullptr || length < 4 * width) return;
+  std::size_t i = 1;
+  for (double left = length / 2; i + 1 < longest->size() && left > step(*longest, i); ++i)
+    left -= step(*longest, i);
+  const PagePoint at = plot.point((*longest)[i]);
+  const double height = kContourLabelSize * 0.95;
+  canvas.fill(Path::rectangle({at[0] - width / 2, at[1] - height / 2, width, height}), background);
+  canvas.text(
+      at, label,
+      {.size = kContourLabelSize, .align = Align::centre, .vertical = VerticalAlign::middle});
+}
+
+void draw_bands(Canvas& canvas, const RegionPlot& plot, const LevelSets& sets,
+                const ColourScale& scale) {
+  for (std::size_t i = 0; i < scale.colours.size(); ++i) {
+    const double level = i == 0 ? -std::numeric_limits<double>::infinity() : scale.edges[i - 1];
+    canvas.fill(plot.path(sets.superlevel_loops(level), true), scale.colours[i]);
+  }
+}
+
+void draw_contours(Canvas& canvas, const RegionPlot& plot, const LevelSets& sets,
+                   const ColourScale& scale, bool labels) {
+  const auto& ticks = scale.ticks.ticks;
+  for (const Ticks::Tick& tick : ticks)
+    canvas.stroke(plot.path(sets.contour_lines(tick.value), false), grey(0), kContour);
+  for (std::size_t i = 0; labels && i < ticks.size(); ++i) {
+    const auto band = std::upper_bound(scale.edges.begin(), scale.edges.end(), ticks[i].value);
+    const auto index = static_cast<std::size_t>(band - scale.edges.begin());
+    label_contour(canvas, plot, sets.contour_lines(ticks[i].value), ticks[i].label,
+                  scale.colours[std::min(index, scale.colours.size() - 1)]);
+  }
+}
+
+/// The edge of where the map has values.
+void draw_outline(Canvas& canvas, const RegionPlot& plot, const LevelSets& sets) {
+  const double everything = -std::numeric_limits<double>::infinity();
+  canvas.stroke(plot.path(sets.superlevel_loops(everything), true), grey(0), kOutline);
+}
+
+}  // namespace
+
+double MapPanel::height(double width) const {
+  const RegionPlot plot(grid, x_label, y_label, axes);
+  const double bar = kBarGap + colour_bar_width(scale_of(*this), value_label);
+  const double inner = std::max(width - plot.left_margin() - bar, 1.0) * plot.aspect();
+  return title_height(title) + std::min(inner, 1.5 * width) + plot.bottom_margin();
+}
+
+void MapPanel::draw(Canvas& canvas, const Box& box) const {
+  RegionPlot plot(grid, x_label, y_label, axes);
+  const ColourScale scale = scale_of(*this);
+  const double bar = kBarGap + colour_bar_width(scale, value_label);
+  const double top = title_height(title);
+  plot.place({box.x, box.y + top, box.width - bar, box.height - top});
+  const LevelSets sets(grid, values);
+  draw_bands(canvas, plot, sets, scale);
+  if (contours > 0) draw_contours(canvas, plot, sets, scale, contour_labels);
+  draw_outline(canvas, plot, sets);
+  plot.draw_axes(canvas);
+  const Box& inner = plot.box();
+  draw_title(canvas, title, inner.x, inner.right(), inner.y - top);
+  draw_colour_bar(canvas, scale, value_label, inner.right() + kBarGap, inner.bottom(), inner.y);
+}
+
+}  // namespace limn
