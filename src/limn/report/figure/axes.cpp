@@ -25,9 +25,26 @@ Range made_logarithmic(Range range) {
 }  // namespace
 
 Axis::Axis(Range range, std::string label, int count, bool logarithmic)
-    : label_(std::move(label)), logarithmic_(logarithmic) {
-  range_ = logarithmic ? made_logarithmic(range) : drawable(range);
-  ticks_ = logarithmic ? logarithmic_ticks(range_, count) : linear_ticks(range_, count);
+    : range_(logarithmic ? made_logarithmic(range) : drawable(range)),
+      label_(std::move(label)),
+      count_(count),
+      logarithmic_(logarithmic),
+      ticks_(ticks(count)) {}
+
+Ticks Axis::ticks(int count) const {
+  return logarithmic_ ? logarithmic_ticks(range_, count) : linear_ticks(range_, count);
+}
+
+Ticks Axis::ticks_within(double length, bool upright) const {
+  Ticks result = ticks_;
+  for (int count = count_ - 1; count > 0 && result.ticks.size() > 1; --count) {
+    const double share =
+        std::abs(fraction(result.ticks[1].value) - fraction(result.ticks[0].value));
+    const double needed = upright ? 1.3 * kTickSize : width_of_numbers(result) + 0.6 * kTickSize;
+    if (share * length >= needed) break;
+    result = ticks(count);
+  }
+  return result;
 }
 
 double Axis::fraction(double value) const {
@@ -41,15 +58,15 @@ std::string Axis::full_label() const {
   return label_.empty() ? ticks_.factor : label_ + "  (" + ticks_.factor + ")";
 }
 
-double Axis::widest_number() const {
+double width_of_numbers(const Ticks& ticks) {
   double widest = 0;
-  for (const Ticks::Tick& tick : ticks_.ticks)
+  for (const Ticks::Tick& tick : ticks.ticks)
     widest = std::max(widest, text_width(tick.label, {.size = kTickSize}));
   return widest;
 }
 
 double Axis::width_as_y() const {
-  const double numbers = kTickLength + kNumberGap + widest_number();
+  const double numbers = kTickLength + kNumberGap + width_of_numbers(ticks_);
   return full_label().empty() ? numbers : numbers + kLabelGap + kLabelSize;
 }
 
@@ -59,12 +76,13 @@ double Axis::height_as_x() const {
 }
 
 void Axis::draw_as_x(Canvas& canvas, double left, double right, double y) const {
+  const Ticks ticks = ticks_within(right - left, false);
   const auto at = [&](double value) { return left + fraction(value) * (right - left); };
   canvas.stroke(Path::segment({left, y}, {right, y}), kInk, kAxisStroke);
-  for (const double value : ticks_.minor)
+  for (const double value : ticks.minor)
     canvas.stroke(Path::segment({at(value), y}, {at(value), y + kTickLength * 0.6}), kInk,
                   {0.35, {}});
-  for (const Ticks::Tick& tick : ticks_.ticks) {
+  for (const Ticks::Tick& tick : ticks.ticks) {
     const double x = at(tick.value);
     canvas.stroke(Path::segment({x, y}, {x, y + kTickLength}), kInk, kAxisStroke);
     canvas.text({x, y + kTickLength + kNumberGap}, tick.label,
@@ -76,19 +94,20 @@ void Axis::draw_as_x(Canvas& canvas, double left, double right, double y) const 
 }
 
 void Axis::draw_as_y(Canvas& canvas, double x, double bottom, double top) const {
+  const Ticks ticks = ticks_within(bottom - top, true);
   const auto at = [&](double value) { return bottom + fraction(value) * (top - bottom); };
   canvas.stroke(Path::segment({x, bottom}, {x, top}), kInk, kAxisStroke);
-  for (const double value : ticks_.minor)
+  for (const double value : ticks.minor)
     canvas.stroke(Path::segment({x - kTickLength * 0.6, at(value)}, {x, at(value)}), kInk,
                   {0.35, {}});
-  for (const Ticks::Tick& tick : ticks_.ticks) {
+  for (const Ticks::Tick& tick : ticks.ticks) {
     const double y = at(tick.value);
     canvas.stroke(Path::segment({x - kTickLength, y}, {x, y}), kInk, kAxisStroke);
     canvas.text({x - kTickLength - kNumberGap, y}, tick.label,
                 {.size = kTickSize, .align = Align::right, .vertical = VerticalAlign::middle});
   }
   canvas.text(
-      {x - kTickLength - kNumberGap - widest_number() - kLabelGap, (bottom + top) / 2},
+      {x - kTickLength - kNumberGap - width_of_numbers(ticks) - kLabelGap, (bottom + top) / 2},
       full_label(),
       {.size = kLabelSize, .align = Align::centre, .vertical = VerticalAlign::bottom, .angle = 90});
 }

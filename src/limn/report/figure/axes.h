@@ -17,11 +17,13 @@ inline constexpr double kTickLength = 2.5;
 /// A range with its ticks and label, not yet at a place.
 class Axis {
  public:
-  /// About `count` ticks. The range is made drawable; a logarithmic one is cut to positive values.
+  /// About `count` ticks, fewer where their numbers would touch. The range is made drawable; a
+  /// logarithmic one is cut to positive values.
   Axis(Range range, std::string label, int count, bool logarithmic = false);
 
   [[nodiscard]] const Range& range() const { return range_; }
-  [[nodiscard]] const Ticks& ticks() const { return ticks_; }
+  /// Those that fit into an axis of this length in points, upright or lying.
+  [[nodiscard]] Ticks ticks_within(double length, bool upright) const;
 
   /// 0 at the low end, 1 at the high one; not finite for a value that the axis cannot show.
   [[nodiscard]] double fraction(double value) const;
@@ -36,13 +38,17 @@ class Axis {
 
  private:
   [[nodiscard]] std::string full_label() const;
-  [[nodiscard]] double widest_number() const;
+  [[nodiscard]] Ticks ticks(int count) const;
 
   Range range_;
   std::string label_;
+  int count_;
   bool logarithmic_;
   Ticks ticks_;
 };
+
+/// In points; that of the widest.
+[[nodiscard]] double width_of_numbers(const Ticks& ticks);
 
 /// The title, centred over [left, right] with its top at `y`; nothing if it is empty.
 void draw_title(Canvas& canvas, const std::string& title, double left, double right, double y);

@@ -10,7 +10,8 @@ namespace limn {
 namespace {
 
 constexpr double kRightMargin = 8;  // half of a number at the end of the x axis
-constexpr double kLegendRow = 10.5, kLegendGap = 12, kSampleWidth = 18, kSampleGap = 4;
+constexpr double kLegendRow = 10.5, kLegendGap = 10, kSampleWidth = 16, kSampleGap = 3;
+constexpr double kMarker = 1.5;  // radius
 constexpr double kLegendSize = 7.5;
 constexpr double kPadding = 0.04;  // of a linear axis, beyond the data
 
@@ -44,47 +45,51 @@ Axis axis(const ChartPanel& panel, bool vertical) {
           vertical ? panel.log_y : panel.log_x};
 }
 
-/// The named series in rows, as many to a row as fit.
-std::vector<std::vector<std::size_t>> legend_rows(const ChartPanel& panel, double width) {
-  std::vector<std::vector<std::size_t>> rows;
-  double used = 0;
-  for (std::size_t i = 0; i < panel.series.size(); ++i) {
-    if (panel.series[i].name.empty()) continue;
-    const double entry =
-        kSampleWidth + kSampleGap + text_width(panel.series[i].name, {.size = kLegendSize});
-    if (rows.empty() || used + kLegendGap + entry > width) {
-      rows.emplace_back();
-      used = -kLegendGap;
-    }
-    rows.back().push_back(i);
-    used += kLegendGap + entry;
-  }
-  return rows;
-}
+/// The named series and their places: columns of equal width, as many as fit into `width`.
+struct Legend {
+  std::vector<std::size_t> series;
+  std::size_t columns = 1;
+  double entry = 0;  ///< width of the widest
 
-double legend_height(std::size_t rows) {
-  return rows == 0 ? 0 : kLegendRow * static_cast<double>(rows) + 2;
+  [[nodiscard]] double width() const {
+    return static_cast<double>(columns) * (entry + kLegendGap) - kLegendGap;
+  }
+  [[nodiscard]] double height() const {
+    const std::size_t rows = (series.size() + columns - 1) / columns;
+    return rows == 0 ? 0 : kLegendRow * static_cast<double>(rows) + 3;
+  }
+};
+
+Legend legend_of(const ChartPanel& panel, double width) {
+  Legend legend;
+  for (std::size_t i = 0; i < panel.series.size(); ++i) {
+    const std::string& name = panel.series[i].name;
+    if (name.empty()) continue;
+    legend.series.push_back(i);
+    const double entry = kSampleWidth + kSampleGap + text_width(name, {.size = kLegendSize});
+    legend.entry = std::max(legend.entry, entry);
+  }
+  const double fit = std::floor((width + kLegendGap) / (legend.entry + kLegendGap));
+  const auto most = static_cast<double>(std::max<std::size_t>(legend.series.size(), 1));
+  legend.columns = static_cast<std::size_t>(std::clamp(fit, 1.0, most));
+  return legend;
 }
 
 Stroke line_stroke(int style) { return {0.9, series_dash(style)}; }
 
-void draw_legend(Canvas& canvas, const ChartPanel& panel,
-                 const std::vector<std::vector<std::size_t>>& rows, double left, double top) {
-  double y = top + kLegendRow / 2;
-  for (const std::vector<std::size_t>& row : rows) {
-    double x = left;
-    for (const std::size_t i : row) {
-      const int style = style_of(panel, i);
-      canvas.stroke(Path::segment({x, y}, {x + kSampleWidth, y}), series_colour(style),
-                    line_stroke(style));
-      if (panel.series[i].markers)
-        canvas.fill(Path::disk({x + kSampleWidth / 2, y}, 1.6), series_colour(style));
-      x += kSampleWidth + kSampleGap;
-      canvas.text({x, y}, panel.series[i].name,
-                  {.size = kLegendSize, .vertical = VerticalAlign::middle});
-      x += text_width(panel.series[i].name, {.size = kLegendSize}) + kLegendGap;
-    }
-    y += kLegendRow;
+void draw_legend(Canvas& canvas, const ChartPanel& panel, const Legend& legend, double left,
+                 double top) {
+  for (std::size_t k = 0; k < legend.series.size(); ++k) {
+    const ChartPanel::Series& series = panel.series[legend.series[k]];
+    const int style = style_of(panel, legend.series[k]);
+    const double x = left + static_cast<double>(k % legend.columns) * (legend.entry + kLegendGap);
+    const double y = top + (static_cast<double>(k / legend.columns) + 0.5) * kLegendRow;
+    canvas.stroke(Path::segment({x, y}, {x + kSampleWidth, y}), series_colour(style),
+                  line_stroke(style));
+    if (series.markers)
+      canvas.fill(Path::disk({x + kSampleWidth / 2, y}, kMarker), series_colour(style));
+    canvas.text({x + kSampleWidth + kSampleGap, y}, series.name,
+                {.size = kLegendSize, .vertical = VerticalAlign::middle});
   }
 }
 
@@ -104,13 +109,13 @@ void draw_series(Canvas& canvas, const ChartPanel::Series& series, int style, co
       continue;
     }
     run.push_back({plot.x + shown(fx) * plot.width, plot.bottom() - shown(fy) * plot.height});
-    if (series.markers) canvas.fill(Path::disk(run.back(), 1.6), series_colour(style));
+    if (series.markers) canvas.fill(Path::disk(run.back(), kMarker), series_colour(style));
   }
   flush();
 }
 
 void draw_grid(Canvas& canvas, const Axis& y_axis, const Box& plot) {
-  for (const Ticks::Tick& tick : y_axis.ticks().ticks) {
+  for (const Ticks::Tick& tick : y_axis.ticks_within(plot.height, true).ticks) {
     const double y = plot.bottom() - y_axis.fraction(tick.value) * plot.height;
     canvas.stroke(Path::segment({plot.x, y}, {plot.right(), y}), grey(0.88), {0.4, {}});
   }
@@ -120,7 +125,7 @@ void draw_grid(Canvas& canvas, const Axis& y_axis, const Box& plot) {
 
 double ChartPanel::height(double width) const {
   const double plot = std::max(width - axis(*this, true).width_as_y() - kRightMargin, 1.0);
-  return title_height(title) + legend_height(legend_rows(*this, plot).size()) + plot * aspect +
+  return title_height(title) + legend_of(*this, width).height() + plot * aspect +
          axis(*this, false).height_as_x();
 }
 
@@ -129,12 +134,14 @@ void ChartPanel::draw(Canvas& canvas, const Box& box) const {
   Box plot;
   plot.x = box.x + y_axis.width_as_y();
   plot.width = std::max(box.right() - kRightMargin - plot.x, 1.0);
-  const auto rows = legend_rows(*this, plot.width);
-  const double above = title_height(title) + legend_height(rows.size());
+  const Legend legend = legend_of(*this, box.width);
+  const double above = title_height(title) + legend.height();
   plot.y = box.y + above;
   plot.height = std::max(box.bottom() - x_axis.height_as_x() - plot.y, 1.0);
   draw_title(canvas, title, plot.x, plot.right(), box.y);
-  draw_legend(canvas, *this, rows, plot.x, box.y + title_height(title));
+  const double centred = plot.x + (plot.width - legend.width()) / 2;
+  const double left = std::clamp(centred, box.x, std::max(box.x, box.right() - legend.width()));
+  draw_legend(canvas, *this, legend, left, box.y + title_height(title));
   draw_grid(canvas, y_axis, plot);
   canvas.begin_clip(Path::rectangle({plot.x - 2, plot.y - 2, plot.width + 4, plot.height + 4}));
   for (std::size_t i = 0; i < series.size(); ++i)

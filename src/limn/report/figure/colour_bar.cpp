@@ -14,24 +14,38 @@ constexpr double kLabelGap = 3;
 constexpr double kLighten = 0.12;  // black lines must show on the darkest band
 constexpr int kBandsPerTick = 4;
 
+/// A labelled place of the bar.
 struct BarNumber {
   double value;
   std::string label;
 };
 
-/// The ticks, and ≤ or ≥ at a clamped end in place of a tick that is near it. `clearance`: the
-/// distance in values that two numbers need.
+/// Of how many ticks one is labelled, so that labels are `clearance` (in values) apart.
+int label_stride(const ColourScale& scale, double clearance) {
+  const auto& ticks = scale.ticks.ticks;
+  if (ticks.size() < 2) return 1;
+  for (const int stride : {1, 2, 5, 10, 20})
+    if (stride * (ticks[1].value - ticks[0].value) >= clearance) return stride;
+  return 50;
+}
+
+/// A label for each tick or each few of them, and ≤ or ≥ at a clamped end in place of one that is
+/// near it. `clearance`: the distance in values that two labels need.
 std::vector<BarNumber> numbers(const ColourScale& scale, double clearance) {
   const double unit = std::pow(10.0, scale.ticks.exponent);
-  const auto near_end = [&](double value) {
-    return (scale.low_clamped && value - scale.range.low < clearance) ||
+  const int stride = label_stride(scale, clearance);
+  const auto& ticks = scale.ticks.ticks;
+  const double step = ticks.size() < 2 ? 1 : ticks[1].value - ticks[0].value;
+  const auto hidden = [&](double value) {
+    return std::fmod(std::round(value / step), stride) != 0 ||
+           (scale.low_clamped && value - scale.range.low < clearance) ||
            (scale.high_clamped && scale.range.high - value < clearance);
   };
   std::vector<BarNumber> result;
   if (scale.low_clamped)
     result.push_back({scale.range.low, "≤ " + number_label(scale.range.low / unit)});
-  for (const Ticks::Tick& tick : scale.ticks.ticks)
-    if (!near_end(tick.value)) result.push_back({tick.value, tick.label});
+  for (const Ticks::Tick& tick : ticks)
+    if (!hidden(tick.value)) result.push_back({tick.value, tick.label});
   if (scale.high_clamped)
     result.push_back({scale.range.high, "≥ " + number_label(scale.range.high / unit)});
   return result;
@@ -96,11 +110,14 @@ void draw_colour_bar(Canvas& canvas, const ColourScale& scale, const std::string
   }
   canvas.stroke(Path::rectangle({x, top, kBarWidth, bottom - top}), grey(0), {0.5, {}});
   const double right = x + kBarWidth;
-  const std::vector<BarNumber> all = numbers(scale, 1.2 * kTickSize / (bottom - top) * size);
+  const std::vector<BarNumber> all = numbers(scale, 1.25 * kTickSize / (bottom - top) * size);
+  const auto draw_tick = [&](double value, double length) {
+    canvas.stroke(Path::segment({right, at(value)}, {right + length, at(value)}), grey(0), {});
+  };
+  for (const Ticks::Tick& tick : scale.ticks.ticks) draw_tick(tick.value, kTickLength * 0.6);
   for (const BarNumber& number : all) {
-    const double y = at(number.value);
-    canvas.stroke(Path::segment({right, y}, {right + kTickLength, y}), grey(0), {0.5, {}});
-    canvas.text({right + kTickLength + kNumberGap, y}, number.label,
+    draw_tick(number.value, kTickLength);
+    canvas.text({right + kTickLength + kNumberGap, at(number.value)}, number.label,
                 {.size = kTickSize, .vertical = VerticalAlign::middle});
   }
   canvas.text(

@@ -1,10 +1,10 @@
 #include "limn/report/figure/map_panel.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 #include "limn/report/figure/colour_bar.h"
+#include "limn/report/figure/contour_labels.h"
 #include "limn/report/figure/region_plot.h"
 
 namespace limn {
@@ -13,7 +13,6 @@ namespace {
 constexpr double kBarGap = 8;
 constexpr Stroke kOutline = {0.6, {}};
 constexpr Stroke kContour = {0.35, {}};
-constexpr double kContourLabelSize = 5.5;
 
 double title_height(const std::string& title) { return title.empty() ? 4 : kTitleHeight; }
 
@@ -21,34 +20,6 @@ ColourScale scale_of(const MapPanel& panel) {
   const Range data = range_of(panel.values);
   const Range range = {panel.low.value_or(data.low), panel.high.value_or(data.high)};
   return colour_scale(range, data, panel.contours);
-}
-
-double distance(PagePoint a, PagePoint b) { return std::hypot(b[0] - a[0], b[1] - a[1]); }
-
-/// Writes the number into the middle of the longest of the lines, if it is long enough.
-void label_contour(Canvas& canvas, const RegionPlot& plot, const std::vector<Polyline>& lines,
-                   const std::string& label, Colour background) {
-  const Polyline* longest = nullptr;
-  double length = 0;
-  const auto step = [&](const Polyline& line, std::size_t i) {
-    return distance(plot.point(line[i - 1]), plot.point(line[i]));
-  };
-  for (const Polyline& line : lines) {
-    double sum = 0;
-    for (std::size_t i = 1; i < line.size(); ++i) sum += step(line, i);
-    if (sum > length) length = sum, longest = &line;
-  }
-  const double width = text_width(label, {.size = kContourLabelSize}) + 2;
-  if (longest == nullptr || length < 4 * width) return;
-  std::size_t i = 1;
-  for (double left = length / 2; i + 1 < longest->size() && left > step(*longest, i); ++i)
-    left -= step(*longest, i);
-  const PagePoint at = plot.point((*longest)[i]);
-  const double height = kContourLabelSize * 0.95;
-  canvas.fill(Path::rectangle({at[0] - width / 2, at[1] - height / 2, width, height}), background);
-  canvas.text(
-      at, label,
-      {.size = kContourLabelSize, .align = Align::centre, .vertical = VerticalAlign::middle});
 }
 
 void draw_bands(Canvas& canvas, const RegionPlot& plot, const LevelSets& sets,
@@ -61,15 +32,20 @@ void draw_bands(Canvas& canvas, const RegionPlot& plot, const LevelSets& sets,
 
 void draw_contours(Canvas& canvas, const RegionPlot& plot, const LevelSets& sets,
                    const ColourScale& scale, bool labels) {
-  const auto& ticks = scale.ticks.ticks;
-  for (const Ticks::Tick& tick : ticks)
-    canvas.stroke(plot.path(sets.contour_lines(tick.value), false), grey(0), kContour);
-  for (std::size_t i = 0; labels && i < ticks.size(); ++i) {
-    const auto band = std::upper_bound(scale.edges.begin(), scale.edges.end(), ticks[i].value);
+  std::vector<ContourLine> lines;
+  for (const Ticks::Tick& tick : scale.ticks.ticks) {
+    const std::vector<Polyline> level = sets.contour_lines(tick.value);
+    canvas.stroke(plot.path(level, false), grey(0), kContour);
+    const auto band = std::upper_bound(scale.edges.begin(), scale.edges.end(), tick.value);
     const auto index = static_cast<std::size_t>(band - scale.edges.begin());
-    label_contour(canvas, plot, sets.contour_lines(ticks[i].value), ticks[i].label,
-                  scale.colours[std::min(index, scale.colours.size() - 1)]);
+    for (const Polyline& line : level) {
+      ContourLine& added = lines.emplace_back();
+      added.label = tick.label;
+      added.background = scale.colours[std::min(index, scale.colours.size() - 1)];
+      for (const std::array<double, 2>& at : line) added.points.push_back(plot.point(at));
+    }
   }
+  if (labels) label_contours(canvas, lines, plot.box());
 }
 
 /// The edge of where the map has values.

@@ -1,6 +1,7 @@
 #include "limn/report/figure/region_plot.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace limn {
 namespace {
@@ -15,6 +16,32 @@ Range extent(const TriangleGrid& grid, int coordinate) {
     for (const int node : triangle) values.push_back(grid.nodes[node][coordinate]);
   const Range range = range_of(values);
   return range.low < range.high ? range : Range{range.low - 0.5, range.low + 0.5};
+}
+
+/// Leaves out corners that lie within a hundredth of a point of the line that remains.
+std::vector<PagePoint> simplified(const std::vector<PagePoint>& points) {
+  constexpr double tolerance = 0.01;
+  constexpr std::size_t longest = 40;  // corners left out in a row; bounds the cost
+  if (points.size() < 3) return points;
+  const auto far_from = [](const PagePoint& p, const PagePoint& a, const PagePoint& b) {
+    const double x = b[0] - a[0], y = b[1] - a[1];
+    const double length = x * x + y * y;
+    double t = length > 0 ? ((p[0] - a[0]) * x + (p[1] - a[1]) * y) / length : 0;
+    t = std::clamp(t, 0.0, 1.0);
+    return std::hypot(p[0] - a[0] - t * x, p[1] - a[1] - t * y) > tolerance;
+  };
+  std::vector<PagePoint> result{points.front()};
+  std::size_t kept = 0;
+  for (std::size_t i = 1; i + 1 < points.size(); ++i) {
+    bool needed = i - kept >= longest;
+    for (std::size_t k = kept + 1; k <= i && !needed; ++k)
+      needed = far_from(points[k], points[kept], points[i + 1]);
+    if (!needed) continue;
+    result.push_back(points[i]);
+    kept = i;
+  }
+  result.push_back(points.back());
+  return result;
 }
 
 }  // namespace
@@ -37,7 +64,7 @@ void RegionPlot::place(const Box& box) {
   box_.width = std::min(width, height / aspect());
   box_.height = box_.width * aspect();
   box_.x = box.x + left_margin() + (width - box_.width) / 2;
-  box_.y = box.y + (height - box_.height) / 2;
+  box_.y = box.y;
 }
 
 PagePoint RegionPlot::point(const std::array<double, 2>& at) const {
@@ -51,7 +78,7 @@ Path RegionPlot::path(const std::vector<Polyline>& lines, bool closed) const {
     std::vector<PagePoint> points;
     points.reserve(line.size());
     for (const std::array<double, 2>& at : line) points.push_back(point(at));
-    path.polyline(points, closed);
+    path.polyline(simplified(points), closed);
   }
   return path;
 }

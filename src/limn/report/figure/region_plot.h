@@ -22,11 +22,12 @@ class RegionPlot {
   /// height / width of the region.
   [[nodiscard]] double aspect() const;
 
-  /// Puts the region into the middle of the box, as large as it fits, margins included.
+  /// Puts the region at the top of the box, midway, as large as it fits, margins included.
   void place(const Box& box);
 
   /// These need `place`. The region's rectangle on the page:
   [[nodiscard]] const Box& box() const { return box_; }
+  /// Corners that no eye could see are left out.
   [[nodiscard]] Path path(const std::vector<Polyline>& lines, bool closed) const;
   [[nodiscard]] PagePoint point(const std::array<double, 2>& at) const;
   void draw_axes(Canvas& canvas) const;
