@@ -23,7 +23,7 @@ struct SurfacePanel {
   bool net_points = true;  ///< a dot at each vertex of the net
 
   std::string title = {};
-  double azimuth = -60;     ///< degrees, of the viewer about the z axis, from x towards y
+  double azimuth = -50;     ///< degrees, of the viewer about the z axis, from x towards y
   double elevation = 30;    ///< degrees, of the viewer over the xy plane, in [−90, 90]
   double z_scale = 1;       ///< heights are drawn larger by this
   bool mesh_lines = false;  ///< also the edges of the faces, thin
