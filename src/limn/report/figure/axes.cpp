@@ -14,10 +14,11 @@ constexpr Colour kInk = {0, 0, 0, 1};
 const Stroke kAxisStroke = {0.5, {}};
 
 Range made_logarithmic(Range range) {
-  const double least = std::numeric_limits<double>::min();
+  constexpr double least = 1e-280, most = 1e280;  // so that linear ticks can be had too
   if (!(range.high > 0)) return {0.1, 1};
-  range.high = std::max(range.high, 10 * least);
-  if (!(range.low > 0)) range.low = std::max(range.high * 1e-12, least);
+  range.high = std::clamp(range.high, 10 * least, most);
+  if (!(range.low > 0)) range.low = range.high * 1e-12;
+  range.low = std::clamp(range.low, least, range.high);
   if (range.high < range.low * 1.0001) return {range.low / 3, range.high * 3};
   return range;
 }

@@ -65,8 +65,8 @@ Extent extent(const SurfacePanel& panel) {
       ys.push_back(seen[1]);
     }
   }
-  Extent result{range_of(xs), range_of(ys)};
-  const double size = std::max({result.x.high - result.x.low, result.y.high - result.y.low, 1e-12});
+  Extent result{drawable(range_of(xs)), drawable(range_of(ys))};
+  const double size = std::max(result.x.high - result.x.low, result.y.high - result.y.low);
   for (Range* range : {&result.x, &result.y})
     if (range->high - range->low < 1e-3 * size) range->low -= size / 2, range->high += size / 2;
   return result;
@@ -126,7 +126,7 @@ struct Placement {
 
   Placement(const Extent& of, const Box& box) : extent(of) {
     const double width = of.x.high - of.x.low, height = of.y.high - of.y.low;
-    scale = std::max(std::min(box.width / width, box.height / height), 1e-9);
+    scale = std::min(box.width / width, box.height / height);
     x = box.x + (box.width - scale * width) / 2;
     y = box.bottom() - (box.height - scale * height) / 2;
   }
