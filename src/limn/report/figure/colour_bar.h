@@ -1,0 +1,32 @@
+#pragma once
+/// The bands of colour of a map and the bar that explains them.
+
+#include <string>
+#include <vector>
+
+#include "limn/report/figure/axes.h"
+
+namespace limn {
+
+/// Bands of a range of values: band i goes from edges[i−1] (from below everything, if i = 0) to
+/// edges[i]. Every tick is an edge, so contour lines at the ticks run between bands.
+struct ColourScale {
+  Range range;
+  Ticks ticks;
+  std::vector<double> edges;    ///< ascending, inside the range
+  std::vector<Colour> colours;  ///< edges.size() + 1
+  bool low_clamped = false;     ///< there are values below the range
+  bool high_clamped = false;
+};
+
+/// About `count` ticks with four bands between two of them. `data`: of all values.
+[[nodiscard]] ColourScale colour_scale(Range range, Range data, int count);
+
+/// Width in points of the bar with its numbers and label.
+[[nodiscard]] double colour_bar_width(const ColourScale& scale, const std::string& label);
+
+/// Draws the bar upright from (x, bottom) to (…, top), low values below.
+void draw_colour_bar(Canvas& canvas, const ColourScale& scale, const std::string& label, double x,
+                     double bottom, double top);
+
+}  // namespace limn
