@@ -7,7 +7,7 @@
 
 #include "command.h"
 #include "limn/regular/regular_mask.h"
-#include "limn/report/artifact_report.h"
+#include "limn/report/artifact_figures.h"
 
 namespace limn::app {
 namespace {
@@ -21,12 +21,13 @@ struct ArtifactOptions {
   SchemeOptions parameters;
   std::string frequency;
   std::string tolerance;
+  std::string map;
   int steps = 0;
   int stages = -1;
   bool json = false;
 
   [[nodiscard]] bool wants_values() const { return !frequency.empty(); }
-  [[nodiscard]] bool wants_sampling() const { return frequency.empty() || !tolerance.empty(); }
+  [[nodiscard]] bool wants_sampling() const { return (frequency.empty() && map.empty()) || !tolerance.empty(); }
   [[nodiscard]] Stage stage() const {
     if (steps > 0) return {Stage::Kind::steps, steps};
     if (stages >= 0) return {Stage::Kind::smoothing, stages};
@@ -107,6 +108,18 @@ int print_json(const std::vector<NamedAnalysis>& schemes, Make make) {
   return kDone;
 }
 
+/// What can be refused at once is refused before any work.
+Status check_map(const ArtifactOptions& options) {
+  if (options.map.empty()) return Done{};
+  if (options.schemes.size() > 1)
+    return Error{"--map draws one scheme", "call limn once for each", {}, 0, 0};
+  if (!is_table_path(options.map)) {
+    const Result<FigureFormat> format = figure_format(options.map);
+    if (!format) return format.error();
+  }
+  return Done{};
+}
+
 Result<nlohmann::ordered_json> analysis_json(const NamedAnalysis& scheme,
                                              const ArtifactOptions& options, Frequency f,
                                              double tolerance) {
@@ -116,6 +129,7 @@ Result<nlohmann::ordered_json> analysis_json(const NamedAnalysis& scheme,
     if (!values) return values.error();
     json.update(*values);
   }
+  if (!options.map.empty()) json.update({{"scheme", scheme.name}, {"map", options.map}});
   if (options.wants_sampling()) {
     const Result<nlohmann::ordered_json> sampling = sampling_json(scheme, tolerance);
     if (!sampling) return sampling.error();
@@ -132,6 +146,7 @@ int print_text(const std::vector<NamedAnalysis>& schemes, const ArtifactOptions&
   if (!values) return report(values.error());
   if (options.wants_sampling()) sampling = sampling_text(schemes, tolerance);
   if (!sampling) return report(sampling.error());
+  if (!options.map.empty()) fmt::print("{}: a map of {}\n", options.map, schemes.front().name);
   fmt::print("{}{}", *values, *sampling);
   return kDone;
 }
@@ -143,8 +158,14 @@ int analyse(const ArtifactOptions& options) {
   const Result<double> tolerance =
       options.tolerance.empty() ? 1.0 : read_tolerance(options.tolerance);
   if (!tolerance) return report(tolerance.error());
+  if ((options.steps > 0 || options.stages >= 0) && !options.wants_values() && options.map.empty())
+    return report({"--steps and --stages say where magnitudes are taken: --frequency or --map is missing", {}, {}, 0, 0});
+  if (Status status = check_map(options); !status) return report(status.error());
   const Result<std::vector<NamedAnalysis>> schemes = load(options);
   if (!schemes) return report(schemes.error());
+  if (!options.map.empty())
+    if (Status status = write_artifact_map(options.map, schemes->front(), options.stage()); !status)
+      return report(status.error());
   if (!options.json) return print_text(*schemes, options, *f, *tolerance);
   return print_json(*schemes, [&](const NamedAnalysis& scheme) {
     return analysis_json(scheme, options, *f, *tolerance);
@@ -164,24 +185,28 @@ void declare_artifacts(CLI::App& parser, Action& action) {
       ->type_name("FX,FY");
   CLI::Option* steps =
       command->add_option("--steps", options->steps, "after so many steps, not in the limit")
-          ->check(CLI::Range(1, kMostSteps))
-          ->needs("--frequency");
+          ->check(CLI::Range(1, kMostSteps));
   command
       ->add_option("--stages", options->stages,
                    "after one refinement and so many smoothing stages alone")
       ->check(CLI::Range(0, kMostStages))
-      ->needs("--frequency")
       ->excludes(steps);
   command
       ->add_option("--tolerance", options->tolerance,
                    "how densely to sample for artifacts of so many percent of the signal "
                    "(without --frequency: 1)")
       ->type_name("PERCENT");
+  command
+      ->add_option("--map", options->map,
+                   "draw signal and artifacts over all frequencies (.pdf, .svg, .png), or write "
+                   "the numbers (.csv, .json)")
+      ->type_name("FILE");
   options->parameters.declare_parameters(*command);
   command->add_flag("--json", options->json, "print one JSON object");
   command->footer(
       "Example: limn artifacts loop --frequency 0.2,0.1\n"
-      "         limn artifacts loop butterfly interpolating-loop --tolerance 1");
+      "         limn artifacts loop butterfly interpolating-loop --tolerance 1\n"
+      "         limn artifacts butterfly --map butterfly.pdf");
   command->callback([&action, options] { action = [options] { return analyse(*options); }; });
 }
 

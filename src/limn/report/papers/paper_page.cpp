@@ -1,0 +1,140 @@
+#include "limn/report/papers/paper_page.h"
+
+#include <filesystem>
+#include <system_error>
+
+#include <fmt/core.h>
+
+#include "limn/base/file.h"
+
+namespace limn {
+namespace {
+
+const char* const kStyle = R"css(
+body { font: 16px/1.5 "DejaVu Sans", Verdana, sans-serif; color: #222; background: #fff;
+       max-width: 62rem; margin: 2rem auto; padding: 0 1rem; }
+h1 { font-size: 1.6rem; line-height: 1.25; } h2 { font-size: 1.2rem; margin-top: 2.5rem; }
+.cite { color: #555; }
+figure { margin: 2.5rem 0; border-top: 1px solid #ccc; padding-top: 1rem; }
+figure img { width: 100%; height: auto; }
+figcaption { font-size: .92rem; }
+table { border-collapse: collapse; font-size: .88rem; margin: .8rem 0; width: 100%; }
+th, td { text-align: left; vertical-align: top; padding: .3rem .6rem; border-bottom: 1px solid #ddd; }
+td.code, code { font-family: "DejaVu Sans Mono", monospace; font-size: .82rem; }
+a { color: #15558f; }
+)css";
+
+}  // namespace
+
+std::string html_escaped(const std::string& text) {
+  std::string result;
+  for (const char c : text) switch (c) {
+      case '&': result += "&amp;"; break;
+      case '<': result += "&lt;"; break;
+      case '>': result += "&gt;"; break;
+      case '"': result += "&quot;"; break;
+      default: result += c;
+    }
+  return result;
+}
+
+PaperPage::PaperPage(std::string directory, std::string title, std::string citation,
+                     PaperProgress progress)
+    : directory_(std::move(directory)),
+      title_(std::move(title)),
+      citation_(std::move(citation)),
+      progress_(std::move(progress)) {
+  std::error_code ignored;  // the first write says what is wrong
+  std::filesystem::create_directories(directory_, ignored);
+}
+
+std::string PaperPage::path(const std::string& name) const {
+  return (std::filesystem::path(directory_) / name).string();
+}
+
+void PaperPage::add_heading(const std::string& heading) {
+  body_ += fmt::format("<h2>{}</h2>\n", html_escaped(heading));
+}
+
+void PaperPage::add_paragraph(const std::string& text) {
+  body_ += fmt::format("<p>{}</p>\n", html_escaped(text));
+}
+
+Status PaperPage::write_numbers(const std::string& stem, const DataTable& numbers) const {
+  for (const char* extension : {".csv", ".json"})
+    if (Status status = write_table(path(stem + extension), numbers); !status) return status;
+  return Done{};
+}
+
+Status PaperPage::add_figure(const PaperItem& item, const Figure& figure, const DataTable& numbers,
+                             const std::string& printed, const std::string& found) {
+  if (progress_) progress_(item.label);
+  const Canvas canvas = figure.canvas();
+  for (const char* extension : {".pdf", ".svg"})
+    if (Status status = canvas.write(path(item.stem + extension)); !status) return status;
+  if (Status status = write_numbers(item.stem, numbers); !status) return status;
+  body_ += fmt::format(
+      "<figure id=\"{0}\">\n<img src=\"{0}.svg\" alt=\"{1}\">\n<figcaption><b>{1}.</b> "
+      "<b>Printed:</b> {2} <b>limn:</b> {3}<br><a href=\"{0}.pdf\">PDF</a> · <a "
+      "href=\"{0}.svg\">SVG</a> · numbers: <a href=\"{0}.csv\">CSV</a>, <a "
+      "href=\"{0}.json\">JSON</a></figcaption>\n</figure>\n",
+      item.stem, html_escaped(item.label), html_escaped(printed), html_escaped(found));
+  return Done{};
+}
+
+void PaperPage::append_rows(const std::vector<std::vector<std::string>>& rows) {
+  body_ += "<table>\n";
+  for (std::size_t r = 0; r < rows.size(); ++r) {
+    body_ += "<tr>";
+    for (const std::string& cell : rows[r])
+      body_ += r == 0 ? "<th>" + html_escaped(cell) + "</th>"
+                      : "<td class=\"code\">" + html_escaped(cell) + "</td>";
+    body_ += "</tr>\n";
+  }
+  body_ += "</table>\n";
+}
+
+Status PaperPage::add_table(const PaperItem& item,
+                            const std::vector<std::vector<std::string>>& rows,
+                            const DataTable& numbers, const std::string& found) {
+  if (progress_) progress_(item.label);
+  if (Status status = write_numbers(item.stem, numbers); !status) return status;
+  body_ += fmt::format("<figure id=\"{}\">\n<figcaption><b>{}.</b> {}</figcaption>\n", item.stem,
+                       html_escaped(item.label), html_escaped(found));
+  append_rows(rows);
+  body_ += fmt::format(
+      "<p>numbers: <a href=\"{0}.csv\">CSV</a>, <a href=\"{0}.json\">JSON</a></p>\n</figure>\n",
+      item.stem);
+  return Done{};
+}
+
+void PaperPage::add_findings(const std::string& heading,
+                             const std::vector<PaperFinding>& findings) {
+  add_heading(heading);
+  body_ += "<table>\n<tr><th>place</th><th>the paper</th><th>limn</th></tr>\n";
+  for (const auto& [place, printed, found] : findings)
+    body_ += fmt::format("<tr><td>{}</td><td>{}</td><td>{}</td></tr>\n", html_escaped(place),
+                         html_escaped(printed), html_escaped(found));
+  body_ += "</table>\n";
+}
+
+Status PaperPage::add_file(const std::string& name, const std::string& content,
+                           const std::string& what) {
+  if (progress_) progress_(name);
+  if (Status status = write_file(path(name), content); !status) return status;
+  body_ += fmt::format("<p><a href=\"{0}\">{0}</a>: {1}</p>\n", html_escaped(name),
+                       html_escaped(what));
+  return Done{};
+}
+
+Status PaperPage::write_index() const {
+  const std::string page = fmt::format(
+      "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<meta "
+      "name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>{0}</title>\n"
+      "<style>{1}</style>\n</head>\n<body>\n<h1>{0}</h1>\n<p class=\"cite\">{2}</p>\n{3}</body>\n"
+      "</html>\n",
+      html_escaped(title_), kStyle, html_escaped(citation_), body_);
+  return write_file(path("index.html"), page);
+}
+
+}  // namespace limn

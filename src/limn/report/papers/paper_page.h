@@ -1,0 +1,70 @@
+#pragma once
+/// A folder that holds a paper's figures and tables made anew, with one index page that says for each
+/// what the paper prints and what limn finds.
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "limn/report/data_table.h"
+#include "limn/report/figure/figure.h"
+
+namespace limn {
+
+/// Called before each file is made, with its name.
+using PaperProgress = std::function<void(const std::string& what)>;
+
+/// "Figure 7": a figure's place in the paper, and its files' name without extension.
+struct PaperItem {
+  std::string label;
+  std::string stem;
+};
+
+/// A line of a list of claims or misprints.
+struct PaperFinding {
+  std::string place;    ///< where in the paper
+  std::string printed;  ///< what it says
+  std::string found;    ///< what limn finds
+};
+
+class PaperPage {
+ public:
+  /// `directory` is made if it does not exist, its parents too; a failure shows at the first write.
+  PaperPage(std::string directory, std::string title, std::string citation,
+            PaperProgress progress);
+
+  void add_heading(const std::string& heading);
+  void add_paragraph(const std::string& text);
+
+  /// Writes the figure as .pdf and .svg and its numbers as .csv and .json, and puts it on the page.
+  [[nodiscard]] Status add_figure(const PaperItem& item, const Figure& figure,
+                                  const DataTable& numbers, const std::string& printed,
+                                  const std::string& found);
+
+  /// A table of text, its first row the header; and its numbers as .csv and .json.
+  [[nodiscard]] Status add_table(const PaperItem& item,
+                                 const std::vector<std::vector<std::string>>& rows,
+                                 const DataTable& numbers, const std::string& found);
+
+  void add_findings(const std::string& heading, const std::vector<PaperFinding>& findings);
+
+  /// Any further file, linked from the page.
+  [[nodiscard]] Status add_file(const std::string& name, const std::string& content,
+                                const std::string& what);
+
+  /// The index page, last, so that it never names what is not there.
+  [[nodiscard]] Status write_index() const;
+
+ private:
+  [[nodiscard]] std::string path(const std::string& name) const;
+  [[nodiscard]] Status write_numbers(const std::string& stem, const DataTable& numbers) const;
+  void append_rows(const std::vector<std::vector<std::string>>& rows);
+
+  std::string directory_, title_, citation_, body_;
+  PaperProgress progress_;
+};
+
+/// For text between tags and in attributes.
+[[nodiscard]] std::string html_escaped(const std::string& text);
+
+}  // namespace limn
