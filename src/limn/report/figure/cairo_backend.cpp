@@ -7,6 +7,9 @@
 #include <cairo-svg.h>
 #include <cairo.h>
 
+#include <algorithm>
+#include <cmath>
+#include <functional>
 #include <map>
 #include <memory>
 #include <numbers>
@@ -130,7 +133,9 @@ void draw(cairo_t* context, const UnclipOp&) { cairo_restore(context); }
 Surface make_surface(const Canvas& canvas, FigureFormat format, std::string& bytes) {
   const double width = canvas.width(), height = canvas.height();
   if (format == FigureFormat::png) {
-    const auto pixels = [](double points) { return static_cast<int>(points * kPngScale + 0.5); };
+    const auto pixels = [](double points) {
+      return static_cast<int>(std::ceil(points * kPngScale));
+    };
     Surface surface(cairo_image_surface_create(CAIRO_FORMAT_RGB24, pixels(width), pixels(height)));
     cairo_surface_set_device_scale(surface.get(), kPngScale, kPngScale);
     return surface;

@@ -83,7 +83,8 @@ void draw_legend(Canvas& canvas, const ChartPanel& panel, const Legend& legend, 
     const ChartPanel::Series& series = panel.series[legend.series[k]];
     const int style = style_of(panel, legend.series[k]);
     const double x = left + static_cast<double>(k % legend.columns) * (legend.entry + kLegendGap);
-    const double y = top + (static_cast<double>(k / legend.columns) + 0.5) * kLegendRow;
+    const auto row = static_cast<double>(k / legend.columns);  // NOLINT(bugprone-integer-division)
+    const double y = top + (row + 0.5) * kLegendRow;
     canvas.stroke(Path::segment({x, y}, {x + kSampleWidth, y}), series_colour(style),
                   line_stroke(style));
     if (series.markers)

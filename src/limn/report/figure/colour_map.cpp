@@ -38,6 +38,7 @@ Colour viridis(double t) {
 
 std::vector<Colour> viridis_bands(int n, double lighten) {
   std::vector<Colour> bands;
+  bands.reserve(static_cast<std::size_t>(std::max(n, 0)));
   for (int i = 0; i < n; ++i)
     bands.push_back(lightened(viridis(n == 1 ? 0.5 : i / (n - 1.0)), lighten));
   return bands;

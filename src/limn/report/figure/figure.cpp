@@ -61,8 +61,10 @@ Figure& Figure::add_entry(Entry entry) {
   return *this;
 }
 
+std::size_t Figure::column_count() const { return static_cast<std::size_t>(std::max(columns_, 1)); }
+
 double Figure::column_width() const {
-  const int columns = std::max(columns_, 1);
+  const auto columns = static_cast<double>(column_count());
   return std::max((width_ - 2 * kPageMargin - kColumnGap * (columns - 1)) / columns, 1.0);
 }
 
@@ -72,45 +74,55 @@ std::vector<std::string> Figure::caption_lines(std::size_t index) const {
   return broken_lines(text, column_width(), kCaption);
 }
 
-Canvas Figure::canvas() const {
-  const double width = column_width();
-  const auto columns = static_cast<std::size_t>(std::max(columns_, 1));
-  const double title_height = title_.empty() ? 0 : kFigureTitleHeight;
-  // First the rows' heights, as the page must be known before anything is drawn on it.
-  struct Row {
-    double panels = 0;
-    std::size_t caption_lines = 0;
-  };
+struct Figure::Row {
+  double panels = 0;              ///< height of the tallest panel
+  std::size_t caption_lines = 0;  ///< of the longest caption
+
+  [[nodiscard]] double height() const {
+    if (caption_lines == 0) return panels;
+    return panels + kCaptionGap + kCaptionLine * static_cast<double>(caption_lines);
+  }
+};
+
+std::vector<Figure::Row> Figure::rows() const {
+  const std::size_t columns = column_count();
   std::vector<Row> rows((entries_.size() + columns - 1) / columns);
-  double height = 2 * kPageMargin + title_height;
   for (std::size_t i = 0; i < entries_.size(); ++i) {
     Row& row = rows[i / columns];
-    row.panels = std::max(row.panels, entries_[i].height(width));
+    row.panels = std::max(row.panels, entries_[i].height(column_width()));
     row.caption_lines = std::max(row.caption_lines, caption_lines(i).size());
   }
-  const auto row_height = [](const Row& row) {
-    const auto lines = static_cast<double>(row.caption_lines);
-    return row.panels + (lines > 0 ? kCaptionGap + kCaptionLine * lines : 0);
-  };
-  for (const Row& row : rows) height += row_height(row) + (&row == &rows.back() ? 0 : kRowGap);
+  return rows;
+}
 
+void Figure::draw_entry(Canvas& canvas, std::size_t index, const Row& row, double x,
+                        double top) const {
+  entries_[index].draw(canvas, {x, top, column_width(), row.panels});
+  double y = top + row.panels + kCaptionGap;
+  for (const std::string& line : caption_lines(index)) {
+    canvas.text({x, y}, line, kCaption);
+    y += kCaptionLine;
+  }
+}
+
+Canvas Figure::canvas() const {
+  const std::vector<Row> all = rows();
+  const double below_title = kPageMargin + (title_.empty() ? 0 : kFigureTitleHeight);
+  double height = below_title + kPageMargin;
+  for (const Row& row : all) height += row.height() + (&row == &all.back() ? 0 : kRowGap);
   Canvas canvas(width_, height);
   canvas.text({width_ / 2, kPageMargin}, title_,
               {.size = kFigureTitleSize,
                .align = Align::centre,
                .vertical = VerticalAlign::top,
                .bold = true});
-  double top = kPageMargin + title_height;
+  const std::size_t columns = column_count();
+  double top = below_title;
   for (std::size_t i = 0; i < entries_.size(); ++i) {
-    const Row& row = rows[i / columns];
-    const double x = kPageMargin + static_cast<double>(i % columns) * (width + kColumnGap);
-    entries_[i].draw(canvas, {x, top, width, row.panels});
-    double y = top + row.panels + kCaptionGap;
-    for (const std::string& line : caption_lines(i)) {
-      canvas.text({x, y}, line, kCaption);
-      y += kCaptionLine;
-    }
-    if (i % columns + 1 == columns) top += row_height(row) + kRowGap;
+    const auto column = static_cast<double>(i % columns);
+    const Row& row = all[i / columns];
+    draw_entry(canvas, i, row, kPageMargin + column * (column_width() + kColumnGap), top);
+    if (i % columns + 1 == columns) top += row.height() + kRowGap;
   }
   return canvas;
 }

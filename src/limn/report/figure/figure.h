@@ -58,7 +58,11 @@ class Figure {
     std::function<void(Canvas&, const Box&)> draw;
     std::string caption;
   };
+  struct Row;
   Figure& add_entry(Entry entry);
+  [[nodiscard]] std::vector<Row> rows() const;
+  void draw_entry(Canvas& canvas, std::size_t index, const Row& row, double x, double top) const;
+  [[nodiscard]] std::size_t column_count() const;
   [[nodiscard]] double column_width() const;
   [[nodiscard]] std::vector<std::string> caption_lines(std::size_t index) const;
 

@@ -53,6 +53,7 @@ Colour darkened(Colour colour) {
 
 void draw_layers(Canvas& canvas, const RegionPlot& plot, const OverlayPanel& panel) {
   std::vector<LevelSets> sets;
+  sets.reserve(panel.layers.size());
   for (const OverlayPanel::Layer& layer : panel.layers) sets.emplace_back(panel.grid, layer.values);
   for (std::size_t i = 0; i < sets.size(); ++i) {
     const std::vector<double> levels = levels_of(panel.layers[i], panel.contours);

@@ -140,6 +140,7 @@ void draw_surface(Canvas& canvas, const SurfacePanel& panel, const Placement& pl
   for (const Patch& patch : painters_order(panel, seen)) {
     const std::vector<int>& face = panel.faces[patch.face];
     std::vector<PagePoint> corners;
+    corners.reserve(face.size());
     for (const int v : face) corners.push_back(place(seen[v]));
     const Path path = Path().polyline(corners, true);
     const Colour colour = grey(lightness(normal_of(face, seen)));
