@@ -1,5 +1,6 @@
 #include <cmath>
 #include <memory>
+#include <optional>
 
 #include <fast_float/fast_float.h>
 #include <fmt/core.h>
@@ -19,15 +20,13 @@ constexpr int kMostStages = 64;
 struct ArtifactOptions {
   std::vector<std::string> schemes;
   SchemeOptions parameters;
-  std::string frequency;
-  std::string tolerance;
-  std::string map;
+  std::optional<std::string> frequency, tolerance, map;
   int steps = 0;
   int stages = -1;
   bool json = false;
 
-  [[nodiscard]] bool wants_values() const { return !frequency.empty(); }
-  [[nodiscard]] bool wants_sampling() const { return (frequency.empty() && map.empty()) || !tolerance.empty(); }
+  [[nodiscard]] bool wants_values() const { return frequency.has_value(); }
+  [[nodiscard]] bool wants_sampling() const { return (!frequency && !map) || tolerance; }
   [[nodiscard]] Stage stage() const {
     if (steps > 0) return {Stage::Kind::steps, steps};
     if (stages >= 0) return {Stage::Kind::smoothing, stages};
@@ -110,11 +109,11 @@ int print_json(const std::vector<NamedAnalysis>& schemes, Make make) {
 
 /// What can be refused at once is refused before any work.
 Status check_map(const ArtifactOptions& options) {
-  if (options.map.empty()) return Done{};
+  if (!options.map) return Done{};
   if (options.schemes.size() > 1)
     return Error{"--map draws one scheme", "call limn once for each", {}, 0, 0};
-  if (!is_table_path(options.map)) {
-    const Result<FigureFormat> format = figure_format(options.map);
+  if (!is_table_path(*options.map)) {
+    const Result<FigureFormat> format = figure_format(*options.map);
     if (!format) return format.error();
   }
   return Done{};
@@ -129,7 +128,7 @@ Result<nlohmann::ordered_json> analysis_json(const NamedAnalysis& scheme,
     if (!values) return values.error();
     json.update(*values);
   }
-  if (!options.map.empty()) json.update({{"scheme", scheme.name}, {"map", options.map}});
+  if (options.map) json.update({{"scheme", scheme.name}, {"map", *options.map}});
   if (options.wants_sampling()) {
     const Result<nlohmann::ordered_json> sampling = sampling_json(scheme, tolerance);
     if (!sampling) return sampling.error();
@@ -146,25 +145,30 @@ int print_text(const std::vector<NamedAnalysis>& schemes, const ArtifactOptions&
   if (!values) return report(values.error());
   if (options.wants_sampling()) sampling = sampling_text(schemes, tolerance);
   if (!sampling) return report(sampling.error());
-  if (!options.map.empty()) fmt::print("{}: a map of {}\n", options.map, schemes.front().name);
+  if (options.map) fmt::print("{}: a map of {}\n", *options.map, schemes.front().name);
   fmt::print("{}{}", *values, *sampling);
   return kDone;
 }
 
 int analyse(const ArtifactOptions& options) {
   const Result<Frequency> f =
-      options.wants_values() ? read_frequency(options.frequency) : Frequency{};
+      options.wants_values() ? read_frequency(*options.frequency) : Frequency{};
   if (!f) return report(f.error());
-  const Result<double> tolerance =
-      options.tolerance.empty() ? 1.0 : read_tolerance(options.tolerance);
+  const Result<double> tolerance = options.tolerance ? read_tolerance(*options.tolerance) : 1.0;
   if (!tolerance) return report(tolerance.error());
-  if ((options.steps > 0 || options.stages >= 0) && !options.wants_values() && options.map.empty())
-    return report({"--steps and --stages say where magnitudes are taken: --frequency or --map is missing", {}, {}, 0, 0});
+  if ((options.steps > 0 || options.stages >= 0) && !options.wants_values() && !options.map)
+    return report(
+        {"--steps and --stages say where magnitudes are taken: --frequency or --map is missing",
+         {},
+         {},
+         0,
+         0});
   if (Status status = check_map(options); !status) return report(status.error());
   const Result<std::vector<NamedAnalysis>> schemes = load(options);
   if (!schemes) return report(schemes.error());
-  if (!options.map.empty())
-    if (Status status = write_artifact_map(options.map, schemes->front(), options.stage()); !status)
+  if (options.map)
+    if (Status status = write_artifact_map(*options.map, schemes->front(), options.stage());
+        !status)
       return report(status.error());
   if (!options.json) return print_text(*schemes, options, *f, *tolerance);
   return print_json(*schemes, [&](const NamedAnalysis& scheme) {

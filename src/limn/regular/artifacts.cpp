@@ -146,34 +146,71 @@ double ArtifactAnalysis::amplitude(Frequency g) const {
   return value;
 }
 
+double ArtifactAnalysis::made_by_one_step(Phase t, const Symbol& energies) const {
+  double sum = 0;
+  for (std::size_t i = 1; i < aliases_.size(); ++i) {
+    const Phase theta = mask_.dilation.refined_phase(
+        {t[0] + kTwoPi * aliases_[i][0], t[1] + kTwoPi * aliases_[i][1]});
+    if (const double square_of_symbol = square(symbol_(theta)); square_of_symbol > 0)
+      sum += square_of_symbol * energies(theta);
+  }
+  return sum;
+}
+
 double ArtifactAnalysis::energy(Frequency f) const {
-  const double all = inner_products_(control_phase(mask_.lattice, f));
-  return std::max(0.0, all - square(amplitude(f)));
+  // E(t) = Σ_artifacts |m|² B + |m(signal)|² E(θ), B the energy of all: no difference of close
+  // numbers
+  Phase t = control_phase(mask_.lattice, f);
+  double sum = 0;
+  double signal = 1;
+  constexpr int kMostSteps = 200;
+  for (int step = 0; step < kMostSteps; ++step) {
+    const double term = signal * made_by_one_step(t, inner_products_);
+    sum += term;
+    t = mask_.dilation.refined_phase(t);
+    signal *= square(symbol_(t));
+    const bool near_constant = std::max(std::abs(t[0]), std::abs(t[1])) < 1;
+    if (signal == 0 || (near_constant && term <= 1e-17 * sum)) break;
+  }
+  return std::max(0.0, sum);
 }
 
 double ArtifactAnalysis::energy_percent(Frequency f) const {
-  return percent(std::sqrt(energy(f)), amplitude(f));
+  return limn::percent(std::sqrt(energy(f)), amplitude(f));
 }
 
-double ArtifactAnalysis::steps_energy(Frequency f, int steps) const {
-  // Σ over the waves on the finest lattice of their squares: the transition operator of the
-  // autocorrelation, applied `steps` times to the constant 1
-  const Mask squared = autocorrelation(mask_);
+StepsEnergy::StepsEnergy(const ArtifactAnalysis& analysis, int steps) : analysis_(analysis) {
+  // the transition operator of the autocorrelation, applied to the constant 1
+  const LatticeMatrix& dilation = analysis.mask().dilation;
+  std::map<LatticeVector, double> squared;
+  for (const auto& [k, weight] : autocorrelation(analysis.mask()).coefficients)
+    squared[{k[0] / 2, k[1] / 2}] = to_double(weight);
   std::map<LatticeVector, double> sums{{{0, 0}, 1.0}};
   for (int step = 0; step < steps; ++step) {
+    energies_.push_back(symbol_of(sums));
     std::map<LatticeVector, double> next;
-    for (const auto& [k, weight] : squared.coefficients)
+    for (const auto& [k, weight] : squared)
       for (const auto& [j, value] : sums)
-        if (const auto i = mask_.dilation.divide({k[0] / 2 + j[0], k[1] / 2 + j[1]}))
-          next[*i] += to_double(weight) * value;
+        if (const auto i = dilation.divide({k[0] + j[0], k[1] + j[1]})) next[*i] += weight * value;
     sums = std::move(next);
   }
-  const double all = symbol_of(sums)(control_phase(mask_.lattice, f));
-  return std::max(0.0, all - square(after_steps(f, steps).signal));
 }
 
-double ArtifactAnalysis::steps_energy_percent(Frequency f, int steps) const {
-  return percent(std::sqrt(steps_energy(f, steps)), after_steps(f, steps).signal);
+double StepsEnergy::operator()(Frequency f) const {
+  Phase t = control_phase(analysis_.mask().lattice, f);
+  double sum = 0;
+  double signal = 1;
+  for (std::size_t left = energies_.size(); left-- > 0;) {
+    sum += signal * analysis_.made_by_one_step(t, energies_[left]);
+    t = analysis_.mask().dilation.refined_phase(t);
+    signal *= square(analysis_.symbol()(t));
+  }
+  return sum;
+}
+
+double StepsEnergy::percent(Frequency f) const {
+  const int steps = static_cast<int>(energies_.size());
+  return limn::percent(std::sqrt((*this)(f)), analysis_.after_steps(f, steps).signal);
 }
 
 }  // namespace limn

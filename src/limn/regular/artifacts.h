@@ -50,7 +50,7 @@ class ArtifactAnalysis {
   /// the scheme's kernel and single directions are left out.)
   [[nodiscard]] Components after_stages(Frequency f, int stages) const;
   /// After `steps` ≥ 1 steps: each wave, once made by the first step, is multiplied by its symbol
-  /// on each finer lattice. (Later steps make further artifacts: see steps_energy.)
+  /// on each finer lattice. (Later steps make further artifacts: see StepsEnergy.)
   [[nodiscard]] Components after_steps(Frequency f, int steps) const;
 
   /// Whether the scheme has limit values, and if not, why. Needed by the functions below.
@@ -81,8 +81,11 @@ class ArtifactAnalysis {
 
  private:
   explicit ArtifactAnalysis(const Mask& mask);
+  friend class StepsEnergy;
   /// Phases on the first refined lattice of f and of its artifacts.
   [[nodiscard]] std::vector<Phase> refined_phases(Frequency f) const;
+  /// Σ |m|² · energies over the artifacts that one step makes of a wave with phases t.
+  [[nodiscard]] double made_by_one_step(Phase t, const Symbol& energies) const;
 
   Mask mask_;
   Factorization factors_;
@@ -91,6 +94,20 @@ class ArtifactAnalysis {
   Symbol symbol_, stage_, limit_, inner_products_;
   Status limit_status_ = Done{};
   Status energy_status_ = Done{};
+};
+
+/// The energy of all |det M|^steps - 1 artifacts after some steps, at any number of frequencies.
+class StepsEnergy {
+ public:
+  /// Keeps a reference to the analysis. steps ≥ 1.
+  StepsEnergy(const ArtifactAnalysis& analysis, int steps);
+  [[nodiscard]] double operator()(Frequency f) const;
+  /// 100 · sqrt(energy) / |signal|
+  [[nodiscard]] double percent(Frequency f) const;
+
+ private:
+  const ArtifactAnalysis& analysis_;
+  std::vector<Symbol> energies_;  // [j]: of all waves after j steps together
 };
 
 }  // namespace limn

@@ -25,7 +25,7 @@ struct SamplingDensity {
 };
 
 /// The least tolerance that is computed: below it rounding begins to show.
-inline constexpr double kLeastTolerance = 1e-3;
+inline constexpr double kLeastTolerance = 1e-6;
 
 /// In each direction the |f| where the measure first exceeds the tolerance, to 1e-12 once it is
 /// enclosed by steps of 1/256 of the way to the rim. Fails on a tolerance outside

@@ -35,14 +35,17 @@ void append_values(const StageValues& values, std::vector<double>& row) {
 /// Rows that begin as given, followed by the values at their frequencies.
 Result<DataTable> with_values(const ArtifactAnalysis& analysis, Stage stage, DataTable table,
                               const std::vector<Frequency>& frequencies) {
-  // whether there are any hangs on the scheme alone
-  if (const auto first = values_at(analysis, {0, 0}, stage); !first) return first.error();
+  const Result<StageValuesAt> values_at = StageValuesAt::of(analysis, stage);
+  if (!values_at) return values_at.error();
   for (std::string& name : value_columns(analysis)) table.columns.push_back(std::move(name));
   constexpr std::ptrdiff_t kGrain = 64;
-  parallel_for(std::size_t{0}, frequencies.size(), [&](std::size_t first, std::size_t last) {
-    for (std::size_t i = first; i < last; ++i)
-      append_values(values_at(analysis, frequencies[i], stage).value(), table.rows[i]);
-  }, kGrain);
+  parallel_for(
+      std::size_t{0}, frequencies.size(),
+      [&](std::size_t first, std::size_t last) {
+        for (std::size_t i = first; i < last; ++i)
+          append_values((*values_at)(frequencies[i]), table.rows[i]);
+      },
+      kGrain);
   return table;
 }
 
@@ -217,8 +220,8 @@ Result<Figure> artifact_figure(const NamedAnalysis& scheme, Stage stage) {
   for (int i = 0; i < analysis.artifact_count(); ++i)
     figure.add(artifact_map_panel(grid, *table, artifact_name(i),
                                   fmt::format("artifact Y_{{{}}}", i + 1), common));
-  figure.add(artifact_map_panel(grid, *table, "total_energy_percent",
-                                "all artifacts, % of signal"));
+  figure.add(
+      artifact_map_panel(grid, *table, "total_energy_percent", "all artifacts, % of signal"));
   for (const auto& [degrees, name] : principal_directions(analysis.mask().lattice)) {
     const Result<DataTable> curve = artifact_curve(analysis, stage, degrees, kCurvePoints);
     if (!curve) return curve.error();

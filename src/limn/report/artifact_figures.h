@@ -8,12 +8,13 @@
 
 namespace limn {
 
-/// The Nyquist region cut into triangles: each of its sectors (six on triangles, four on quads) into
-/// subdivisions² equal ones.
+/// The Nyquist region cut into triangles: each of its sectors (six on triangles, four on quads)
+/// into subdivisions² equal ones.
 [[nodiscard]] TriangleGrid frequency_grid(Lattice lattice, int subdivisions);
 
 /// A scheme's magnitudes at the nodes of a grid, at one stage. Columns: fx, fy, signal, Y1 …, sum,
-/// mean_energy, percent_of_signal, total_energy_percent; a row a node. Fails where values_at does.
+/// mean_energy, percent_of_signal, total_energy_percent; a row a node. Fails where
+/// StageValuesAt::of does.
 [[nodiscard]] Result<DataTable> artifact_table(const ArtifactAnalysis& analysis, Stage stage,
                                                const TriangleGrid& grid);
 

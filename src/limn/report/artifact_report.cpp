@@ -41,17 +41,23 @@ std::string wave_text(Frequency f) {
   return length == 0 ? "constant" : fmt::format("{:.4g} edges long", 1 / length);
 }
 
+/// Nine decimals, and no minus before a rounded 0.
+std::string magnitude(double value) {
+  return fmt::format("{: .9f}", std::abs(value) < 5e-10 ? 0.0 : value);
+}
+
 std::string values_text(const NamedAnalysis& scheme, Frequency f, const StageValues& values,
                         Stage stage) {
   std::string text = scheme.name + "\n";
-  text += fmt::format("  signal   {: .9f}  {}\n", values.components.signal, wave_text(f));
+  text += fmt::format("  signal   {}  {}\n", magnitude(values.components.signal), wave_text(f));
   const std::vector<Frequency> waves = scheme.analysis.artifact_frequencies(f);
   for (std::size_t i = 0; i < waves.size(); ++i)
-    text += fmt::format("  {:<7}  {: .9f}  {}\n", artifact_name(static_cast<int>(i)),
-                        values.components.artifacts[i], wave_text(waves[i]));
-  text += fmt::format("  sum      {: .9f}\n  mean     {: .9f}  (energy) {} of the signal\n",
-                      values.components.sum(), values.components.mean_energy(),
-                      percent_text(values.components.percent_of_signal()));
+    text += fmt::format("  {:<7}  {}  {}\n", artifact_name(static_cast<int>(i)),
+                        magnitude(values.components.artifacts[i]), wave_text(waves[i]));
+  text +=
+      fmt::format("  sum      {}\n  mean     {}  (energy) {} of the signal\n",
+                  magnitude(values.components.sum()), magnitude(values.components.mean_energy()),
+                  percent_text(values.components.percent_of_signal()));
   const char* what = stage.kind == Stage::Kind::limit
                          ? "all waves of the limit surface but the signal"
                          : "all artifacts together";
@@ -79,32 +85,36 @@ std::string to_string(Stage stage) {
 
 std::string artifact_name(int artifact) { return fmt::format("Y{}", artifact + 1); }
 
-Result<StageValues> values_at(const ArtifactAnalysis& analysis, Frequency f, Stage stage) {
-  StageValues values;
-  if (stage.kind == Stage::Kind::steps) {
-    values.components = analysis.after_steps(f, stage.count);
-    values.total_energy_percent = analysis.steps_energy_percent(f, stage.count);
-    return values;
+StageValuesAt::StageValuesAt(const ArtifactAnalysis& analysis, Stage stage)
+    : analysis_(&analysis), stage_(stage) {
+  if (stage.kind == Stage::Kind::steps) steps_.emplace(analysis, stage.count);
+}
+
+Result<StageValuesAt> StageValuesAt::of(const ArtifactAnalysis& analysis, Stage stage) {
+  if (stage.kind == Stage::Kind::limit)
+    for (const Status* status : {&analysis.limit_status(), &analysis.energy_status()})
+      if (!*status) return status->error();
+  return StageValuesAt(analysis, stage);
+}
+
+StageValues StageValuesAt::operator()(Frequency f) const {
+  switch (stage_.kind) {
+    case Stage::Kind::steps: return {analysis_->after_steps(f, stage_.count), steps_->percent(f)};
+    case Stage::Kind::limit: return {analysis_->in_limit(f), analysis_->energy_percent(f)};
+    case Stage::Kind::smoothing: break;
   }
-  if (stage.kind == Stage::Kind::smoothing) {
-    values.components = analysis.after_stages(f, stage.count);
-    // one refinement alone: the artifacts are all there are
-    values.total_energy_percent = values.components.percent_of_signal() *
-                                  std::sqrt(static_cast<double>(analysis.artifact_count()));
-    return values;
-  }
-  for (const Status* status : {&analysis.limit_status(), &analysis.energy_status()})
-    if (!*status) return status->error();
-  values.components = analysis.in_limit(f);
-  values.total_energy_percent = analysis.energy_percent(f);
-  return values;
+  const Components components = analysis_->after_stages(f, stage_.count);
+  // after one refinement alone these artifacts are all there are
+  return {components, components.percent_of_signal() *
+                          std::sqrt(static_cast<double>(analysis_->artifact_count()))};
 }
 
 Result<nlohmann::ordered_json> artifacts_json(const NamedAnalysis& scheme, Frequency f,
                                               Stage stage) {
-  const Result<StageValues> values = values_at(scheme.analysis, f, stage);
-  if (!values) return named(scheme, values.error());
-  const Components& components = values->components;
+  const Result<StageValuesAt> values_at = StageValuesAt::of(scheme.analysis, stage);
+  if (!values_at) return named(scheme, values_at.error());
+  const StageValues values = (*values_at)(f);
+  const Components& components = values.components;
   Json json{{"scheme", scheme.name}, {"frequency", {f[0], f[1]}}};
   if (stage.kind == Stage::Kind::smoothing)
     json["smoothing_stages"] = stage.count;
@@ -118,7 +128,7 @@ Result<nlohmann::ordered_json> artifacts_json(const NamedAnalysis& scheme, Frequ
   json["sum"] = components.sum();
   json["mean_energy"] = components.mean_energy();
   json["percent_of_signal"] = finite(components.percent_of_signal());
-  json["total_energy_percent"] = finite(values->total_energy_percent);
+  json["total_energy_percent"] = finite(values.total_energy_percent);
   return json;
 }
 
@@ -127,9 +137,9 @@ Result<std::string> artifacts_text(const std::vector<NamedAnalysis>& schemes, Fr
   std::string text = fmt::format("wave of frequency ({:g}, {:g}) cycles per control edge, {}\n",
                                  f[0], f[1], to_string(stage));
   for (const NamedAnalysis& scheme : schemes) {
-    const Result<StageValues> values = values_at(scheme.analysis, f, stage);
-    if (!values) return named(scheme, values.error());
-    text += values_text(scheme, f, *values, stage);
+    const Result<StageValuesAt> values_at = StageValuesAt::of(scheme.analysis, stage);
+    if (!values_at) return named(scheme, values_at.error());
+    text += values_text(scheme, f, (*values_at)(f), stage);
   }
   return text;
 }

@@ -2,6 +2,7 @@
 /// Artifacts of one scheme or several, as text, JSON and tables of numbers: `limn artifacts`.
 
 #include <nlohmann/json_fwd.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -37,9 +38,20 @@ struct StageValues {
   double total_energy_percent = 0;
 };
 
-/// Fails where the stage is the limit and there is none.
-[[nodiscard]] Result<StageValues> values_at(const ArtifactAnalysis& analysis, Frequency f,
-                                            Stage stage);
+/// A scheme at one stage, at any number of frequencies.
+class StageValuesAt {
+ public:
+  /// Keeps a reference to the analysis. Fails where the stage is the limit and there is none.
+  [[nodiscard]] static Result<StageValuesAt> of(const ArtifactAnalysis& analysis, Stage stage);
+  [[nodiscard]] StageValues operator()(Frequency f) const;
+
+ private:
+  StageValuesAt(const ArtifactAnalysis& analysis, Stage stage);
+
+  const ArtifactAnalysis* analysis_;
+  Stage stage_;
+  std::optional<StepsEnergy> steps_;
+};
 
 /// What an artifact is called: Y1, Y2, ….
 [[nodiscard]] std::string artifact_name(int artifact);

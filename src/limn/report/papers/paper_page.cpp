@@ -122,8 +122,8 @@ Status PaperPage::add_file(const std::string& name, const std::string& content,
                            const std::string& what) {
   if (progress_) progress_(name);
   if (Status status = write_file(path(name), content); !status) return status;
-  body_ += fmt::format("<p><a href=\"{0}\">{0}</a>: {1}</p>\n", html_escaped(name),
-                       html_escaped(what));
+  body_ +=
+      fmt::format("<p><a href=\"{0}\">{0}</a>: {1}</p>\n", html_escaped(name), html_escaped(what));
   return Done{};
 }
 

@@ -1,6 +1,6 @@
 #pragma once
-/// A folder that holds a paper's figures and tables made anew, with one index page that says for each
-/// what the paper prints and what limn finds.
+/// A folder that holds a paper's figures and tables made anew, with one index page that says for
+/// each what the paper prints and what limn finds.
 
 #include <functional>
 #include <string>
@@ -30,8 +30,7 @@ struct PaperFinding {
 class PaperPage {
  public:
   /// `directory` is made if it does not exist, its parents too; a failure shows at the first write.
-  PaperPage(std::string directory, std::string title, std::string citation,
-            PaperProgress progress);
+  PaperPage(std::string directory, std::string title, std::string citation, PaperProgress progress);
 
   void add_heading(const std::string& heading);
   void add_paragraph(const std::string& text);

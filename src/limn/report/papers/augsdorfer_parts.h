@@ -1,0 +1,32 @@
+#pragma once
+/// Private to the page of [ADS]: what its parts share.
+
+#include "limn/report/artifact_figures.h"
+#include "limn/report/papers/paper_page.h"
+
+namespace limn::ads {
+
+/// The three schemes of the paper and their numbers over the region of frequencies.
+struct Study {
+  std::vector<NamedAnalysis> schemes;
+  TriangleGrid grid;
+  std::vector<DataTable> limit;   ///< a scheme each
+  std::vector<DataTable> stages;  ///< after one and after two smoothing stages
+};
+
+[[nodiscard]] Result<Study> study();
+
+/// Least and largest value of a column, and the frequency of the largest.
+struct Extremes {
+  double low, high;
+  Frequency at;
+};
+[[nodiscard]] Extremes extremes(const DataTable& table, const std::string& name);
+
+/// Tables 1-3: the paper's expressions beside limn's, and how far they differ.
+[[nodiscard]] Status add_table(PaperPage& page, const Study& study, std::size_t which);
+
+/// Sampling density, claims and misprints.
+[[nodiscard]] Status add_words(PaperPage& page, const Study& study);
+
+}  // namespace limn::ads
