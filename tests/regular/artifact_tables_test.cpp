@@ -79,9 +79,9 @@ TEST(AdsTables, AreTheComponentsInTheLimit) {
 TEST(AdsTables, AreTheComponentsAfterOneStepWhereTheSchemeInterpolates) {
   for (const Table& table : {kTables[1], kTables[2]})
     for (const Frequency& f : some_frequencies(50))
-      EXPECT_LT(distance(all(shipped_analysis(table.scheme).after_steps(f, 1)),
-                         table.values(cosines(f))),
-                1e-13);
+      EXPECT_LT(
+          distance(all(shipped_analysis(table.scheme).after_steps(f, 1)), table.values(cosines(f))),
+          1e-13);
 }
 
 TEST(AdsTables, StagesAloneMakeTheMatrixRN) {
@@ -160,9 +160,9 @@ double value_of(const std::string& formula, const Mask& mask, Frequency f) {
   const double t1 = 2 * kPi * (f[0] * r1[0] + f[1] * r1[1]);
   const double t2 = 2 * kPi * (f[0] * r2[0] + f[1] * r2[1]), t3 = -t1 - t2;
   const Cosines c = cosines_of_phases(t1, t2, t3);
-  const std::map<std::string, double> names = {
-      {"t1", t1},   {"t2", t2},   {"t3", t3},     {"c1", c.c1},   {"c2", c.c2},
-      {"c3", c.c3}, {"c12", c.c12}, {"c13", c.c13}, {"c23", c.c23}};
+  const std::map<std::string, double> names = {{"t1", t1},     {"t2", t2},     {"t3", t3},
+                                               {"c1", c.c1},   {"c2", c.c2},   {"c3", c.c3},
+                                               {"c12", c.c12}, {"c13", c.c13}, {"c23", c.c23}};
   const Result<Expression> parsed = Expression::parse(formula);
   EXPECT_TRUE(parsed.ok()) << formula << ": " << parsed.error().text();
   if (!parsed) return std::nan("");

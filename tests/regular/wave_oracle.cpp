@@ -165,8 +165,7 @@ Mask ternary_box_spline() {
     for (int twice = 0; twice < 2; ++twice) {
       Laurent longer;
       for (const auto& [k, value] : product)
-        for (int i = -1; i <= 1; ++i)
-          longer[{k[0] + 2 * i * d[0], k[1] + 2 * i * d[1]}] += value;
+        for (int i = -1; i <= 1; ++i) longer[{k[0] + 2 * i * d[0], k[1] + 2 * i * d[1]}] += value;
       product = longer;
     }
   }
@@ -183,8 +182,8 @@ Mask quincunx() {
 Mask random_mask(Lattice lattice, const LatticeMatrix& dilation, unsigned seed) {
   std::mt19937 random(seed);
   Laurent weights;
-  for (int x = 0; x <= 4; ++x) {
-    for (int y = -4; y <= 4; ++y) {
+  for (int x = 0; x <= 2; ++x) {
+    for (int y = -2; y <= 2; ++y) {
       const Rational w(1 + static_cast<int>(random() % 19), 7);
       weights[{2 * x, 2 * y}] = weights[{-2 * x, -2 * y}] = w;
     }
