@@ -188,15 +188,8 @@ void expect_formulas(const std::string& name, const Mask& mask,
   }
 }
 
-std::vector<std::pair<std::string, Mask>> masks() {
-  std::vector<std::pair<std::string, Mask>> all = {{"ternary", ternary_box_spline()},
-                                                   {"quincunx", quincunx()}};
-  for (const std::string& name : shipped_schemes()) all.emplace_back(name, shipped_mask(name));
-  return all;
-}
-
 TEST(ArtifactFormulas, SayWhatTheComponentsAre) {
-  for (const auto& [name, mask] : masks()) {
+  for (const auto& [name, mask] : many_masks()) {
     const ArtifactAnalysis analysis = analysis_of(mask);
     const Result<std::vector<std::string>> limit = limit_formulas(mask, Notation::text);
     ASSERT_TRUE(limit.ok()) << name << ": " << limit.error().text();
@@ -207,7 +200,7 @@ TEST(ArtifactFormulas, SayWhatTheComponentsAre) {
 }
 
 TEST(ArtifactFormulas, InLatexHaveTheirBracesAndNoStars) {
-  for (const auto& [name, mask] : masks()) {
+  for (const auto& [name, mask] : many_masks()) {
     std::vector<std::string> texts = limit_formulas(mask, Notation::latex).value();
     for (const std::string& text : step_formulas(mask, Notation::latex)) texts.push_back(text);
     for (const std::string& text : formula_names(mask, Notation::latex)) texts.push_back(text);

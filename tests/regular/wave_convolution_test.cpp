@@ -32,14 +32,8 @@ void expect_what_the_wave_holds(const std::string& name, const Mask& mask, int f
   }
 }
 
-TEST(WaveByConvolution, OfEveryShippedScheme) {
-  for (const std::string& name : shipped_schemes())
-    expect_what_the_wave_holds(name, shipped_mask(name), 12);
-}
-
-TEST(WaveByConvolution, OfATernaryBoxSplineAndAQuincunx) {
-  expect_what_the_wave_holds("ternary", ternary_box_spline(), 12);
-  expect_what_the_wave_holds("quincunx", quincunx(), 12);
+TEST(WaveByConvolution, OfEveryShippedSchemeAndOthers) {
+  for (const auto& [name, mask] : many_masks()) expect_what_the_wave_holds(name, mask, 8);
 }
 
 TEST(WaveByConvolution, OfRandomMasksOfManySplits) {
@@ -78,10 +72,7 @@ TEST(WaveByConvolution, TwoAndThreeStepsAreTheSymbolOnEachFinerLattice) {
 }
 
 TEST(ArtifactFrequencies, AreTheNearestOfTheirClassesInTheOrderOfTheDualCosets) {
-  std::vector<std::pair<std::string, Mask>> masks = {{"ternary", ternary_box_spline()},
-                                                     {"quincunx", quincunx()}};
-  for (const std::string& name : shipped_schemes()) masks.emplace_back(name, shipped_mask(name));
-  for (const auto& [name, mask] : masks) {
+  for (const auto& [name, mask] : many_masks()) {
     const std::vector<LatticeVector> classes = dual_cosets(mask.dilation);
     const auto& [top, bottom] = mask.dilation.rows;
     const ArtifactAnalysis analysis = analysis_of(mask);

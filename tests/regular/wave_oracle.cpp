@@ -59,6 +59,32 @@ const ArtifactAnalysis& shipped_analysis(const std::string& scheme) {
   return known.emplace(scheme, analysis_of(shipped_mask(scheme))).first->second;
 }
 
+std::vector<std::pair<std::string, Mask>> many_masks() {
+  std::vector<std::pair<std::string, Mask>> masks = {{"ternary", ternary_box_spline()},
+                                                     {"quincunx", quincunx()}};
+  for (const std::string& name : shipped_schemes()) masks.emplace_back(name, shipped_mask(name));
+  const std::vector<std::pair<std::string, std::vector<std::string>>> others = {
+      {"box-spline-quad", {"i=2", "j=2", "p=1", "q=1"}},
+      {"box-spline-quad", {"i=3", "j=1", "p=0", "q=1"}},
+      {"box-spline-triangle", {"i=3", "j=1", "k3=1"}},
+      {"box-spline-triangle", {"i=4", "j=2", "k3=4"}},
+      {"laplacian-butterfly", {"b=3/16"}},
+      {"butterfly", {"w=1/20"}},
+      {"laplacian-loop", {"a=-1/9"}}};
+  for (const auto& [name, parameters] : others) {
+    Scheme scheme = shipped(name);
+    const Status set = set_parameters(scheme, parameters);
+    EXPECT_TRUE(set.ok()) << set.error().text();
+    masks.emplace_back(name + ", " + parameters[0], regular_mask(scheme).value());
+  }
+  const std::vector<LatticeMatrix> dilations = {
+      {{{{2, 0}, {0, 2}}}}, {{{{3, 0}, {0, 3}}}}, {{{{2, -1}, {1, 1}}}}, {{{{1, -2}, {2, 1}}}}};
+  for (const LatticeMatrix& dilation : dilations)
+    for (const Lattice lattice : {Lattice::triangle, Lattice::quad})
+      masks.emplace_back("random", random_mask(lattice, dilation, 5));
+  return masks;
+}
+
 bool is_dual(const Mask& mask) {
   const auto& [offset, value] = *mask.coefficients.begin();
   return offset[0] % 2 != 0 || offset[1] % 2 != 0;

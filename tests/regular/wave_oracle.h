@@ -55,6 +55,10 @@ inline constexpr double kSqrt3 = 1.7320508075688772;
 [[nodiscard]] double distance(const std::vector<double>& a, const std::vector<double>& b,
                               bool up_to_sign = false);
 
+/// Every shipped scheme's mask, those of some with other parameters, and of splits that limn does
+/// not have; by name.
+[[nodiscard]] std::vector<std::pair<std::string, Mask>> many_masks();
+
 /// A ternary box spline on triangles: two boxes of three along each edge direction.
 [[nodiscard]] Mask ternary_box_spline();
 /// The quincunx M = [[1, 1], [1, -1]], linear interpolation: 1, and 1/4 at the four neighbours.
