@@ -59,6 +59,23 @@ const ArtifactAnalysis& shipped_analysis(const std::string& scheme) {
   return known.emplace(scheme, analysis_of(shipped_mask(scheme))).first->second;
 }
 
+std::vector<Mask> random_masks(unsigned seed) {
+  // each turns and stretches its lattice: √3 and √7 go with triangles, √2 and √5 with squares
+  const std::map<Lattice, std::vector<LatticeMatrix>> dilations = {
+      {Lattice::triangle,
+       {{{{{2, 0}, {0, 2}}}}, {{{{3, 0}, {0, 3}}}}, {{{{2, -1}, {1, 1}}}}, {{{{3, -1}, {1, 2}}}}}},
+      {Lattice::quad,
+       {{{{{-2, 0}, {0, 2}}}},
+        {{{{0, 3}, {3, 0}}}},
+        {{{{1, 1}, {1, -1}}}},
+        {{{{1, -2}, {2, 1}}}}}}};
+  std::vector<Mask> masks;
+  for (const auto& [lattice, all] : dilations)
+    for (const LatticeMatrix& dilation : all)
+      masks.push_back(random_mask(lattice, dilation, seed++));
+  return masks;
+}
+
 std::vector<std::pair<std::string, Mask>> many_masks() {
   std::vector<std::pair<std::string, Mask>> masks = {{"ternary", ternary_box_spline()},
                                                      {"quincunx", quincunx()}};
@@ -77,11 +94,7 @@ std::vector<std::pair<std::string, Mask>> many_masks() {
     EXPECT_TRUE(set.ok()) << set.error().text();
     masks.emplace_back(name + ", " + parameters[0], regular_mask(scheme).value());
   }
-  const std::vector<LatticeMatrix> dilations = {
-      {{{{2, 0}, {0, 2}}}}, {{{{3, 0}, {0, 3}}}}, {{{{2, -1}, {1, 1}}}}, {{{{1, -2}, {2, 1}}}}};
-  for (const LatticeMatrix& dilation : dilations)
-    for (const Lattice lattice : {Lattice::triangle, Lattice::quad})
-      masks.emplace_back("random", random_mask(lattice, dilation, 5));
+  for (const Mask& mask : random_masks(5)) masks.emplace_back("random", mask);
   return masks;
 }
 

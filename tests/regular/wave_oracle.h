@@ -65,5 +65,7 @@ inline constexpr double kSqrt3 = 1.7320508075688772;
 [[nodiscard]] Mask quincunx();
 /// A point-symmetric mask with random weights that sum to 1 over each class.
 [[nodiscard]] Mask random_mask(Lattice lattice, const LatticeMatrix& dilation, unsigned seed);
+/// Such masks of eight splits.
+[[nodiscard]] std::vector<Mask> random_masks(unsigned seed);
 
 }  // namespace limn::test
