@@ -96,7 +96,7 @@ TEST(ArtifactFrequencies, AreTheNearestOfTheirClassesInTheOrderOfTheDualCosets) 
   for (const auto& [name, mask] : many_masks()) {
     if (name == "random") continue;
     const ArtifactAnalysis analysis = analysis_of(mask);
-    for (const Frequency& f : some_frequencies(20))
+    for (const Frequency& f : some_frequencies(8))
       EXPECT_LT(farther_than_the_nearest(analysis, f), 1e-13) << name;
   }
 }
