@@ -187,7 +187,7 @@ TEST(ArtifactLaws, AConstantHasNoArtifacts) {
     EXPECT_LT(distance(all(analysis.after_steps({0, 0}, 5)), one), 1e-14) << name;
     EXPECT_NEAR(analysis.amplitude({0, 0}), 1, 1e-14) << name;
     EXPECT_NEAR(analysis.energy({0, 0}), 0, 1e-14) << name;
-    EXPECT_NEAR(analysis.steps_energy({0, 0}, 3), 0, 1e-14) << name;
+    EXPECT_NEAR(StepsEnergy(analysis, 3)({0, 0}), 0, 1e-14) << name;
     for (const auto& [p, q] : {std::pair{1, 0}, {0, 1}, {2, -1}})
       EXPECT_NEAR(analysis.amplitude(frequency_along(analysis.mask().lattice, p, q)), 0, 1e-14);
   }
@@ -200,7 +200,7 @@ TEST(ArtifactLaws, OneStepsEnergyIsThatOfItsArtifacts) {
       double energy = 0;
       const Components step = analysis.after_steps(f, 1);
       for (const double a : step.artifacts) energy += a * a;
-      EXPECT_NEAR(analysis.steps_energy(f, 1), energy, 1e-14) << name;
+      EXPECT_NEAR(StepsEnergy(analysis, 1)(f), energy, 1e-14) << name;
       EXPECT_NEAR(step.mean_energy(), std::sqrt(energy / analysis.artifact_count()), 1e-14);
     }
   }

@@ -149,5 +149,28 @@ TEST(SamplingDensity, RefusesTolerancesWithoutMeaning) {
   }
 }
 
+TEST(SamplingDensity, IsWhereTheToleranceIsFirstExceededNotLast) {
+  // tensor mask (1+z)²/4 · (-c/2, 1+c, -c/2) with c = -.586: the artifact along the axis rises,
+  // vanishes again half way to the rim, and rises anew
+  const Rational c(-586, 1000);
+  const Laurent line = product(power(centred_box({1, 0}, 2), 2),
+                               Laurent{{{-2, 0}, -c / 2}, {{0, 0}, 1 + c}, {{2, 0}, -c / 2}});
+  Laurent across;
+  for (const auto& [k, value] : line) across[{k[1], k[0]}] = value;
+  const Mask mask{
+      Lattice::quad, {{{{2, 0}, {0, 2}}}}, scaled(product(line, across), Rational(1, 4))};
+  ASSERT_EQ(total(mask.coefficients), 4);
+  const ArtifactAnalysis analysis = ArtifactAnalysis::of(mask).value();
+  const auto percent = [&](double f) { return analysis.in_limit({f, 0}).percent_of_signal(); };
+  const double top = percent(0.16);
+  const double tolerance = top / 2;
+  ASSERT_LT(percent(0.25), tolerance / 10);  // it vanishes there
+  ASSERT_GT(percent(0.45), top);
+  const SamplingDensity density =
+      sampling_density(analysis, tolerance, ArtifactMeasure::mean_energy).value();
+  EXPECT_LT(density.directions.front().frequency, 0.16);
+  EXPECT_NEAR(percent(density.directions.front().frequency), tolerance, 1e-9);
+}
+
 }  // namespace
 }  // namespace limn::test

@@ -101,14 +101,14 @@ TEST(ArtifactFrequencies, AreTheNearestOfTheirClassesInTheOrderOfTheDualCosets) 
   }
 }
 
-TEST(ArtifactFrequencies, DISABLED_AreTheNearestFarFromZero) {
+TEST(ArtifactFrequencies, AreTheNearestFarFromZero) {
   for (const char* name : {"loop", "sqrt3", "catmull-clark", "doo-sabin"})
     for (const Frequency& f : some_frequencies(20))
       EXPECT_LT(farther_than_the_nearest(shipped_analysis(name), {6 * f[0], 6 * f[1]}), 1e-13)
           << name;
 }
 
-TEST(ArtifactFrequencies, DISABLED_AreTheNearestWhereThereAreManyClasses) {
+TEST(ArtifactFrequencies, AreTheNearestWhereThereAreManyClasses) {
   for (const Mask& mask : random_masks(5)) {
     const ArtifactAnalysis analysis = analysis_of(mask);
     for (const Frequency& f : some_frequencies(20))

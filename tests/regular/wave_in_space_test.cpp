@@ -66,9 +66,9 @@ TEST(WaveInSpace, AfterMoreStepsKeepsTheComponentsAndTheEnergyOfAllOthers) {
         torus.refine_once();
         const Components predicted = analysis.after_steps(f, steps);
         expect_components(torus, all_frequencies(analysis, f), all(predicted), name);
-        const double others = analysis.steps_energy(f, steps);
+        const double others = StepsEnergy(analysis, steps)(f);
         EXPECT_NEAR(torus.power(), others + predicted.signal * predicted.signal, 1e-12) << name;
-        EXPECT_NEAR(analysis.steps_energy_percent(f, steps),
+        EXPECT_NEAR(StepsEnergy(analysis, steps).percent(f),
                     100 * std::sqrt(std::max(0., others)) / std::abs(predicted.signal), 1e-9);
       }
     }

@@ -113,8 +113,8 @@ TEST(Energy, AfterManyStepsTendsToThatOfTheLimit) {
       const double limit = analysis.energy(f);
       const double scale = 1 + limit;
       // gaps close fourfold per doubling of the lattice: |det M|^-1 per step for the slowest
-      const double near = std::abs(analysis.steps_energy(f, 3) - limit);
-      const double far = std::abs(analysis.steps_energy(f, 6) - limit);
+      const double near = std::abs(StepsEnergy(analysis, 3)(f) - limit);
+      const double far = std::abs(StepsEnergy(analysis, 6)(f) - limit);
       EXPECT_LT(far, 0.1 * near + 1e-12) << name;
       EXPECT_LT(far, 0.01 * scale) << name;
     }

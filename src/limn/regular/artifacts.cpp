@@ -57,10 +57,6 @@ ArtifactAnalysis::ArtifactAnalysis(const Mask& mask)
       aliases_(dual_cosets(mask.dilation)),
       symbol_(mask.coefficients, 1.0 / mask.dilation.growth()),
       stage_(smoothing_stage(mask.lattice, mask.dilation)) {
-  const auto& m = mask.dilation.rows;
-  for (int a = -2; a <= 2; ++a)
-    for (int b = -2; b <= 2; ++b)
-      shortest_.push_back({m[0][0] * a + m[1][0] * b, m[0][1] * a + m[1][1] * b});
   const auto limit = approx_limit_stencil(mask);
   if (limit)
     limit_ = symbol_of(*limit);
@@ -74,22 +70,29 @@ ArtifactAnalysis::ArtifactAnalysis(const Mask& mask)
 }
 
 std::vector<Frequency> ArtifactAnalysis::artifact_frequencies(Frequency f) const {
+  const auto& m = mask_.dilation.rows;
+  const Phase t = control_phase(mask_.lattice, f);
   std::vector<Frequency> frequencies;
   for (std::size_t i = 1; i < aliases_.size(); ++i) {
+    // the member κ + Mᵀ n with n near -M⁻ᵀ (t/2π + κ): M is a similarity, so rounding is off by 1
+    // at most
+    const Phase member{t[0] / kTwoPi + aliases_[i][0], t[1] / kTwoPi + aliases_[i][1]};
+    const Phase way = mask_.dilation.refined_phase(member);
     Frequency nearest{};
     double least = std::numeric_limits<double>::infinity();
-    for (const LatticeVector& shift : shortest_) {
-      const LatticeVector kappa{aliases_[i][0] + shift[0], aliases_[i][1] + shift[1]};
-      const Frequency way =
-          frequency_of_phase(mask_.lattice, {kTwoPi * kappa[0], kTwoPi * kappa[1]});
-      const Frequency sum{f[0] + way[0], f[1] + way[1]};
-      const double length = std::hypot(sum[0], sum[1]);
-      // the margin keeps ties, at f along an axis, from being decided by rounding
-      if (length < least - 1e-12) {
-        least = length;
-        nearest = sum;
+    for (int a = -1; a <= 1; ++a)
+      for (int b = -1; b <= 1; ++b) {
+        const double x = a - std::nearbyint(way[0]);
+        const double y = b - std::nearbyint(way[1]);
+        const Frequency g =
+            frequency_of_phase(mask_.lattice, {kTwoPi * (member[0] + m[0][0] * x + m[1][0] * y),
+                                               kTwoPi * (member[1] + m[0][1] * x + m[1][1] * y)});
+        // the margin keeps ties, at f along an axis, from being decided by rounding
+        if (const double length = std::hypot(g[0], g[1]); length < least - 1e-12) {
+          least = length;
+          nearest = g;
+        }
       }
-    }
     frequencies.push_back(nearest);
   }
   return frequencies;
@@ -139,7 +142,9 @@ double ArtifactAnalysis::amplitude(Frequency g) const {
   Phase theta = control_phase(mask_.lattice, g);
   double value = 1;
   // m = 1 - O(θ²), so that what is left of the product differs from 1 by O(θ²)
-  while (std::max(std::abs(theta[0]), std::abs(theta[1])) > 1e-9 && value != 0) {
+  constexpr int kMostSteps = 5000;  // enough for the largest finite phase
+  for (int step = 0; step < kMostSteps && value != 0; ++step) {
+    if (std::max(std::abs(theta[0]), std::abs(theta[1])) < 1e-9) break;
     theta = mask_.dilation.refined_phase(theta);
     value *= symbol_(theta);
   }

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
+#include <cstdint>
 #include <cstdlib>
+#include <numeric>
 #include <optional>
 
 #include <fmt/core.h>
@@ -118,10 +120,52 @@ std::optional<std::vector<Rational>> solve(Rows rows) {
 
 const char* const kSeveral = "the mask fixes none, or more than one set of them";
 
+/// Whether data that sum to 0, symmetric or not, grow under the transition matrix: iterated
+/// from a fixed irregular start, the growth averaged over the last steps. (1, …, 1) is its left
+/// eigenvector of eigenvalue 1, so that this is the largest of the other eigenvalues.
+bool other_data_grow(const Mask& mask, const Points& points) {
+  constexpr int kSteps = 384;
+  constexpr int kLast = 128;
+  std::map<LatticeVector, std::size_t> number;
+  for (const auto& [k, orbit] : points.orbit_of) number.emplace(k, number.size());
+  std::vector<std::vector<std::pair<std::size_t, double>>> rows(number.size());
+  for (const auto& [point, row] : number) {
+    const LatticeVector image = mask.dilation.apply(point);
+    for (const auto& [k, value] : mask.coefficients)
+      if (const auto to = number.find({image[0] - k[0], image[1] - k[1]}); to != number.end())
+        rows[row].emplace_back(to->second, to_double(value));
+  }
+  std::vector<double> values(rows.size());
+  std::uint32_t state = 1;
+  for (double& value : values) value = (state = state * 1664525U + 1013904223U) / 4294967296.0;
+  double growth = 0;
+  std::vector<double> next(values.size());
+  for (int step = 0; step < kSteps; ++step) {
+    const double mean =
+        std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
+    double size = 0;
+    for (double& value : values) size = std::max(size, std::abs(value -= mean));
+    if (size < 1e-200) return false;
+    if (step >= kSteps - kLast) growth += std::log(size) / kLast;
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+      next[i] = 0;
+      for (const auto& [j, weight] : rows[i]) next[i] += weight * values[j] / size;
+    }
+    values.swap(next);
+  }
+  return growth > 1e-7;
+}
+
+Status check_convergence(const Mask& mask, const Points& points) {
+  if (!other_data_grow(mask, points)) return Done{};
+  return no_limit("the scheme does not converge (an eigenvalue beside 1 is greater than 1)");
+}
+
 Result<std::vector<Rational>> exact_values(const Mask& mask, const Points& points) {
   const std::size_t n = points.representative.size();
   if (n > kMostExactValues)
     return no_limit(fmt::format("{} different ones are too many to be found exactly", n));
+  if (Status status = check_convergence(mask, points); !status) return status.error();
   Rows rows = transition_matrix(mask, points);
   rows.emplace_back(n, Rational(0));
   for (std::size_t i = 0; i < n; ++i) {
@@ -137,6 +181,7 @@ Result<std::vector<Rational>> exact_values(const Mask& mask, const Points& point
 
 Result<Eigen::VectorXd> approx_values(const Mask& mask, const Points& points) {
   const auto n = static_cast<Eigen::Index>(points.representative.size());
+  if (Status status = check_convergence(mask, points); !status) return status.error();
   const Rows rows = transition_matrix(mask, points);
   Eigen::MatrixXd system(n + 1, n);
   for (Eigen::Index i = 0; i < n; ++i)

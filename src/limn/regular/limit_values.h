@@ -18,8 +18,9 @@ namespace limn {
 /// (discontinuous φ), and where more than 80 different values would have to be found.
 [[nodiscard]] Result<Laurent> limit_stencil(const Mask& mask);
 
-/// The same in double precision, by offset, for masks of any width. Fails as above, and where
-/// another eigenvalue of the transition matrix is not less than 1: the scheme does not converge.
+/// The same in double precision, by offset, for masks of any width. Fails as above, and where the
+/// scheme does not converge: another eigenvalue of the transition matrix is greater than 1, or, on
+/// data with the mask's symmetries, not less than 1.
 [[nodiscard]] Result<std::map<LatticeVector, double>> approx_limit_stencil(const Mask& mask);
 
 /// ⟨φ, φ(·-j)⟩ for φ with integral 1, by j in the control lattice, per area of a control cell;

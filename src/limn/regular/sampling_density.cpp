@@ -4,6 +4,8 @@
 
 #include <fmt/core.h>
 
+#include "limn/base/parallel.h"
+
 namespace limn {
 namespace {
 
@@ -93,11 +95,18 @@ Result<SamplingDensity> sampling_density(const ArtifactAnalysis& analysis, doubl
   const Search search(analysis, tolerance, measure);
   SamplingDensity result;
   result.tolerance = tolerance;
+  result.directions.resize(kDirections);
+  parallel_for(
+      std::size_t{0}, result.directions.size(),
+      [&](std::size_t first, std::size_t last) {
+        for (std::size_t i = first; i < last; ++i)
+          result.directions[i] = search.along(static_cast<double>(i));
+      },
+      8);
   for (int degrees = 0; degrees < kDirections; ++degrees) {
-    const DirectionalDensity density = search.along(degrees);
+    const DirectionalDensity& density = result.directions[static_cast<std::size_t>(degrees)];
     if (degrees == 0 || density.frequency < result.worst.frequency - 1e-12) result.worst = density;
     if (degrees == 0 || density.frequency > result.best.frequency + 1e-12) result.best = density;
-    result.directions.push_back(density);
   }
   result.worst = search.refined(result.worst, -1);
   result.best = search.refined(result.best, 1);
