@@ -43,6 +43,7 @@ std::vector<Row> rows_of(const Symbol& symbol, const Mask& mask, LatticeVector k
     }
   }
   std::vector<Row> list;
+  list.reserve(rows.size());
   for (auto& [key, row] : rows) list.push_back(std::move(row));
   return list;
 }

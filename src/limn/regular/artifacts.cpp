@@ -20,6 +20,7 @@ double percent(double artifacts, double signal) {
 
 Symbol symbol_of(const std::map<LatticeVector, double>& values) {
   std::vector<Symbol::Term> all;
+  all.reserve(values.size());
   for (const auto& [k, value] : values)
     all.push_back({{static_cast<double>(k[0]), static_cast<double>(k[1])}, value});
   return Symbol(all);

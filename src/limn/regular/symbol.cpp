@@ -69,6 +69,7 @@ Symbol product(const Symbol& a, const Symbol& b) {
         sums[{-k[0], -k[1]}] += p.weight * q.weight / 4;
       }
   std::vector<Symbol::Term> all;
+  all.reserve(sums.size());
   for (const auto& [k, weight] : sums) all.push_back({k, weight});
   return Symbol(all);
 }

@@ -129,6 +129,7 @@ std::vector<PrincipalDirection> principal_directions(Lattice lattice) {
 std::vector<double> column(const DataTable& table, const std::string& name) {
   const auto found = std::find(table.columns.begin(), table.columns.end(), name);
   std::vector<double> values;
+  values.reserve(table.rows.size());
   for (const auto& row : table.rows)
     values.push_back(row[static_cast<std::size_t>(found - table.columns.begin())]);
   return values;

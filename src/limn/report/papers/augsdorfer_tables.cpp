@@ -131,7 +131,7 @@ Status add_table(PaperPage& page, const Study& study, std::size_t which) {
     }
   }
   const std::string stem = fmt::format("table{}", which + 1);
-  const Status status = page.add_table(
+  Status status = page.add_table(
       {fmt::format("Table {}", which + 1), stem}, rows, numbers,
       fmt::format("Magnitudes in the limit, {}. The two columns differ by at most {:.1g} over the "
                   "region.",
@@ -165,7 +165,7 @@ Status add_words(PaperPage& page, const Study& study) {
       }
     }
   }
-  const Status status = page.add_table(
+  Status status = page.add_table(
       {"Sampling density", "sampling"}, rows, numbers,
       "Control edges per wavelength that keep the artifacts within 1 % of the signal, in the worst "
       "and in the best direction.");
