@@ -1,5 +1,7 @@
 #include "limn/refine/rule_tables.h"
 
+#include "limn/refine/weight_form.h"
+
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -95,25 +97,25 @@ Program compile(const RuleCase& rule_case, RuleKind kind, Lattice lattice) {
 }
 
 template <class Number>
-Result<Row<Number>> RuleTables<Number>::tabulate(RuleKind kind, int n) const {
-  const Result<const RuleCase*> rule_case = applicable_case(*scheme_, kind, n);
+Result<Row<Number>> tabulate_row(const Scheme& scheme, RuleKind kind, int n) {
+  const Result<const RuleCase*> rule_case = applicable_case(scheme, kind, n);
   if (!rule_case) return rule_case.error();
   Row<Number> row;
   if (*rule_case == nullptr) {
     if (kind == RuleKind::edge_end) return row;
-    return missing_rule(*scheme_, kind, n);
+    return missing_rule(scheme, kind, n);
   }
   const bool checked_on_reading = n >= kSmallestValence && n <= kLargestCheckedValence;
   if (!checked_on_reading && n <= kLargestExactValence)
-    if (Status status = check_rule(*scheme_, kind, n); !status) return status.error();
-  auto program = std::make_shared<Program>(compile(**rule_case, kind, scheme_->split->lattice));
+    if (Status status = check_rule(scheme, kind, n); !status) return status.error();
+  auto program = std::make_shared<Program>(compile(**rule_case, kind, scheme.split->lattice));
   std::optional<long long> valence;
   if (rule_has_valence(kind)) valence = n;
   double sum = 0;
   for (const Step& step : *program) {
     const int repeats = step.walk.repeated ? n : 1;
     for (int k = 0; k < repeats; ++k) {
-      Scope<Number> scope(*scheme_, valence,
+      Scope<Number> scope(scheme, valence,
                           step.walk.repeated ? std::optional<long long>(k) : std::nullopt);
       Result<Number> value = scope(step.weight->value);
       if (!value) return value.error();
@@ -125,7 +127,7 @@ Result<Row<Number>> RuleTables<Number>::tabulate(RuleKind kind, int n) const {
     return Error{fmt::format("the {} rule has weights that sum to about {} at n = {}",
                              rule_name(kind), sum, n),
                  {},
-                 scheme_->file,
+                 scheme.file,
                  0,
                  0};
   row.program = std::move(program);
@@ -142,7 +144,7 @@ Status RuleTables<Number>::add(RuleKind kind, Index n, Index example) {
     rows_[i].resize(at + 1);
   }
   if (known_[i][at]) return Done{};
-  Result<Row<Number>> row = tabulate(kind, n);
+  Result<Row<Number>> row = make_row_(kind, n);
   if (!row) return at_element(row.error(), kind, example);
   rows_[i][at] = std::move(*row);
   known_[i][at] = true;
@@ -198,7 +200,10 @@ Status RuleTables<Number>::prepare(const Mesh& mesh, const Births& births) {
   return prepare_edges(mesh, births);
 }
 
+template Result<Row<double>> tabulate_row<double>(const Scheme&, RuleKind, int);
+template Result<Row<Exact>> tabulate_row<Exact>(const Scheme&, RuleKind, int);
 template class RuleTables<double>;
 template class RuleTables<Exact>;
+template Status RuleTables<WeightForm>::prepare(const Mesh&, const Births&);
 
 }  // namespace limn

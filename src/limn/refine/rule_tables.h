@@ -2,6 +2,7 @@
 /// Weights, tabulated per (rule, n, k) before a run, and the programs that walk from an anchor
 /// to the vertices they weigh. No expression is evaluated inside a mesh loop.
 
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -49,12 +50,24 @@ struct Source {
 /// no part of the analysis, and a scheme need not have boundary rules for it.
 enum class Boundary { refined, left_out };
 
+/// The row of a rule at valence n: its case there, compiled and evaluated. Fails as
+/// RuleTables::prepare says. For double and Exact.
+template <class Number>
+[[nodiscard]] Result<Row<Number>> tabulate_row(const Scheme& scheme, RuleKind kind, int n);
+
 template <class Number>
 class RuleTables {
  public:
+  /// Makes the row of a rule at valence n, the first time that it is needed.
+  using RowMaker = std::function<Result<Row<Number>>(RuleKind kind, int n)>;
+
   /// `scheme` must outlive the tables.
   explicit RuleTables(const Scheme& scheme, Boundary boundary = Boundary::refined)
-      : scheme_(&scheme), boundary_(boundary) {}
+      : RuleTables(scheme, boundary, [&scheme](RuleKind kind, int n) {
+          return tabulate_row<Number>(scheme, kind, n);
+        }) {}
+  RuleTables(const Scheme& scheme, Boundary boundary, RowMaker make_row)
+      : scheme_(&scheme), boundary_(boundary), make_row_(std::move(make_row)) {}
 
   /// Tabulates every row that one step on `mesh` needs and that is not there yet. Fails, naming
   /// the rule, the valence and a vertex that has it, where a rule is missing or its weights do not
@@ -69,13 +82,13 @@ class RuleTables {
 
  private:
   Status add(RuleKind kind, Index n, Index example);
-  Result<Row<Number>> tabulate(RuleKind kind, int n) const;
   Status prepare_vertices(const Mesh& mesh, bool boundary_refined);
   Status prepare_faces(const Mesh& mesh);
   Status prepare_edges(const Mesh& mesh, const Births& births);
 
   const Scheme* scheme_;
   Boundary boundary_;
+  RowMaker make_row_;
   Row<Number> none_;
   std::array<std::vector<Row<Number>>, kRuleKinds> rows_;
   std::array<std::vector<bool>, kRuleKinds> known_;

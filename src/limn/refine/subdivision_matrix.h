@@ -8,8 +8,7 @@
 namespace limn {
 
 /// Row i holds the weights of the i-th vertex of the refined star over the vertices of the old one,
-/// both numbered as in `star` (or `face_star`; mesh/lattice.h). Under sqrt3 the refined star is
-/// turned by half a sector: its sector 0 looks along the old face 0.
+/// both numbered as in star_step.h.
 template <class Number>
 struct SubdivisionMatrix {
   int size = 0;

@@ -1,0 +1,63 @@
+#pragma once
+/// The subdivision matrix round an extraordinary vertex (or face, for dual splits) in the Fourier
+/// domain [BGSK §3]: one small block for each rotational frequency.
+///
+/// Points that rotation by a sector exchanges form an orbit: n of them, one in each sector, at
+/// angle (s + angle) · 2π/n. Orbit values x_s = X e^{2πiω(s+angle)/n} are mapped to such values,
+/// amplitudes to amplitudes by the block of frequency ω. Phases are taken at the points' own places
+/// (a twisted DFT), also where a step turns the lattice by half a sector, so √3 is analysed in one
+/// step.
+///
+/// The star is refined once, with the weights of its centre left as names; what depends on the
+/// valence is put in afterwards. A block costs the same at every valence, apart from weights that
+/// depend on k, which are n numbers.
+
+#include <Eigen/Dense>
+#include <map>
+#include <memory>
+#include <vector>
+
+#include "limn/scheme/scheme.h"
+
+namespace limn {
+
+struct Orbit {
+  int ring = 0;
+  double angle = 0;  ///< in sectors from that of sector 0's spoke (dual: corner), in (-1, 1)
+};
+
+struct FrequencyBlocks {
+  int valence = 0;
+  int rings = 0;
+  bool has_center = false;    ///< false for dual splits
+  std::vector<Orbit> orbits;  ///< without the centre; ring after ring, counterclockwise
+  /// The blocks of ω = 0 … ⌊n/2⌋; that of n-ω is the conjugate of ω's. One row and column for each
+  /// orbit; for ω = 0 the centre comes first, where there is one.
+  std::vector<Eigen::MatrixXcd> blocks;
+};
+
+/// Frequency blocks of one scheme at any number of valences.
+class FrequencyAnalysis {
+ public:
+  /// `scheme` must outlive the analysis. rings 0: as many as control the limit surface on the
+  /// faces round the vertex (at each valence: 2 for Loop and Catmull-Clark, 3 for the butterfly).
+  explicit FrequencyAnalysis(const Scheme& scheme, int rings = 0);
+  ~FrequencyAnalysis();
+  FrequencyAnalysis(FrequencyAnalysis&&) noexcept;
+  FrequencyAnalysis& operator=(FrequencyAnalysis&&) noexcept;
+
+  /// At valence n ≥ 3. In double precision. Fails where a rule is missing at n or its weights do
+  /// not sum to 1 (to 1e-9), and where the rings are not invariant.
+  [[nodiscard]] Result<FrequencyBlocks> blocks(int n);
+
+ private:
+  struct Pattern;
+  Result<const Pattern*> pattern_at(int n);
+
+  const Scheme* scheme_;
+  int rings_;
+  /// A star's refinement for each set of rule cases that applies at its centre.
+  std::map<std::vector<const RuleCase*>, std::unique_ptr<Pattern>> patterns_;
+};
+
+}  // namespace limn

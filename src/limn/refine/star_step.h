@@ -1,0 +1,23 @@
+#pragma once
+/// One step of a star: which vertex of the refined mesh plays the part of which old one.
+
+#include <vector>
+
+#include "limn/mesh/split.h"
+
+namespace limn {
+
+struct StarStep {
+  Mesh coarse;  ///< the star (dual splits: face star) with a margin of rings round it
+  SplitResult fine;
+  Index size = 0;  ///< vertices of the star without its margin: numbers 0 … size-1 of `coarse`
+  /// images[i]: the vertex of `fine` at the place of old vertex i < size, numbered as in `star` (or
+  /// `face_star`; mesh/lattice.h). Under sqrt3 the refined star is turned by half a sector: its
+  /// sector 0 looks along the old face 0.
+  std::vector<Index> images;
+};
+
+/// n ≥ 3 sectors, rings ≥ 1. The margin is wide enough that no image's stencil meets the rim.
+[[nodiscard]] StarStep star_step(const Split& split, int n, int rings);
+
+}  // namespace limn
