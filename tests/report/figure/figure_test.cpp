@@ -11,10 +11,6 @@
 #include "limn/base/file.h"
 #include "sample_fields.h"
 
-/// What fontconfig keeps for the life of a process looks like a leak to the leak sanitizer.
-extern "C" const char* __lsan_default_suppressions();
-extern "C" const char* __lsan_default_suppressions() { return "leak:libfontconfig"; }
-
 namespace limn::test {
 namespace {
 

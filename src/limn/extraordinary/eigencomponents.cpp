@@ -1,0 +1,288 @@
+#include "limn/extraordinary/eigencomponents.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/core.h>
+
+namespace limn {
+namespace {
+
+/// A step of a block from one set of invariant rings to the next: the orbits first … last-1 (rows
+/// of the block), whose square part has the eigenvalues that these rings add.
+struct RingPart {
+  int ring;
+  Eigen::Index first, last;
+};
+
+std::vector<RingPart> ring_parts(const FrequencyBlocks& blocks, const Eigen::MatrixXcd& block) {
+  const Eigen::Index shift = block.rows() - static_cast<Eigen::Index>(blocks.orbits.size());
+  std::vector<RingPart> parts;
+  Eigen::Index first = 0;
+  for (Eigen::Index end = shift; end < block.rows();) {
+    const int ring = blocks.orbits[static_cast<std::size_t>(end - shift)].ring;
+    while (end < block.rows() && blocks.orbits[static_cast<std::size_t>(end - shift)].ring == ring)
+      ++end;
+    const Eigen::Index beyond = block.rows() - end;
+    if (block.topRightCorner(end, beyond).cwiseAbs().sum() > 1e-14) continue;
+    parts.push_back({ring, first, end});
+    first = end;
+  }
+  return parts;
+}
+
+/// Size of the largest Jordan block of λ: the powers of S-λ until their rank falls no more.
+int jordan_size(const Eigen::MatrixXcd& block, std::complex<double> lambda, int multiplicity) {
+  if (multiplicity == 1) return 1;
+  const Eigen::MatrixXcd shifted =
+      block - lambda * Eigen::MatrixXcd::Identity(block.rows(), block.cols());
+  const auto rank = [](const Eigen::MatrixXcd& matrix) {
+    const Eigen::VectorXd sizes = Eigen::JacobiSVD<Eigen::MatrixXcd>(matrix).singularValues();
+    return (sizes.array() > 1e-9).count();
+  };
+  Eigen::MatrixXcd power = shifted;
+  for (int size = 1; size < multiplicity; ++size) {
+    const auto before = rank(power);
+    power *= shifted;
+    if (rank(power) == before) return size;
+  }
+  return multiplicity;
+}
+
+/// Whether λ is an eigenvalue of this multiplicity, up to rounding: (S-λ)^m has m singular values
+/// that vanish, however defective λ is.
+bool is_multiple(const Eigen::MatrixXcd& square, std::complex<double> lambda, int multiplicity) {
+  const Eigen::MatrixXcd shifted =
+      square - lambda * Eigen::MatrixXcd::Identity(square.rows(), square.cols());
+  Eigen::MatrixXcd power = shifted;
+  for (int i = 1; i < multiplicity; ++i) power *= shifted;
+  const Eigen::VectorXd sizes = Eigen::JacobiSVD<Eigen::MatrixXcd>(power).singularValues();
+  return sizes(sizes.size() - multiplicity) < 1e-12;
+}
+
+/// Rounding splits a defective eigenvalue of size k by the k-th root of its error; the mean of the
+/// parts stays exact. So values near one another that are one multiple eigenvalue get their mean.
+void join_split_ones(const Eigen::MatrixXcd& square, Eigen::VectorXcd& values) {
+  for (const double radius : {1e-3, 1e-5, 1e-7}) {
+    std::vector<bool> seen(static_cast<std::size_t>(values.size()), false);
+    for (Eigen::Index i = 0; i < values.size(); ++i) {
+      std::vector<Eigen::Index> near;
+      std::complex<double> mean = 0;
+      for (Eigen::Index j = i; j < values.size(); ++j) {
+        if (seen[static_cast<std::size_t>(j)] || std::abs(values(j) - values(i)) > radius) continue;
+        near.push_back(j);
+        mean += values(j);
+      }
+      if (near.size() < 2) continue;
+      mean /= static_cast<double>(near.size());
+      if (std::abs(mean.imag()) < 1e-12) mean = mean.real();
+      if (!is_multiple(square, mean, static_cast<int>(near.size()))) continue;
+      for (const Eigen::Index j : near) {
+        values(j) = mean;
+        seen[static_cast<std::size_t>(j)] = true;
+      }
+    }
+  }
+}
+
+bool larger(const Eigenvalue& a, const Eigenvalue& b) {
+  const double x = std::abs(a.value);
+  const double y = std::abs(b.value);
+  if (std::abs(x - y) > kEqualBelow) return x > y;
+  if (std::abs(a.value.real() - b.value.real()) > kEqualBelow)
+    return a.value.real() > b.value.real();
+  if (a.ring != b.ring) return a.ring < b.ring;
+  return a.value.imag() > b.value.imag();
+}
+
+BlockSpectrum spectrum(const FrequencyBlocks& blocks, int omega) {
+  const Eigen::MatrixXcd& block = blocks.blocks[static_cast<std::size_t>(omega)];
+  BlockSpectrum result{omega, {}};
+  for (const RingPart& part : ring_parts(blocks, block)) {
+    const Eigen::Index size = part.last - part.first;
+    const Eigen::MatrixXcd square = block.block(part.first, part.first, size, size);
+    const bool real = square.imag().cwiseAbs().maxCoeff() < 1e-15;
+    Eigen::VectorXcd values =
+        real ? Eigen::EigenSolver<Eigen::MatrixXd>(square.real(), false).eigenvalues()
+             : Eigen::VectorXcd(
+                   Eigen::ComplexEigenSolver<Eigen::MatrixXcd>(square, false).eigenvalues());
+    join_split_ones(square, values);
+    for (const std::complex<double> value : values)
+      result.eigenvalues.push_back({value, omega, part.ring, 1, 1});
+  }
+  std::vector<Eigenvalue>& list = result.eigenvalues;
+  for (Eigenvalue& one : list)
+    one.multiplicity =
+        static_cast<int>(std::count_if(list.begin(), list.end(), [&](const Eigenvalue& other) {
+          return std::abs(other.value - one.value) < kEqualBelow;
+        }));
+  for (Eigenvalue& one : list) one.jordan = jordan_size(block, one.value, one.multiplicity);
+  std::sort(list.begin(), list.end(), larger);
+  return result;
+}
+
+/// -1, 0, 1 for smaller, equal, larger; nothing in between.
+std::optional<int> compare(double a, double b) {
+  const double difference = a - b;
+  if (std::abs(difference) <= kEqualBelow) return 0;
+  if (std::abs(difference) < kUndecidedBelow) return std::nullopt;
+  return difference < 0 ? -1 : 1;
+}
+
+std::optional<double> real_value(const std::vector<Eigenvalue>& list, std::size_t index) {
+  if (index >= list.size() || std::abs(list[index].value.imag()) > kEqualBelow) return std::nullopt;
+  return list[index].value.real();
+}
+
+std::string described(const Eigenvalue& eigenvalue) {
+  const std::string number =
+      std::abs(eigenvalue.value.imag()) <= kEqualBelow
+          ? fmt::format("{:.6g}", eigenvalue.value.real())
+          : fmt::format("{:.6g}{:+.6g}i", eigenvalue.value.real(), eigenvalue.value.imag());
+  return fmt::format("{} of frequency {} (ring {})", number, eigenvalue.frequency, eigenvalue.ring);
+}
+
+/// Makes the verdict of one valence.
+class Judge {
+ public:
+  explicit Judge(Eigencomponents& found) : found_(found), verdict_(found.verdict) {}
+
+  void judge() {
+    convergence();
+    if (!found_.tangent || !(*found_.tangent > 0)) {
+      verdict_.c1_necessary = verdict_.bounded_curvature = Truth::no;
+      reasons().push_back("not C1: frequency 1 is not led by a positive eigenvalue");
+      return;
+    }
+    tangent_plane();
+    curvature();
+    shape("cup", "elliptic", found_.spectra[0].eigenvalues, 1, verdict_.cup);
+    if (found_.valence > 3)
+      shape("saddle", "hyperbolic", found_.spectra[2].eigenvalues, 0, verdict_.saddle);
+  }
+
+ private:
+  std::vector<std::string>& reasons() { return verdict_.reasons; }
+  [[nodiscard]] double tangent() const { return *found_.tangent; }
+
+  /// What holds of all eigenvalues but the leaders: `skip` leading ones of ω = 0 and of ω = 1. The
+  /// first, and so largest, refusal of each block is a reason.
+  template <class Say>
+  Truth over_others(std::size_t skip_0, std::size_t skip_1, Say say) {
+    Truth all = Truth::yes;
+    for (const BlockSpectrum& block : found_.spectra) {
+      const std::size_t skip = block.frequency == 0 ? skip_0 : block.frequency == 1 ? skip_1 : 0;
+      bool refused = false;
+      for (std::size_t i = skip; i < block.eigenvalues.size(); ++i) {
+        const Said said = say(block.eigenvalues[i]);
+        all = all && said.truth;
+        if (said.truth == Truth::no && !refused) reasons().push_back(said.reason);
+        refused = refused || said.truth == Truth::no;
+      }
+    }
+    return all;
+  }
+
+  struct Said {
+    Truth truth;
+    std::string reason;  ///< of a no
+  };
+  static Said refusal(std::string reason) { return {Truth::no, std::move(reason)}; }
+  static Said agreement() { return {Truth::yes, {}}; }
+  static Said silence() { return {Truth::undecided, {}}; }
+
+  void convergence() {
+    const Eigenvalue& first = found_.spectra.front().eigenvalues.front();
+    if (std::abs(first.value - 1.0) > kEqualBelow || first.multiplicity > 1) {
+      verdict_.convergent = Truth::no;
+      reasons().push_back(
+          fmt::format("not convergent: frequency 0 is led by {}, where a simple 1 is needed",
+                      described(first)));
+      return;
+    }
+    verdict_.convergent = over_others(1, 0, [&](const Eigenvalue& other) -> Said {
+      const std::optional<int> sign = compare(std::abs(other.value), 1);
+      if (!sign) return silence();
+      if (*sign < 0) return agreement();
+      return refusal(fmt::format("not convergent: {} is not less than 1", described(other)));
+    });
+  }
+
+  void tangent_plane() {
+    const Eigenvalue& leader = found_.spectra[1].eigenvalues.front();
+    Truth truth = over_others(1, 1, [&](const Eigenvalue& other) -> Said {
+      const std::optional<int> sign = compare(std::abs(other.value), tangent());
+      if (!sign) return silence();
+      if (*sign < 0) return agreement();
+      return refusal(fmt::format("not C1: {} {} the tangent's {:.6g}", described(other),
+                                 *sign == 0 ? "ties with" : "leads", tangent()));
+    });
+    if (leader.jordan > 1) {
+      truth = Truth::no;
+      reasons().push_back(fmt::format("not C1: the tangent's {:.6g} has a Jordan block of size {}",
+                                      tangent(), leader.jordan));
+    }
+    verdict_.c1_necessary = truth && verdict_.convergent;
+  }
+
+  void curvature() {
+    const double square = tangent() * tangent();
+    verdict_.bounded_curvature = over_others(1, 1, [&](const Eigenvalue& other) -> Said {
+      const std::optional<int> sign = compare(std::abs(other.value), square);
+      if (!sign) return silence();
+      if (*sign < 0 || (*sign == 0 && other.jordan == 1)) return agreement();
+      if (*sign == 0)
+        return refusal(
+            fmt::format("unbounded curvature: {} is tangent² with a Jordan block of size {}",
+                        described(other), other.jordan));
+      return refusal(fmt::format("unbounded curvature: {} exceeds tangent² = {:.6g}",
+                                 described(other), square));
+    });
+    verdict_.bounded_curvature = verdict_.bounded_curvature && verdict_.c1_necessary;
+  }
+
+  void shape(const char* name, const char* lost, const std::vector<Eigenvalue>& list,
+             std::size_t index, std::optional<Curvature>& result) {
+    if (index >= list.size()) return;
+    result = Curvature::undecided;
+    const double square = tangent() * tangent();
+    const double modulus = std::abs(list[index].value);
+    const std::optional<int> sign = compare(modulus, square);
+    if (!sign) return;
+    result = *sign < 0 ? Curvature::flat : *sign == 0 ? Curvature::bounded : Curvature::unbounded;
+    if (*sign < 0)
+      reasons().push_back(fmt::format("flat {}: {:.6g} < tangent² = {:.6g}, so no {} shapes", name,
+                                      modulus, square, lost));
+  }
+
+  Eigencomponents& found_;
+  Verdict& verdict_;
+};
+
+}  // namespace
+
+std::string_view to_string(Curvature curvature) {
+  switch (curvature) {
+    case Curvature::flat: return "flat";
+    case Curvature::bounded: return "bounded";
+    case Curvature::unbounded: return "unbounded";
+    case Curvature::undecided: break;
+  }
+  return "undecided";
+}
+
+Eigencomponents approx_eigencomponents(const FrequencyBlocks& blocks) {
+  Eigencomponents result;
+  result.valence = blocks.valence;
+  result.rings = blocks.rings;
+  for (int omega = 0; omega <= blocks.valence / 2; ++omega)
+    result.spectra.push_back(spectrum(blocks, omega));
+  result.position = real_value(result.spectra[0].eigenvalues, 0);
+  result.cup = real_value(result.spectra[0].eigenvalues, 1);
+  result.tangent = real_value(result.spectra[1].eigenvalues, 0);
+  if (blocks.valence > 3) result.saddle = real_value(result.spectra[2].eigenvalues, 0);
+  Judge(result).judge();
+  return result;
+}
+
+}  // namespace limn

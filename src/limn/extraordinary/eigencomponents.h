@@ -1,0 +1,62 @@
+#pragma once
+/// Eigenvalues of the subdivision matrix, each known by its rotational frequency [BGSK §2.2], and
+/// what they say about the surface.
+
+#include <complex>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "limn/base/truth.h"
+#include "limn/extraordinary/frequency_blocks.h"
+
+namespace limn {
+
+struct Eigenvalue {
+  std::complex<double> value;
+  int frequency = 0;
+  /// The least number of rings that are invariant by themselves and have it.
+  int ring = 0;
+  int multiplicity = 1;  ///< algebraic, within its frequency's block
+  int jordan = 1;        ///< size of its largest Jordan block there
+};
+
+/// The eigenvalues of one block, largest modulus first, repeated by multiplicity.
+struct BlockSpectrum {
+  int frequency = 0;
+  std::vector<Eigenvalue> eigenvalues;
+};
+
+/// How the curvature of a shape (cup or saddle) comes out at the vertex, by its eigenvalue against
+/// the square of the tangent's.
+enum class Curvature { flat, bounded, unbounded, undecided };
+[[nodiscard]] std::string_view to_string(Curvature curvature);
+
+struct Verdict {
+  Truth convergent = Truth::undecided;  ///< 1 is simple, all others are smaller
+  Truth c1_necessary =
+      Truth::undecided;  ///< the tangent pair leads all others but 1, in every block
+  Truth bounded_curvature = Truth::undecided;  ///< all others are at most tangent²
+  std::optional<Curvature> cup, saddle;        ///< nothing where the valence has no such shape
+  std::vector<std::string> reasons;
+};
+
+struct Eigencomponents {
+  int valence = 0;
+  int rings = 0;
+  std::vector<BlockSpectrum> spectra;  ///< ω = 0 … ⌊n/2⌋
+  /// Dominant of ω = 0 and of ω = 1, subdominant of ω = 0, dominant of ω = 2 (none at n = 3, where
+  /// that is the conjugate of ω = 1; none where it is not real).
+  std::optional<double> position, tangent, cup, saddle;
+  Verdict verdict;
+};
+
+/// Eigenvalues closer than this are called equal; between it and kUndecidedBelow nothing is said.
+inline constexpr double kEqualBelow = 1e-10;
+inline constexpr double kUndecidedBelow = 1e-8;
+
+/// In double precision: an "approximate" reading; certificates are another matter. Cost: one small
+/// eigenvalue problem for each frequency.
+[[nodiscard]] Eigencomponents approx_eigencomponents(const FrequencyBlocks& blocks);
+
+}  // namespace limn

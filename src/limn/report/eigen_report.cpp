@@ -1,0 +1,94 @@
+#include "limn/report/eigen_report.h"
+
+#include <cmath>
+
+#include <fmt/core.h>
+#include <nlohmann/json.hpp>
+
+namespace limn {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json entry_json(std::complex<double> entry) {
+  if (std::abs(entry.imag()) < 1e-15) return entry.real();
+  return {entry.real(), entry.imag()};
+}
+
+Json block_json(const Eigen::MatrixXcd& block, const BlockSpectrum& spectrum) {
+  Json matrix = Json::array();
+  for (Eigen::Index i = 0; i < block.rows(); ++i) {
+    Json row = Json::array();
+    for (Eigen::Index j = 0; j < block.cols(); ++j) row.push_back(entry_json(block(i, j)));
+    matrix.push_back(std::move(row));
+  }
+  Json eigenvalues = Json::array();
+  for (const Eigenvalue& one : spectrum.eigenvalues)
+    eigenvalues.push_back({{"value", {one.value.real(), one.value.imag()}},
+                           {"modulus", std::abs(one.value)},
+                           {"ring", one.ring},
+                           {"multiplicity", one.multiplicity},
+                           {"jordan", one.jordan}});
+  return {{"frequency", spectrum.frequency},
+          {"matrix", std::move(matrix)},
+          {"eigenvalues", std::move(eigenvalues)}};
+}
+
+Json number_json(const std::optional<double>& value) { return value ? Json(*value) : Json(); }
+
+Json shape_json(const std::optional<Curvature>& shape) {
+  return shape ? Json(to_string(*shape)) : Json();
+}
+
+std::string number_text(const std::optional<double>& value) {
+  return value ? fmt::format("{:9.6f}", *value) : fmt::format("{:>9}", "–");
+}
+
+std::string shape_text(const std::optional<Curvature>& shape) {
+  return shape ? std::string(to_string(*shape)) : "–";
+}
+
+}  // namespace
+
+nlohmann::ordered_json eigen_json(const FrequencyBlocks& blocks,
+                                  const Eigencomponents& components) {
+  Json list = Json::array();
+  for (const BlockSpectrum& spectrum : components.spectra)
+    list.push_back(
+        block_json(blocks.blocks[static_cast<std::size_t>(spectrum.frequency)], spectrum));
+  const Verdict& verdict = components.verdict;
+  return {{"valence", components.valence},
+          {"rings", components.rings},
+          {"blocks", std::move(list)},
+          {"components",
+           {{"position", number_json(components.position)},
+            {"tangent", number_json(components.tangent)},
+            {"cup", number_json(components.cup)},
+            {"saddle", number_json(components.saddle)}}},
+          {"verdict",
+           {{"convergent", to_string(verdict.convergent)},
+            {"c1_necessary", to_string(verdict.c1_necessary)},
+            {"bounded_curvature", to_string(verdict.bounded_curvature)},
+            {"cup", shape_json(verdict.cup)},
+            {"saddle", shape_json(verdict.saddle)},
+            {"reasons", verdict.reasons}}}};
+}
+
+std::string eigen_heading() {
+  return fmt::format("{:>7}  {:>9} {:>9} {:>9}  {:<10} {:<10} {:<18} {:<10} {:<10}\n", "valence",
+                     "tangent", "cup", "saddle", "convergent", "C1 needs", "bounded curvature",
+                     "cup", "saddle");
+}
+
+std::string eigen_text(const Eigencomponents& components) {
+  const Verdict& verdict = components.verdict;
+  std::string text = fmt::format(
+      "{:>7}  {} {} {}  {:<10} {:<10} {:<18} {:<10} {}\n", components.valence,
+      number_text(components.tangent), number_text(components.cup), number_text(components.saddle),
+      to_string(verdict.convergent), to_string(verdict.c1_necessary),
+      to_string(verdict.bounded_curvature), shape_text(verdict.cup), shape_text(verdict.saddle));
+  for (const std::string& reason : verdict.reasons) text += "           " + reason + "\n";
+  return text;
+}
+
+}  // namespace limn

@@ -1,0 +1,55 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "run_command.h"
+
+namespace limn::test {
+namespace {
+
+TEST(EigenCommand, GivesTheContractsJson) {
+  const Folder folder;
+  const Outcome outcome = folder.limn("eigen loop --valence 3..7 --json");
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  const nlohmann::json json = nlohmann::json::parse(outcome.out);
+  EXPECT_EQ(json.at("scheme"), "loop");
+  ASSERT_EQ(json.at("valences").size(), 5U);
+  const nlohmann::json& three = json.at("valences")[0];
+  EXPECT_EQ(three.at("valence"), 3);
+  EXPECT_TRUE(three.at("components").at("saddle").is_null());
+  EXPECT_TRUE(three.at("verdict").at("saddle").is_null());
+  EXPECT_EQ(three.at("verdict").at("bounded_curvature"), "no");
+  const nlohmann::json& seven = json.at("valences")[4];
+  EXPECT_NEAR(seven.at("components").at("tangent"), .530872, 1e-6);
+  EXPECT_NEAR(seven.at("components").at("saddle"), .319370, 1e-6);
+  ASSERT_EQ(seven.at("blocks").size(), 4U);
+  const nlohmann::json& constant = seven.at("blocks")[0];
+  EXPECT_EQ(constant.at("frequency"), 0);
+  EXPECT_NEAR(constant.at("eigenvalues")[0].at("value")[0], 1, 1e-14);
+  EXPECT_EQ(constant.at("matrix").size(), 4U);
+  EXPECT_EQ(seven.at("verdict").at("c1_necessary"), "yes");
+  EXPECT_EQ(seven.at("verdict").at("saddle"), "unbounded");
+  EXPECT_FALSE(seven.at("verdict").at("reasons").empty());
+}
+
+TEST(EigenCommand, RefusesBadValencesAndSchemes) {
+  const Folder folder;
+  const auto refused = [&](const std::string& arguments, const std::string& part) {
+    const Outcome outcome = folder.limn("eigen " + arguments);
+    EXPECT_EQ(outcome.code, 2) << arguments;
+    EXPECT_EQ(outcome.out, "");
+    EXPECT_NE(outcome.err.find(part), std::string::npos) << outcome.err;
+  };
+  refused("loop --valence 2", "2 is not between 3 and");
+  refused("loop --valence 7..3", "the range 7..3 is empty");
+  for (const char* text : {"''", "x", "3..", "..7", "3...7", "3.5", "99999999999", "-4"})
+    refused("loop --valence=" + std::string(text), "--valence");
+  refused("loop --rings 99", "--rings");
+  refused("butterfly --rings 1", "more rings");
+  refused("box-spline-triangle --valence 7", "no vertex rule at n = 7");
+  refused("nosuch", "nosuch");
+}
+
+}  // namespace
+}  // namespace limn::test
