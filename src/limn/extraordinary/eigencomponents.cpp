@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <type_traits>
 
 #include <fmt/core.h>
 
@@ -15,7 +16,8 @@ struct RingPart {
   Eigen::Index first, last;
 };
 
-std::vector<RingPart> ring_parts(const FrequencyBlocks& blocks, const Eigen::MatrixXcd& block) {
+template <class Matrix>
+std::vector<RingPart> ring_parts(const FrequencyBlocks& blocks, const Matrix& block) {
   const Eigen::Index shift = block.rows() - static_cast<Eigen::Index>(blocks.orbits.size());
   std::vector<RingPart> parts;
   Eigen::Index first = 0;
@@ -31,52 +33,98 @@ std::vector<RingPart> ring_parts(const FrequencyBlocks& blocks, const Eigen::Mat
   return parts;
 }
 
+/// The block in real coordinates. A mirror through spoke 0 carries each orbit to one of its own
+/// ring and conjugates amplitudes, so (x + y)/√2 and i (x - y)/√2 of partners x, y map to one
+/// another by a real matrix.
+Eigen::MatrixXcd mirrored(const FrequencyBlocks& blocks, const Eigen::MatrixXcd& block) {
+  const Eigen::Index shift = block.rows() - static_cast<Eigen::Index>(blocks.orbits.size());
+  Eigen::MatrixXcd basis = Eigen::MatrixXcd::Identity(block.rows(), block.cols());
+  const double half = std::sqrt(0.5);
+  for (std::size_t a = 0; a < blocks.orbits.size(); ++a)
+    for (std::size_t b = a + 1; b < blocks.orbits.size(); ++b) {
+      const double turns = blocks.orbits[a].angle + blocks.orbits[b].angle;
+      const bool partners = blocks.orbits[a].ring == blocks.orbits[b].ring &&
+                            std::abs(turns - std::nearbyint(turns)) < 1e-12;
+      if (!partners) continue;
+      const Eigen::Index x = static_cast<Eigen::Index>(a) + shift;
+      const Eigen::Index y = static_cast<Eigen::Index>(b) + shift;
+      basis(x, x) = basis(x, y) = half;
+      basis(y, x) = std::complex<double>(0, half);
+      basis(y, y) = std::complex<double>(0, -half);
+    }
+  return basis * block * basis.adjoint();
+}
+
+/// Numerical rank, by QR with column pivots: entries are of order 1.
+template <class Matrix>
+Eigen::Index rank(const Matrix& matrix, double threshold) {
+  const Eigen::ColPivHouseholderQR<Matrix> qr(matrix);
+  return (qr.matrixR().diagonal().cwiseAbs().array() > threshold).count();
+}
+
+template <class Matrix>
+Matrix shifted(const Matrix& matrix, typename Matrix::Scalar lambda) {
+  return matrix - lambda * Matrix::Identity(matrix.rows(), matrix.cols());
+}
+
 /// Size of the largest Jordan block of λ: the powers of S-λ until their rank falls no more.
-int jordan_size(const Eigen::MatrixXcd& block, std::complex<double> lambda, int multiplicity) {
-  if (multiplicity == 1) return 1;
-  const Eigen::MatrixXcd shifted =
-      block - lambda * Eigen::MatrixXcd::Identity(block.rows(), block.cols());
-  const auto rank = [](const Eigen::MatrixXcd& matrix) {
-    const Eigen::VectorXd sizes = Eigen::JacobiSVD<Eigen::MatrixXcd>(matrix).singularValues();
-    return (sizes.array() > 1e-9).count();
-  };
-  Eigen::MatrixXcd power = shifted;
+template <class Matrix>
+int jordan_size(const Matrix& block, typename Matrix::Scalar lambda, int multiplicity) {
+  const Matrix difference = shifted(block, lambda);
+  Matrix power = difference;
   for (int size = 1; size < multiplicity; ++size) {
-    const auto before = rank(power);
-    power *= shifted;
-    if (rank(power) == before) return size;
+    const Eigen::Index before = rank(power, 1e-9);
+    power *= difference;
+    if (rank(power, 1e-9) == before) return size;
   }
   return multiplicity;
 }
 
-/// Whether λ is an eigenvalue of this multiplicity, up to rounding: (S-λ)^m has m singular values
-/// that vanish, however defective λ is.
-bool is_multiple(const Eigen::MatrixXcd& square, std::complex<double> lambda, int multiplicity) {
-  const Eigen::MatrixXcd shifted =
-      square - lambda * Eigen::MatrixXcd::Identity(square.rows(), square.cols());
-  Eigen::MatrixXcd power = shifted;
-  for (int i = 1; i < multiplicity; ++i) power *= shifted;
-  const Eigen::VectorXd sizes = Eigen::JacobiSVD<Eigen::MatrixXcd>(power).singularValues();
-  return sizes(sizes.size() - multiplicity) < 1e-12;
+/// Whether λ is an eigenvalue of this multiplicity, up to rounding: the rank of (S-λ)^m is less by
+/// m, however defective λ is.
+template <class Matrix>
+bool is_multiple(const Matrix& square, typename Matrix::Scalar lambda, int multiplicity) {
+  const Matrix difference = shifted(square, lambda);
+  Matrix power = difference;
+  for (int i = 1; i < multiplicity; ++i) power *= difference;
+  return rank(power, 1e-12) <= square.rows() - multiplicity;
+}
+
+/// λ as an entry of a real or of a complex matrix; a complex one of a real matrix stays as it is.
+template <class Matrix, class Use>
+auto with_scalar(const Matrix& matrix, std::complex<double> lambda, Use use) {
+  if constexpr (std::is_same_v<typename Matrix::Scalar, double>) {
+    if (lambda.imag() == 0) return use(matrix, lambda.real());
+    return use(Eigen::MatrixXcd(matrix), lambda);
+  } else {
+    return use(matrix, lambda);
+  }
 }
 
 /// Rounding splits a defective eigenvalue of size k by the k-th root of its error; the mean of the
 /// parts stays exact. So values near one another that are one multiple eigenvalue get their mean.
-void join_split_ones(const Eigen::MatrixXcd& square, Eigen::VectorXcd& values) {
+template <class Matrix>
+void join_split_ones(const Matrix& square, Eigen::VectorXcd& values) {
   for (const double radius : {1e-3, 1e-5, 1e-7}) {
     std::vector<bool> seen(static_cast<std::size_t>(values.size()), false);
     for (Eigen::Index i = 0; i < values.size(); ++i) {
       std::vector<Eigen::Index> near;
       std::complex<double> mean = 0;
+      double spread = 0;
       for (Eigen::Index j = i; j < values.size(); ++j) {
         if (seen[static_cast<std::size_t>(j)] || std::abs(values(j) - values(i)) > radius) continue;
         near.push_back(j);
         mean += values(j);
+        spread = std::max(spread, std::abs(values(j) - values(i)));
       }
-      if (near.size() < 2) continue;
+      if (near.size() < 2 || spread < 1e-14) continue;
       mean /= static_cast<double>(near.size());
       if (std::abs(mean.imag()) < 1e-12) mean = mean.real();
-      if (!is_multiple(square, mean, static_cast<int>(near.size()))) continue;
+      const int multiplicity = static_cast<int>(near.size());
+      if (!with_scalar(square, mean, [&](const auto& matrix, auto lambda) {
+            return is_multiple(matrix, lambda, multiplicity);
+          }))
+        continue;
       for (const Eigen::Index j : near) {
         values(j) = mean;
         seen[static_cast<std::size_t>(j)] = true;
@@ -95,30 +143,42 @@ bool larger(const Eigenvalue& a, const Eigenvalue& b) {
   return a.value.imag() > b.value.imag();
 }
 
-BlockSpectrum spectrum(const FrequencyBlocks& blocks, int omega) {
-  const Eigen::MatrixXcd& block = blocks.blocks[static_cast<std::size_t>(omega)];
-  BlockSpectrum result{omega, {}};
+Eigen::VectorXcd eigenvalues_of(const Eigen::MatrixXd& square) {
+  return Eigen::EigenSolver<Eigen::MatrixXd>(square, false).eigenvalues();
+}
+Eigen::VectorXcd eigenvalues_of(const Eigen::MatrixXcd& square) {
+  return Eigen::ComplexEigenSolver<Eigen::MatrixXcd>(square, false).eigenvalues();
+}
+
+template <class Matrix>
+std::vector<Eigenvalue> eigenvalues(const FrequencyBlocks& blocks, const Matrix& block, int omega) {
+  std::vector<Eigenvalue> list;
   for (const RingPart& part : ring_parts(blocks, block)) {
     const Eigen::Index size = part.last - part.first;
-    const Eigen::MatrixXcd square = block.block(part.first, part.first, size, size);
-    const bool real = square.imag().cwiseAbs().maxCoeff() < 1e-15;
-    Eigen::VectorXcd values =
-        real ? Eigen::EigenSolver<Eigen::MatrixXd>(square.real(), false).eigenvalues()
-             : Eigen::VectorXcd(
-                   Eigen::ComplexEigenSolver<Eigen::MatrixXcd>(square, false).eigenvalues());
+    const Matrix square = block.block(part.first, part.first, size, size);
+    Eigen::VectorXcd values = eigenvalues_of(square);
     join_split_ones(square, values);
-    for (const std::complex<double> value : values)
-      result.eigenvalues.push_back({value, omega, part.ring, 1, 1});
+    for (const std::complex<double> value : values) list.push_back({value, omega, part.ring, 1, 1});
   }
-  std::vector<Eigenvalue>& list = result.eigenvalues;
   for (Eigenvalue& one : list)
     one.multiplicity =
         static_cast<int>(std::count_if(list.begin(), list.end(), [&](const Eigenvalue& other) {
           return std::abs(other.value - one.value) < kEqualBelow;
         }));
-  for (Eigenvalue& one : list) one.jordan = jordan_size(block, one.value, one.multiplicity);
+  for (Eigenvalue& one : list)
+    if (one.multiplicity > 1)
+      one.jordan = with_scalar(block, one.value, [&](const auto& matrix, auto lambda) {
+        return jordan_size(matrix, lambda, one.multiplicity);
+      });
   std::sort(list.begin(), list.end(), larger);
-  return result;
+  return list;
+}
+
+BlockSpectrum spectrum(const FrequencyBlocks& blocks, int omega) {
+  const Eigen::MatrixXcd block = mirrored(blocks, blocks.blocks[static_cast<std::size_t>(omega)]);
+  if (block.imag().cwiseAbs().maxCoeff() < 1e-14)
+    return {omega, eigenvalues(blocks, Eigen::MatrixXd(block.real()), omega)};
+  return {omega, eigenvalues(blocks, block, omega)};
 }
 
 /// -1, 0, 1 for smaller, equal, larger; nothing in between.

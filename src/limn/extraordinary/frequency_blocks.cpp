@@ -47,19 +47,61 @@ Status check_sums(const Scheme& scheme, const FrequencyBlocks& blocks) {
   return Done{};
 }
 
-/// The term's part of the block of frequency ω at valence n.
-std::complex<double> part(const SectorTerm& term, const Weights& weights, int n, int omega) {
-  const auto phase = [&](double sectors) { return std::polar(1.0, kTwoPi * omega * sectors / n); };
-  double factor = term.coefficient;
-  for (const int name : term.names) factor *= weights[static_cast<std::size_t>(name)].front();
-  if (term.every_sector) return omega == 0 ? factor * n : 0.0;
-  if (term.repeated < 0) return factor * phase(term.angle);
-  std::complex<double> sum = 0;
-  const std::vector<double>& values = weights[static_cast<std::size_t>(term.repeated)];
-  for (int k = 0; k < n; ++k)
-    sum += values[static_cast<std::size_t>(k)] * phase(term.angle + term.slope * k);
-  return factor * sum;
-}
+/// A pattern's terms at one valence, frequency after frequency.
+class TermsAt {
+ public:
+  TermsAt(const SectorPattern& pattern, const Weights& weights, int n)
+      : pattern_(pattern), weights_(weights), n_(n) {
+    for (int k = 0; k < n; ++k) roots_.push_back(std::polar(1.0, kTwoPi * k / n));
+    for (const SectorTerm& term : pattern.terms) {
+      double factor = term.coefficient;
+      for (const int name : term.names) factor *= weights[static_cast<std::size_t>(name)].front();
+      factors_.push_back(factor);
+      steps_.push_back(phase(term.angle));
+    }
+    phases_.resize(pattern.terms.size());
+  }
+
+  /// The block of frequency ω; called for ω = 0, 1, 2, … in this order.
+  Eigen::MatrixXcd block(int omega) {
+    constexpr int kResync = 16;  // so that errors of the recurrence for e^{iωx} do not add up
+    const bool with_center = pattern_.has_center && omega == 0;
+    const int shift = with_center ? 1 : 0;  // the centre, -1, comes first
+    const auto size = static_cast<Eigen::Index>(pattern_.orbits.size()) + shift;
+    Eigen::MatrixXcd block = Eigen::MatrixXcd::Zero(size, size);
+    for (std::size_t i = 0; i < pattern_.terms.size(); ++i) {
+      const SectorTerm& term = pattern_.terms[i];
+      phases_[i] = omega % kResync == 0 ? phase(term.angle * omega) : phases_[i] * steps_[i];
+      if (!with_center && (term.row == kCenter || term.column == kCenter)) continue;
+      block(term.row + shift, term.column + shift) += factors_[i] * along(term, omega, phases_[i]);
+    }
+    return block;
+  }
+
+ private:
+  [[nodiscard]] std::complex<double> phase(double sectors) const {
+    return std::polar(1.0, kTwoPi * sectors / n_);
+  }
+
+  /// What the positions of a term sum to, without its factor.
+  [[nodiscard]] std::complex<double> along(const SectorTerm& term, int omega,
+                                           std::complex<double> first) const {
+    if (term.every_sector) return omega == 0 ? n_ : 0.0;
+    if (term.repeated < 0) return first;
+    std::complex<double> sum = 0;
+    const std::vector<double>& values = weights_[static_cast<std::size_t>(term.repeated)];
+    const int turn = ((term.slope * omega) % n_ + n_) % n_;
+    for (int k = 0, at = 0; k < n_; ++k, at = at + turn < n_ ? at + turn : at + turn - n_)
+      sum += values[static_cast<std::size_t>(k)] * roots_[static_cast<std::size_t>(at)];
+    return first * sum;
+  }
+
+  const SectorPattern& pattern_;
+  const Weights& weights_;
+  int n_;
+  std::vector<std::complex<double>> roots_, steps_, phases_;
+  std::vector<double> factors_;
+};
 
 }  // namespace
 
@@ -93,17 +135,8 @@ Result<FrequencyBlocks> FrequencyAnalysis::blocks(int n) {
   const Result<Weights> weights = evaluated(*scheme_, p, n);
   if (!weights) return weights.error();
   FrequencyBlocks result{n, p.rings, p.has_center, p.orbits, {}};
-  for (int omega = 0; omega <= n / 2; ++omega) {
-    const bool with_center = p.has_center && omega == 0;
-    const auto size = static_cast<Eigen::Index>(p.orbits.size() + (with_center ? 1 : 0));
-    Eigen::MatrixXcd block = Eigen::MatrixXcd::Zero(size, size);
-    for (const SectorTerm& term : p.terms) {
-      if (!with_center && (term.row == kCenter || term.column == kCenter)) continue;
-      const int shift = with_center ? 1 : 0;  // the centre, -1, comes first
-      block(term.row + shift, term.column + shift) += part(term, *weights, n, omega);
-    }
-    result.blocks.push_back(std::move(block));
-  }
+  TermsAt terms(p, *weights, n);
+  for (int omega = 0; omega <= n / 2; ++omega) result.blocks.push_back(terms.block(omega));
   if (Status status = check_sums(*scheme_, result); !status) return status.error();
   return result;
 }
