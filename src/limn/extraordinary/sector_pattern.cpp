@@ -147,7 +147,8 @@ class RowTerms {
         // rotation leaves the centre, so all sectors come alike
         if (positions.size() % kSectors != 0) return false;
         term.every_sector = true;
-        term.coefficient *= static_cast<double>(positions.size() / kSectors);
+        const std::size_t per_sector_count = positions.size() / kSectors;
+        term.coefficient *= static_cast<double>(per_sector_count);
         terms.push_back(term);
       } else if (row_ == kCenter && per_sector(key.names)) {
         term.every_sector = true;
