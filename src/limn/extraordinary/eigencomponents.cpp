@@ -72,10 +72,10 @@ template <class Matrix>
 int jordan_size(const Matrix& block, typename Matrix::Scalar lambda, int multiplicity) {
   const Matrix difference = shifted(block, lambda);
   Matrix power = difference;
+  // the nullity grows with the power until it is the multiplicity
   for (int size = 1; size < multiplicity; ++size) {
-    const Eigen::Index before = rank(power, 1e-9);
+    if (rank(power, 1e-9) <= block.rows() - multiplicity) return size;
     power *= difference;
-    if (rank(power, 1e-9) == before) return size;
   }
   return multiplicity;
 }
@@ -165,11 +165,17 @@ std::vector<Eigenvalue> eigenvalues(const FrequencyBlocks& blocks, const Matrix&
         static_cast<int>(std::count_if(list.begin(), list.end(), [&](const Eigenvalue& other) {
           return std::abs(other.value - one.value) < kEqualBelow;
         }));
-  for (Eigenvalue& one : list)
-    if (one.multiplicity > 1)
-      one.jordan = with_scalar(block, one.value, [&](const auto& matrix, auto lambda) {
-        return jordan_size(matrix, lambda, one.multiplicity);
-      });
+  for (auto one = list.begin(); one != list.end(); ++one) {
+    if (one->multiplicity == 1) continue;
+    const auto known = std::find_if(list.begin(), one, [&](const Eigenvalue& other) {
+      return std::abs(other.value - one->value) < kEqualBelow;
+    });
+    one->jordan = known != one
+                      ? known->jordan
+                      : with_scalar(block, one->value, [&](const auto& matrix, auto lambda) {
+                          return jordan_size(matrix, lambda, one->multiplicity);
+                        });
+  }
   std::sort(list.begin(), list.end(), larger);
   return list;
 }

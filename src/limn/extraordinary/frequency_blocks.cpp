@@ -18,17 +18,23 @@ const double kTwoPi = 2 * std::acos(-1.0);
 using Weights = std::vector<std::vector<double>>;
 
 Result<Weights> evaluated(const Scheme& scheme, const SectorPattern& pattern, int n) {
-  Weights weights;
-  Scope<double> plain(scheme, n, std::nullopt);
-  for (const NamedWeight& name : pattern.names) {
-    std::vector<double>& values = weights.emplace_back();
-    for (int k = 0; k < (name.repeated ? n : 1); ++k) {
-      Result<double> value = name.repeated ? Scope<double>(scheme, n, k)(name.weight->value)
-                                           : plain(name.weight->value);
+  Weights weights(pattern.names.size());
+  // each scope evaluates a let that several weights use once
+  const auto evaluate = [&](Scope<double> scope, bool repeated) -> Status {
+    for (std::size_t i = 0; i < pattern.names.size(); ++i) {
+      const NamedWeight& name = pattern.names[i];
+      if (name.repeated != repeated) continue;
+      const Result<double> value = scope(name.weight->value);
       if (!value) return value.error();
-      values.push_back(name.share * *value);
+      weights[i].push_back(name.share * *value);
     }
-  }
+    return Done{};
+  };
+  if (Status status = evaluate({scheme, n, std::nullopt}, false); !status) return status.error();
+  const bool any = std::any_of(pattern.names.begin(), pattern.names.end(),
+                               [](const NamedWeight& name) { return name.repeated; });
+  for (int k = 0; any && k < n; ++k)
+    if (Status status = evaluate({scheme, n, k}, true); !status) return status.error();
   return weights;
 }
 
