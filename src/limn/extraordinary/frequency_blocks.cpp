@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
+#include <numbers>
 
 #include <fmt/core.h>
 
@@ -12,7 +13,7 @@
 namespace limn {
 namespace {
 
-const double kTwoPi = 2 * std::acos(-1.0);
+constexpr double kTwoPi = 2 * std::numbers::pi;
 
 /// The named weights at one valence: one number each, or n of a repeated role.
 using Weights = std::vector<std::vector<double>>;
@@ -111,31 +112,29 @@ class TermsAt {
 
 }  // namespace
 
-struct FrequencyAnalysis::Pattern : SectorPattern {};
-
 FrequencyAnalysis::FrequencyAnalysis(const Scheme& scheme, int rings)
     : scheme_(&scheme), rings_(rings) {}
 FrequencyAnalysis::~FrequencyAnalysis() = default;
 FrequencyAnalysis::FrequencyAnalysis(FrequencyAnalysis&&) noexcept = default;
 FrequencyAnalysis& FrequencyAnalysis::operator=(FrequencyAnalysis&&) noexcept = default;
 
-Result<const FrequencyAnalysis::Pattern*> FrequencyAnalysis::pattern_at(int n) {
+Result<const SectorPattern*> FrequencyAnalysis::pattern_at(int n) {
   Result<CenterCases> cases = center_cases(*scheme_, n);
   if (!cases) return cases.error();
-  std::unique_ptr<Pattern>& pattern = patterns_[*cases];
+  std::unique_ptr<SectorPattern>& pattern = patterns_[*cases];
   if (pattern) return pattern.get();
   const Result<int> rings = rings_ > 0 ? rings_ : control_rings(*scheme_, *cases);
   if (!rings) return rings.error();
   Result<SectorPattern> made = sector_pattern(*scheme_, *cases, *rings);
   if (!made) return made.error();
-  pattern = std::make_unique<Pattern>(Pattern{std::move(*made)});
+  pattern = std::make_unique<SectorPattern>(std::move(*made));
   return pattern.get();
 }
 
 Result<FrequencyBlocks> FrequencyAnalysis::blocks(int n) {
   if (n < kSmallestValence)
     return Error{fmt::format("valence {} is below {}", n, kSmallestValence), {}, {}, 0, 0};
-  const Result<const Pattern*> pattern = pattern_at(n);
+  const Result<const SectorPattern*> pattern = pattern_at(n);
   if (!pattern) return pattern.error();
   const SectorPattern& p = **pattern;
   const Result<Weights> weights = evaluated(*scheme_, p, n);

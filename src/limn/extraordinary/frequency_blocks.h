@@ -36,6 +36,8 @@ struct FrequencyBlocks {
   std::vector<Eigen::MatrixXcd> blocks;
 };
 
+struct SectorPattern;  // sector_pattern.h
+
 /// Frequency blocks of one scheme at any number of valences.
 class FrequencyAnalysis {
  public:
@@ -51,13 +53,12 @@ class FrequencyAnalysis {
   [[nodiscard]] Result<FrequencyBlocks> blocks(int n);
 
  private:
-  struct Pattern;
-  Result<const Pattern*> pattern_at(int n);
+  Result<const SectorPattern*> pattern_at(int n);
 
   const Scheme* scheme_;
   int rings_;
   /// A star's refinement for each set of rule cases that applies at its centre.
-  std::map<std::vector<const RuleCase*>, std::unique_ptr<Pattern>> patterns_;
+  std::map<std::vector<const RuleCase*>, std::unique_ptr<SectorPattern>> patterns_;
 };
 
 }  // namespace limn

@@ -1,12 +1,12 @@
 #include "limn/refine/rule_tables.h"
 
-#include "limn/refine/weight_form.h"
-
 #include <algorithm>
 #include <cmath>
 #include <optional>
 
 #include <fmt/core.h>
+
+#include "limn/refine/weight_form.h"
 
 namespace limn {
 namespace {

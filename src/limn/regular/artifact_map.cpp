@@ -3,11 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numbers>
 
 namespace limn {
 namespace {
 
-const double kTwoPi = 2 * std::acos(-1.0);
+constexpr double kTwoPi = 2 * std::numbers::pi;
 
 /// Σ weight cos(x fx + y fy + shift) over the terms of one y: weight cos(x fx + shift) and the
 /// same with sin are tabulated over fx.

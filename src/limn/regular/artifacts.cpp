@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <numeric>
 
 #include "limn/regular/limit_values.h"
@@ -10,7 +11,7 @@
 namespace limn {
 namespace {
 
-const double kTwoPi = 2 * std::acos(-1.0);
+constexpr double kTwoPi = 2 * std::numbers::pi;
 
 double percent(double artifacts, double signal) {
   if (artifacts == 0) return 0;
@@ -106,37 +107,31 @@ std::vector<Phase> ArtifactAnalysis::refined_phases(Frequency f) const {
   return phases;
 }
 
-Components ArtifactAnalysis::after_stages(Frequency f, int stages) const {
-  Components result;
-  for (const Phase& theta : refined_phases(f))
-    result.artifacts.push_back(std::pow(stage_(theta), stages));
-  result.signal = result.artifacts.front();
-  result.artifacts.erase(result.artifacts.begin());
+template <class Magnitude>
+Components ArtifactAnalysis::components(Frequency f, Magnitude magnitude) const {
+  const std::vector<Phase> phases = refined_phases(f);
+  Components result{magnitude(phases.front()), {}};
+  for (std::size_t i = 1; i < phases.size(); ++i) result.artifacts.push_back(magnitude(phases[i]));
   return result;
 }
 
+Components ArtifactAnalysis::after_stages(Frequency f, int stages) const {
+  return components(f, [&](Phase theta) { return std::pow(stage_(theta), stages); });
+}
+
 Components ArtifactAnalysis::after_steps(Frequency f, int steps) const {
-  Components result;
-  for (Phase theta : refined_phases(f)) {
+  return components(f, [&](Phase theta) {
     double value = 1;
     for (int step = 0; step < steps; ++step) {
       value *= symbol_(theta);
       theta = mask_.dilation.refined_phase(theta);
     }
-    result.artifacts.push_back(value);
-  }
-  result.signal = result.artifacts.front();
-  result.artifacts.erase(result.artifacts.begin());
-  return result;
+    return value;
+  });
 }
 
 Components ArtifactAnalysis::in_limit(Frequency f) const {
-  Components result;
-  for (const Phase& theta : refined_phases(f))
-    result.artifacts.push_back(symbol_(theta) * limit_(theta));
-  result.signal = result.artifacts.front();
-  result.artifacts.erase(result.artifacts.begin());
-  return result;
+  return components(f, [&](Phase theta) { return symbol_(theta) * limit_(theta); });
 }
 
 double ArtifactAnalysis::amplitude(Frequency g) const {

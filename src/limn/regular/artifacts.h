@@ -83,6 +83,9 @@ class ArtifactAnalysis {
   friend class StepsEnergy;
   /// Phases on the first refined lattice of f and of its artifacts.
   [[nodiscard]] std::vector<Phase> refined_phases(Frequency f) const;
+  /// magnitude(θ) at each of these phases.
+  template <class Magnitude>
+  [[nodiscard]] Components components(Frequency f, Magnitude magnitude) const;
   /// Σ |m|² · energies over the artifacts that one step makes of a wave with phases t.
   [[nodiscard]] double made_by_one_step(Phase t, const Symbol& energies) const;
 

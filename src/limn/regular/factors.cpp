@@ -69,9 +69,4 @@ Laurent smoothing_stage(Lattice lattice, const LatticeMatrix& dilation) {
   return stage;
 }
 
-Laurent smoothing_direction(LatticeVector step, const LatticeMatrix& dilation) {
-  const int box = arity(dilation);
-  return scaled(centred_box(step, box), Rational(1, box));
-}
-
 }  // namespace limn

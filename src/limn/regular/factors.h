@@ -23,8 +23,7 @@ struct Factorization {
 /// The product again: a mask's coefficients by twice the offset.
 [[nodiscard]] Laurent expand(const Factorization& factors, const Mask& shape);
 
-/// One smoothing stage, and one direction, by twice the offset; sum 1.
+/// One smoothing stage, by twice the offset; sum 1.
 [[nodiscard]] Laurent smoothing_stage(Lattice lattice, const LatticeMatrix& dilation);
-[[nodiscard]] Laurent smoothing_direction(LatticeVector step, const LatticeMatrix& dilation);
 
 }  // namespace limn

@@ -1,6 +1,7 @@
 #include "limn/regular/sampling_density.h"
 
 #include <cmath>
+#include <numbers>
 
 #include <fmt/core.h>
 
@@ -11,24 +12,7 @@ namespace {
 
 constexpr int kDirections = 180;
 constexpr int kSteps = 256;
-const double kDegree = std::acos(-1.0) / 180;
-
-/// Where the ray leaves the Nyquist region.
-double rim(Lattice lattice, double angle) {
-  const std::vector<Frequency> corners = nyquist_region(lattice);
-  const Frequency ray{std::cos(angle), std::sin(angle)};
-  double length = 0;
-  for (std::size_t i = 0; i < corners.size(); ++i) {
-    const Frequency& a = corners[i];
-    const Frequency& b = corners[(i + 1) % corners.size()];
-    const Frequency edge{b[0] - a[0], b[1] - a[1]};
-    const double across = ray[0] * edge[1] - ray[1] * edge[0];
-    if (across <= 1e-12) continue;  // the ray does not leave through this side
-    const double way = (a[0] * edge[1] - a[1] * edge[0]) / across;
-    if (length == 0 || way < length) length = way;
-  }
-  return length;
-}
+constexpr double kDegree = std::numbers::pi / 180;
 
 class Search {
  public:
@@ -37,7 +21,7 @@ class Search {
 
   [[nodiscard]] DirectionalDensity along(double degrees) const {
     const double angle = degrees * kDegree;
-    const double far = rim(analysis_.mask().lattice, angle);
+    const double far = nyquist_distance(analysis_.mask().lattice, degrees);
     DirectionalDensity result{degrees, far, 1 / far, false};
     for (int step = 1; step <= kSteps; ++step) {
       const double length = far * step / kSteps;

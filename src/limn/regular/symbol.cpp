@@ -1,12 +1,14 @@
 #include "limn/regular/symbol.h"
 
+#include <algorithm>
 #include <cmath>
 #include <map>
+#include <numbers>
 
 namespace limn {
 namespace {
 
-const double kPi = std::acos(-1.0);
+constexpr double kPi = std::numbers::pi;
 const double kHalfRoot3 = std::sqrt(3.0) / 2;
 
 }  // namespace
@@ -34,6 +36,21 @@ std::vector<Frequency> nyquist_region(Lattice lattice) {
   const double height = 0.5 / kHalfRoot3;
   return {{2.0 / 3, 0},  {1.0 / 3, height},   {-1.0 / 3, height},
           {-2.0 / 3, 0}, {-1.0 / 3, -height}, {1.0 / 3, -height}};
+}
+
+double nyquist_distance(Lattice lattice, double degrees) {
+  const double angle = degrees * kPi / 180;
+  double nearest = 0;
+  const std::vector<Frequency> corners = nyquist_region(lattice);
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const Frequency& a = corners[i];
+    const Frequency& b = corners[(i + 1) % corners.size()];
+    const Frequency middle{(a[0] + b[0]) / 2, (a[1] + b[1]) / 2};
+    // the side's line is {f : f·middle = |middle|²}
+    const double along = std::cos(angle) * middle[0] + std::sin(angle) * middle[1];
+    nearest = std::max(nearest, along / (middle[0] * middle[0] + middle[1] * middle[1]));
+  }
+  return 1 / nearest;
 }
 
 Symbol::Symbol(const Laurent& doubled, double scale) {

@@ -29,6 +29,9 @@ using Phase = std::array<double, 2>;
 /// A hexagon with corners (±2/3, 0), (±1/3, ±1/√3) on triangles, the square of side 1 on quads.
 [[nodiscard]] std::vector<Frequency> nyquist_region(Lattice lattice);
 
+/// How far from 0 a ray leaves that region; its direction in degrees from the x axis.
+[[nodiscard]] double nyquist_distance(Lattice lattice, double degrees);
+
 /// A real trigonometric polynomial Σ a(k) e^{-iθ·k} of a point-symmetric a: Σ a(k) cos(θ·k).
 class Symbol {
  public:

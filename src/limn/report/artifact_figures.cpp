@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numbers>
 
 #include <fmt/core.h>
 
@@ -49,22 +50,6 @@ Result<DataTable> with_values(const ArtifactAnalysis& analysis, Stage stage, Dat
   return table;
 }
 
-/// The rim's distance from 0 in that direction.
-double rim_distance(Lattice lattice, double degrees) {
-  const double angle = degrees * std::acos(-1.0) / 180;
-  double nearest = 0;
-  const std::vector<Frequency> corners = nyquist_region(lattice);
-  for (std::size_t i = 0; i < corners.size(); ++i) {
-    const Frequency& a = corners[i];
-    const Frequency& b = corners[(i + 1) % corners.size()];
-    const Frequency middle{(a[0] + b[0]) / 2, (a[1] + b[1]) / 2};
-    // the side's line is {f : f·middle = |middle|²}
-    const double along = std::cos(angle) * middle[0] + std::sin(angle) * middle[1];
-    nearest = std::max(nearest, along / (middle[0] * middle[0] + middle[1] * middle[1]));
-  }
-  return 1 / nearest;
-}
-
 }  // namespace
 
 TriangleGrid frequency_grid(Lattice lattice, int subdivisions) {
@@ -108,8 +93,8 @@ Result<DataTable> artifact_table(const ArtifactAnalysis& analysis, Stage stage,
 
 Result<DataTable> artifact_curve(const ArtifactAnalysis& analysis, Stage stage,
                                  double direction_degrees, int points) {
-  const double angle = direction_degrees * std::acos(-1.0) / 180;
-  const double far = rim_distance(analysis.mask().lattice, direction_degrees);
+  const double angle = direction_degrees * std::numbers::pi / 180;
+  const double far = nyquist_distance(analysis.mask().lattice, direction_degrees);
   DataTable table{{"frequency"}, {}};
   std::vector<Frequency> frequencies;
   for (int i = 0; i < points; ++i) {

@@ -139,6 +139,11 @@ int reach(const std::vector<std::pair<LatticeVector, int>>& directions) {
 
 }  // namespace
 
+Laurent smoothing_direction(LatticeVector step, const LatticeMatrix& dilation) {
+  const int box = arity(dilation);
+  return scaled(centred_box(step, box), Rational(1, box));
+}
+
 Result<Mask> mask_from_rows(const Scheme& scheme, const Rows& rows) {
   Result<Laurent> polynomial = polynomial_from_rows(scheme, rows);
   if (!polynomial) return polynomial.error();
@@ -159,11 +164,11 @@ Result<Mask> mask_from_factors(const Scheme& scheme, const Factors& factors) {
     if (!count) return count.error();
     directions.push_back({step, *count});
   }
-  const int box = arity(split.dilation);
-  if (reach(directions) * (box - 1) > kLargestReach) return too_far(factors.place);
+  if (reach(directions) * (arity(split.dilation) - 1) > kLargestReach)
+    return too_far(factors.place);
   Laurent polynomial{{{0, 0}, Rational(split.dilation.growth())}};
   for (const auto& [step, count] : directions) {
-    const Laurent smoothing = scaled(centred_box(step, box), Rational(1, box));
+    const Laurent smoothing = smoothing_direction(step, split.dilation);
     for (int i = 0; i < count; ++i) polynomial = product(polynomial, smoothing);
   }
   if (factors.kernel) {

@@ -25,6 +25,10 @@ struct Mask {
   return {offset[0] / 6, offset[1] / 6};
 }
 
+/// What smooths along one step of the refined lattice: the box of arity(M) equal coefficients, by
+/// twice the offset; sum 1.
+[[nodiscard]] Laurent smoothing_direction(LatticeVector step, const LatticeMatrix& dilation);
+
 /// The mask that rows or factors denote, at the scheme's present parameters. Fails, with the
 /// place, on rows that form no hexagon or rectangle, on a mask whose centre does not fit the split,
 /// on a count that is no integer in 0 … 64, on more than 24 refined edges from centre to rim, on

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include <fmt/core.h>
 
@@ -65,7 +66,7 @@ Figure wave_figure(DataTable& numbers) {
   const auto place = [&](double a, double b) {
     const std::array<double, 2> x = cartesian(Lattice::triangle, {a, b});
     return std::array<double, 3>{x[0], x[1],
-                                 std::cos(2 * std::acos(-1.0) * (f[0] * x[0] + f[1] * x[1]))};
+                                 std::cos(2 * std::numbers::pi * (f[0] * x[0] + f[1] * x[1]))};
   };
   SurfacePanel panel;
   const int fine = kSide * kFine + 1;
