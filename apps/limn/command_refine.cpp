@@ -6,6 +6,7 @@
 
 #include "command.h"
 #include "limn/base/progress.h"
+#include "limn/extraordinary/limit_points.h"
 #include "limn/mesh/io/mesh_file.h"
 #include "limn/refine/refine.h"
 
@@ -17,6 +18,8 @@ struct RefineOptions {
   SchemeOptions scheme;
   int levels = 3;
   std::string output;
+  bool limit = false;
+  bool normals = false;
   bool triangulate = false;
   bool json = false;
 };
@@ -53,6 +56,26 @@ void print_result(const RefineOptions& options, const Scheme& scheme, const Mesh
              scheme.name, seconds);
 }
 
+/// Moves the points to the limit surface and finds normals there, as the options ask.
+Status take_to_limit(const RefineOptions& options, const Scheme& scheme, Refined<Point3>& refined,
+                     WriteOptions& extras, ProgressLine& line) {
+  if (!options.limit && !options.normals) return Done{};
+  LimitOptions limit_options;
+  limit_options.steps_made = options.levels;
+  limit_options.progress = [&](int left) {
+    line.show(fmt::format("limit points: {} vertices left, near irregular ones", left));
+  };
+  Result<LimitPoints> limit =
+      approx_limit_points(scheme, refined.mesh, refined.values, limit_options);
+  if (!limit) {
+    if (limit.error().file.empty()) limit.error().file = options.mesh;
+    return limit.error();
+  }
+  if (options.limit) refined.values = std::move(limit->positions);
+  if (options.normals) extras.normals = std::move(limit->normals);
+  return Done{};
+}
+
 int refine_mesh(const RefineOptions& options) {
   // what can be refused at once is refused before any work
   if (Status status = check_readable(options.mesh); !status) return report(status.error());
@@ -78,9 +101,13 @@ int refine_mesh(const RefineOptions& options) {
     if (error.file.empty()) error.file = options.mesh;
     return report(error);
   }
+  WriteOptions extras;
+  if (Status status = take_to_limit(options, *scheme, *refined, extras, line); !status)
+    return report(status.error());
   line.show("writing " + options.output);
   const Polygons result = refined->mesh.polygons(std::move(refined->values));
-  if (Status status = write_mesh(options.output, result); !status) return report(status.error());
+  if (Status status = write_mesh(options.output, result, extras); !status)
+    return report(status.error());
   print_result(options, *scheme, refined->mesh, time.count());
   return kDone;
 }
@@ -101,12 +128,16 @@ void declare_refine(CLI::App& parser, Action& action) {
                    "where the refined mesh goes: .obj, .off, .ply, .stl or .glb")
       ->required();
   options->scheme.declare_parameters(*command);
+  command->add_flag("--limit", options->limit, "move the refined vertices to the limit surface");
+  command->add_flag("--normals", options->normals,
+                    "write the limit surface's normals (.obj, .off, .ply, .glb)");
   command->add_flag("--triangulate", options->triangulate,
                     "cut polygons into triangles first, each from its first corner");
   command->add_flag("--json", options->json, "print one JSON object");
   command->footer(
       "Example: limn refine mesh.obj -s catmull-clark -n 4 -o fine.ply\n"
-      "         limn refine mesh.obj -s butterfly -p w=1/20 -n 5 -o fine.glb");
+      "         limn refine mesh.obj -s butterfly -p w=1/20 -n 5 -o fine.glb\n"
+      "         limn refine mesh.obj -s loop -n 3 --limit --normals -o surface.ply");
   command->callback([&action, options] { action = [options] { return refine_mesh(*options); }; });
 }
 

@@ -68,6 +68,27 @@ TEST(Torus, HasTheFacesAndDirectionsOfItsHeader) {
   }
 }
 
+TEST(Fan, IsAStarCutOpenWithARegularBoundary) {
+  for (const Lattice lattice : kBoth) {
+    for (Index sectors = 1; sectors <= 7; ++sectors) {
+      for (Index rings = 1; rings <= 4; ++rings) {
+        const Mesh mesh = fan(lattice, sectors, rings);
+        EXPECT_EQ(mesh.check(), "");
+        EXPECT_EQ(mesh.vertex_count(), fan_size(lattice, sectors, rings));
+        EXPECT_EQ(mesh.face_count(), sectors * rings * rings);
+        EXPECT_EQ(euler_characteristic(mesh), 1);
+        EXPECT_EQ(mesh.halfedge_of_vertex(0), 0);
+        EXPECT_EQ(mesh.valence(0), sectors + 1);
+        if (rings == 1) continue;
+        for (Index v = 1; v < fan_size(lattice, sectors, rings - 1); ++v) {
+          const Index regular = lattice == Lattice::triangle ? 6 : 4;
+          EXPECT_EQ(mesh.valence(v), mesh.is_boundary_vertex(v) ? regular / 2 + 1 : regular) << v;
+        }
+      }
+    }
+  }
+}
+
 TEST(Star, IsRegularButForItsCentre) {
   for (const Lattice lattice : kBoth) {
     const Index regular = lattice == Lattice::triangle ? 6 : 4;

@@ -25,6 +25,15 @@ class Peer {
   /// `levels` steps. At most once per object: for √3 the parity of a step counts from the call.
   virtual void refine(int levels) = 0;
 
+  /// To be called before `refine`, where `move_to_limit` shall follow.
+  virtual void want_limit() {}
+  /// Moves the points to the limit surface, and from there by `offset` along its unit normal
+  /// (on the boundary not). False where the library has no limit surface. Once, after `refine`.
+  virtual bool move_to_limit(double offset) {
+    (void)offset;
+    return false;
+  }
+
   [[nodiscard]] virtual std::size_t vertex_count() const = 0;
   /// The mesh as it now is, in the library's own order of vertices and faces.
   [[nodiscard]] virtual Polygons polygons() const = 0;

@@ -4,6 +4,7 @@
 #include <opensubdiv/far/primvarRefiner.h>
 #include <opensubdiv/far/topologyDescriptor.h>
 
+#include <cmath>
 #include <stdexcept>
 #include <vector>
 
@@ -51,7 +52,9 @@ class OpenSubdivPeer final : public Peer {
   }
 
   void refine(int levels) override {
-    refiner_->RefineUniform(far::TopologyRefiner::UniformOptions(levels));
+    far::TopologyRefiner::UniformOptions uniform(levels);
+    uniform.fullTopologyInLastLevel = full_topology_;
+    refiner_->RefineUniform(uniform);
     const far::PrimvarRefinerReal<Real> primvars(*refiner_);
     for (int level = 1; level <= levels; ++level) {
       std::vector<OsdPoint<Real>> fine(
@@ -59,6 +62,26 @@ class OpenSubdivPeer final : public Peer {
       primvars.Interpolate(level, points_, fine);
       points_.swap(fine);
     }
+  }
+
+  void want_limit() override { full_topology_ = true; }
+
+  bool move_to_limit(double offset) override {
+    std::vector<OsdPoint<Real>> limit(points_.size());
+    std::vector<OsdPoint<Real>> u(points_.size());
+    std::vector<OsdPoint<Real>> v(points_.size());
+    const far::TopologyLevel& level = refiner_->GetLevel(refiner_->GetMaxLevel());
+    far::PrimvarRefinerReal<Real>(*refiner_).Limit(points_, limit, u, v);
+    for (std::size_t i = 0; i < points_.size(); ++i) {
+      const Real x = u[i].y * v[i].z - u[i].z * v[i].y;
+      const Real y = u[i].z * v[i].x - u[i].x * v[i].z;
+      const Real z = u[i].x * v[i].y - u[i].y * v[i].x;
+      const bool boundary = level.IsVertexBoundary(static_cast<int>(i));
+      const Real scale =
+          boundary ? 0 : static_cast<Real>(offset) / std::sqrt(x * x + y * y + z * z);
+      points_[i] = {limit[i].x + scale * x, limit[i].y + scale * y, limit[i].z + scale * z};
+    }
+    return true;
   }
 
   [[nodiscard]] std::size_t vertex_count() const override { return points_.size(); }
@@ -80,6 +103,7 @@ class OpenSubdivPeer final : public Peer {
  private:
   std::unique_ptr<far::TopologyRefiner> refiner_;
   std::vector<OsdPoint<Real>> points_;
+  bool full_topology_ = false;
 };
 
 }  // namespace

@@ -30,13 +30,16 @@ class FaceList {
 };
 
 // ring r of the triangle star: n sectors of r vertices; position k of sector s lies k steps of
-// r on the way from spoke s to spoke s+1
+// r on the way from spoke s to spoke s+1. An open one, a fan, ends with a spoke of its own.
 struct TriangleRings {
   Index n;
-  [[nodiscard]] Index size(Index rings) const { return 1 + n * (rings * (rings + 1) / 2); }
+  bool open = false;
+  [[nodiscard]] Index size(Index rings) const {
+    return 1 + n * (rings * (rings + 1) / 2) + (open ? rings : 0);
+  }
   [[nodiscard]] Index vertex(Index s, Index r, Index k) const {
     if (r == 0) return 0;
-    return size(r - 1) + (s * r + k) % (n * r);
+    return size(r - 1) + (open ? s * r + k : (s * r + k) % (n * r));
   }
 };
 
@@ -44,12 +47,15 @@ struct TriangleRings {
 // points with max(x, y) = r
 struct QuadRings {
   Index n;
-  [[nodiscard]] Index size(Index rings) const { return 1 + n * rings * (rings + 1); }
+  bool open = false;
+  [[nodiscard]] Index size(Index rings) const {
+    return 1 + n * rings * (rings + 1) + (open ? rings : 0);
+  }
   [[nodiscard]] Index vertex(Index s, Index x, Index y) const {
     const Index r = std::max(x, y);
     if (r == 0) return 0;
     const Index k = x == r ? y : 2 * r - x;
-    return size(r - 1) + (2 * r * s + k) % (2 * r * n);
+    return size(r - 1) + (open ? 2 * r * s + k : (2 * r * s + k) % (2 * r * n));
   }
 };
 
@@ -65,8 +71,8 @@ struct DualRings {
   }
 };
 
-Mesh triangle_star(Index n, Index rings) {
-  const TriangleRings at{n};
+Mesh triangle_star(Index n, Index rings, bool open) {
+  const TriangleRings at{n, open};
   FaceList faces;
   for (Index r = 1; r <= rings; ++r) {
     for (Index s = 0; s < n; ++s) {
@@ -80,8 +86,8 @@ Mesh triangle_star(Index n, Index rings) {
   return faces.mesh(at.size(rings));
 }
 
-Mesh quad_star(Index n, Index rings) {
-  const QuadRings at{n};
+Mesh quad_star(Index n, Index rings, bool open) {
+  const QuadRings at{n, open};
   FaceList faces;
   const auto add = [&](Index s, Index x, Index y) {
     faces.add({at.vertex(s, x, y), at.vertex(s, x + 1, y), at.vertex(s, x + 1, y + 1),
@@ -118,11 +124,22 @@ Mesh torus(Lattice lattice, Index nx, Index ny) {
 
 Mesh star(Lattice lattice, Index n, Index rings) {
   assert(n >= 3 && rings >= 1);
-  return lattice == Lattice::triangle ? triangle_star(n, rings) : quad_star(n, rings);
+  return lattice == Lattice::triangle ? triangle_star(n, rings, false) : quad_star(n, rings, false);
+}
+
+Mesh fan(Lattice lattice, Index sectors, Index rings) {
+  assert(sectors >= 1 && rings >= 1);
+  return lattice == Lattice::triangle ? triangle_star(sectors, rings, true)
+                                      : quad_star(sectors, rings, true);
 }
 
 Index star_size(Lattice lattice, Index n, Index rings) {
   return lattice == Lattice::triangle ? TriangleRings{n}.size(rings) : QuadRings{n}.size(rings);
+}
+
+Index fan_size(Lattice lattice, Index sectors, Index rings) {
+  return lattice == Lattice::triangle ? TriangleRings{sectors, true}.size(rings)
+                                      : QuadRings{sectors, true}.size(rings);
 }
 
 Mesh face_star(Index n, Index rings) {

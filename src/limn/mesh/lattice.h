@@ -38,6 +38,12 @@ using Twelfths = std::array<Index, 2>;
 /// n ≥ 3 (quads: n ≥ 3 too), rings ≥ 1.
 [[nodiscard]] Mesh star(Lattice lattice, Index n, Index rings);
 
+/// The same round a vertex on the boundary, with so many sectors (faces) ≥ 1: both outer spokes lie
+/// on the boundary, whose other vertices are regular. Rings follow one another as in `star`, each
+/// from the spoke of sector 0, on which half-edge 0 lies, to the last spoke: one vertex more a
+/// ring.
+[[nodiscard]] Mesh fan(Lattice lattice, Index sectors, Index rings);
+
 /// The dual star on quads: `rings` rings of vertices round a face of n corners (face 0), every
 /// other face a quad and every interior vertex of valence 4. Ring r = 1 is the n corners of the
 /// face; ring r holds n*(2r-1) vertices; order as in `star`, each ring counterclockwise,
@@ -45,8 +51,9 @@ using Twelfths = std::array<Index, 2>;
 /// diagonal one in the middle. Half-edge 0 has origin vertex 0.
 [[nodiscard]] Mesh face_star(Index n, Index rings);
 
-/// Number of vertices in rings 0 … rings of `star`, or 1 … rings of `face_star`.
+/// Number of vertices in rings 0 … rings of `star` and `fan`, or 1 … rings of `face_star`.
 [[nodiscard]] Index star_size(Lattice lattice, Index n, Index rings);
+[[nodiscard]] Index fan_size(Lattice lattice, Index sectors, Index rings);
 [[nodiscard]] Index face_star_size(Index n, Index rings);
 
 /// Faces glued along a tree, so that no fan ever closes and no two walks of fewer than `depth`

@@ -1,6 +1,9 @@
 #include "limn/refine/star_step.h"
 
+#include <cassert>
+
 #include "limn/mesh/lattice.h"
+#include "limn/mesh/pattern.h"
 
 namespace limn {
 namespace {
@@ -22,28 +25,6 @@ Index refined_start(const Split& split, const Mesh& coarse, const SplitResult& f
   return h;
 }
 
-/// Which vertex of `mesh`, explored from half-edge `start`, plays the part of each vertex of
-/// `pattern`, explored from its half-edge 0.
-std::vector<Index> matched_vertices(const Mesh& pattern, const Mesh& mesh, Index start) {
-  std::vector<Index> partner(static_cast<std::size_t>(pattern.halfedge_count()), kNone);
-  std::vector<Index> vertices(static_cast<std::size_t>(pattern.vertex_count()), kNone);
-  std::vector<Index> stack{0};
-  partner[0] = start;
-  const auto meet = [&](Index h, Index g) {
-    if (h == kNone || partner[h] != kNone) return;
-    partner[h] = g;
-    stack.push_back(h);
-  };
-  while (!stack.empty()) {
-    const Index h = stack.back();
-    stack.pop_back();
-    vertices[pattern.origin(h)] = mesh.origin(partner[h]);
-    meet(pattern.next(h), mesh.next(partner[h]));
-    meet(pattern.twin(h), mesh.twin(partner[h]));
-  }
-  return vertices;
-}
-
 }  // namespace
 
 StarStep star_step(const Split& split, int n, int rings) {
@@ -52,8 +33,25 @@ StarStep star_step(const Split& split, int n, int rings) {
   step.coarse = make_star(split, n, rings + kMargin);
   step.fine = split.apply(step.coarse, 0);
   step.size = inner.vertex_count();
-  step.images =
-      matched_vertices(inner, step.fine.mesh, refined_start(split, step.coarse, step.fine));
+  const bool found = Pattern(inner, 0).match(
+      step.fine.mesh, refined_start(split, step.coarse, step.fine), step.images);
+  assert(found);
+  (void)found;
+  return step;
+}
+
+FanStep fan_step(const Split& split, int sectors, int rings) {
+  const Mesh inner = fan(split.lattice, sectors, rings);
+  FanStep step;
+  step.coarse = fan(split.lattice, sectors, rings + kMargin);
+  step.size = inner.vertex_count();
+  step.fine.push_back(split.apply(step.coarse, 0));
+  // the boundary of a trisecting split moves in every second step only
+  if (split.trisects_boundary) step.fine.push_back(split.apply(step.fine.front().mesh, 1));
+  const Mesh& last = step.fine.back().mesh;
+  const bool found = Pattern(inner, 0).match(last, last.halfedge_of_vertex(0), step.images);
+  assert(found);
+  (void)found;
   return step;
 }
 

@@ -20,4 +20,15 @@ struct StarStep {
 /// n ≥ 3 sectors, rings ≥ 1. The margin is wide enough that no image's stencil meets the rim.
 [[nodiscard]] StarStep star_step(const Split& split, int n, int rings);
 
+/// The same of a fan: one step, or two where the boundary moves in every second one only.
+struct FanStep {
+  Mesh coarse;
+  std::vector<SplitResult> fine;
+  Index size = 0;
+  std::vector<Index> images;  ///< vertices of fine.back()
+};
+
+/// sectors ≥ 1, rings ≥ 1; for splits that keep the old vertices.
+[[nodiscard]] FanStep fan_step(const Split& split, int sectors, int rings);
+
 }  // namespace limn

@@ -1,0 +1,40 @@
+#pragma once
+/// Which vertices of a mesh have a neighbourhood of standard form, and refinement of the others'
+/// surroundings until they have. Private to limit_points.
+
+#include "limn/extraordinary/limit_points.h"
+#include "limn/mesh/pattern.h"
+#include "limn/refine/rule_tables.h"
+
+namespace limn {
+
+/// A vertex whose limit is sought, or (dual splits) a face, named by a half-edge.
+struct LimitSite {
+  Index result;  ///< where the limit goes
+  Index at;      ///< vertex, or half-edge of the face
+};
+
+/// Faces round some sites, refined once, and where the sites are there.
+struct LimitPatch {
+  Mesh mesh;
+  std::vector<Point3> values;
+  std::vector<LimitSite> sites;
+};
+
+/// The sites of these vertices, isolated ones left out, in the mesh itself; not for dual splits.
+[[nodiscard]] std::vector<LimitSite> limit_sites(const Mesh& mesh,
+                                                 const std::vector<Index>& vertices);
+
+/// The whole mesh of a dual split after one step, its number `step`, and the vertices' sites there.
+[[nodiscard]] Result<LimitPatch> dual_patch(const Scheme& scheme, const Mesh& mesh,
+                                            const std::vector<Point3>& values,
+                                            const std::vector<Index>& vertices, int step,
+                                            RuleTables<double>& tables);
+
+/// The faces within `rings` rings of the sites after one step, its number `step`.
+[[nodiscard]] Result<LimitPatch> refined_patch(const Scheme& scheme, const Mesh& mesh,
+                                               const std::vector<Point3>& values,
+                                               const std::vector<LimitSite>& sites, int rings,
+                                               int step, RuleTables<double>& tables);
+
+}  // namespace limn
