@@ -27,6 +27,7 @@ void declare_show(CLI::App& parser, Action& action);
 void declare_refine(CLI::App& parser, Action& action);
 void declare_artifacts(CLI::App& parser, Action& action);
 void declare_eigen(CLI::App& parser, Action& action);
+void declare_prescribe(CLI::App& parser, Action& action);
 void declare_papers(CLI::App& parser, Action& action);
 
 /// Prints "limn: …" on standard error; returns kBadInput.

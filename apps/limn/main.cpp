@@ -14,7 +14,8 @@ namespace {
 
 // One line for each command, in the order of the help.
 constexpr Declare kCommands[] = {declare_schemes,   declare_show,  declare_refine,
-                                 declare_artifacts, declare_eigen, declare_papers};
+                                 declare_artifacts, declare_eigen, declare_prescribe,
+                                 declare_papers};
 
 extern "C" void leave_nothing_half_written(int signal) {
   remove_unfinished_files();

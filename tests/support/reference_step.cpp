@@ -1,5 +1,6 @@
 #include "support/reference_step.h"
 
+#include <array>
 #include <cmath>
 #include <functional>
 #include <map>
@@ -15,7 +16,13 @@ struct TriangleRules {
   std::function<double(int n)> beta;
   double end, wing, outer, opposite;
   std::optional<double> tension;  ///< boundary curve: four-point of this tension, or cubic B-spline
-  bool zorin;                     ///< edges with an extraordinary end as in the modified butterfly
+  /// Edges with a special end: its weight, and that of its neighbours counted from the edge.
+  struct Ends {
+    std::function<bool(int n)> special;
+    double self;
+    std::function<double(int n, int k)> spoke;
+  };
+  std::optional<Ends> ends;
 };
 
 double loop_beta(int n) {
@@ -31,22 +38,53 @@ double optimal_high_beta(int n) { return (2 / 3. - (1 / 3. + std::cos(3 * kPi / 
 double optimal_low_beta(int n) { return 33 / 64. / n; }
 double no_beta(int) { return 0; }
 
+double zorin_weight(int n, int k) {
+  if (n == 3) return k == 0 ? 5 / 12. : -1 / 12.;
+  if (n == 4) return k == 0 ? 3 / 8. : k == 2 ? -1 / 8. : 0;
+  return (1 / 4. + std::cos(2 * kPi * k / n) + std::cos(4 * kPi * k / n) / 2) / n;
+}
+
+/// As in the modified butterfly.
+const TriangleRules::Ends kZorin{[](int n) { return n != 6; }, 3 / 4., zorin_weight};
+
+/// [BGSK Fig. 1] Loop with other eigenvalues at valence 7: the cup's, and those of frequencies 1,
+/// 2, 3.
+TriangleRules at_seven(double cup, const std::array<double, 3>& eigenvalues) {
+  const auto beta = [cup](int n) { return n == 7 ? (5 / 8. - cup) / 7 : loop_beta(n); };
+  const auto spoke = [eigenvalues](int, int k) {
+    double sum = 5 / 8.;
+    for (int frequency = 1; frequency < 7; ++frequency)
+      sum += eigenvalues[static_cast<std::size_t>(std::min(frequency, 7 - frequency) - 1)] *
+             std::cos(2 * kPi * frequency * k / 7);
+    return sum / 7;
+  };
+  return {beta,
+          3 / 8.,
+          1 / 8.,
+          0,
+          0,
+          {},
+          TriangleRules::Ends{[](int n) { return n == 7; }, 3 / 8., spoke}};
+}
+
 /// [KS §3.1] a times (1, -1/n, …) added; their own a(n) where no other is given.
 TriangleRules high_pass(std::optional<double> a) {
   const auto beta = [a](int n) {
     const double theirs = n * loop_beta(n) - 1 / 4. + std::cos(3 * kPi / n) / 4;
     return loop_beta(n) - a.value_or(theirs) / n;
   };
-  return {beta, 3 / 8., 1 / 8., 0, 0, {}, false};
+  return {beta, 3 / 8., 1 / 8., 0, 0, {}, {}};
 }
 
 /// [KS §3.2] blended with (1/2, 1/(2n), …).
 TriangleRules low_pass(double a) {
   const auto beta = [a](int n) { return (1 - a) * loop_beta(n) + a / (2 * n); };
-  return {beta, 3 / 8., 1 / 8., 0, 0, {}, false};
+  return {beta, 3 / 8., 1 / 8., 0, 0, {}, {}};
 }
 
-TriangleRules butterfly(double w, bool zorin) { return {no_beta, 1 / 2., 2 * w, -w, 0, w, zorin}; }
+TriangleRules butterfly(double w, bool zorin) {
+  return {no_beta, 1 / 2., 2 * w, -w, 0, w, zorin ? std::optional(kZorin) : std::nullopt};
+}
 
 /// [KS §4] the butterfly blended with the mean of the ends' stencils (1/2 and six of 1/12).
 TriangleRules low_pass_butterfly(double b) {
@@ -56,18 +94,21 @@ TriangleRules low_pass_butterfly(double b) {
           (1 - b) / -16 + b * (1 / 24.),
           b * (1 / 24.),
           1 / 16.,
-          true};
+          kZorin};
 }
 
 std::optional<TriangleRules> triangle_rules(const std::string& scheme, std::optional<double> x) {
   static const std::map<std::string, TriangleRules> kWithoutParameter{
-      {"loop", {loop_beta, 3 / 8., 1 / 8., 0, 0, {}, false}},
-      {"box-spline-triangle", {loop_beta, 3 / 8., 1 / 8., 0, 0, {}, false}},
-      {"loop-warren", {warren_beta, 3 / 8., 1 / 8., 0, 0, {}, false}},
-      {"optimal", {optimal_beta, 1 / 3., 1 / 6., 0, 0, {}, false}},
-      {"optimal-high", {optimal_high_beta, 1 / 3., 1 / 6., 0, 0, {}, false}},
-      {"optimal-low", {optimal_low_beta, 1 / 3., 1 / 6., 0, 0, {}, false}},
-      {"interpolating-loop", {no_beta, 33 / 64., 6 / 64., -3 / 64., -1 / 64., 1 / 16., true}},
+      {"loop", {loop_beta, 3 / 8., 1 / 8., 0, 0, {}, {}}},
+      {"box-spline-triangle", {loop_beta, 3 / 8., 1 / 8., 0, 0, {}, {}}},
+      {"loop-warren", {warren_beta, 3 / 8., 1 / 8., 0, 0, {}, {}}},
+      {"optimal", {optimal_beta, 1 / 3., 1 / 6., 0, 0, {}, {}}},
+      {"optimal-high", {optimal_high_beta, 1 / 3., 1 / 6., 0, 0, {}, {}}},
+      {"optimal-low", {optimal_low_beta, 1 / 3., 1 / 6., 0, 0, {}, {}}},
+      {"loop-7-bounded", at_seven(1 / 4., {1 / 2., 1 / 4., 1 / 8.})},
+      {"loop-7-shrinking", at_seven(1 / 4., {1 / 4., 1 / 2., 1 / 8.})},
+      {"loop-7-flat", at_seven(1 / 4., {1 / 2., 1 / 8., 1 / 4.})},
+      {"interpolating-loop", {no_beta, 33 / 64., 6 / 64., -3 / 64., -1 / 64., 1 / 16., kZorin}},
   };
   if (const auto found = kWithoutParameter.find(scheme); found != kWithoutParameter.end())
     return found->second;
@@ -77,12 +118,6 @@ std::optional<TriangleRules> triangle_rules(const std::string& scheme, std::opti
   if (scheme == "butterfly-modified") return butterfly(x.value_or(1 / 16.), true);
   if (scheme == "laplacian-butterfly") return low_pass_butterfly(x.value_or(1 / 8.));
   return std::nullopt;
-}
-
-double zorin_weight(int n, int k) {
-  if (n == 3) return k == 0 ? 5 / 12. : -1 / 12.;
-  if (n == 4) return k == 0 ? 3 / 8. : k == 2 ? -1 / 8. : 0;
-  return (1 / 4. + std::cos(2 * kPi * k / n) + std::cos(4 * kPi * k / n) / 2) / n;
 }
 
 class Reference {
@@ -202,25 +237,25 @@ class Reference {
       const double w = *rules.tension;
       return (1 / 2. + w) * ends - w * (at(beyond(h, false)) + at(beyond(h, true)));
     }
-    const bool odd_from = rules.zorin && is_extraordinary(from);
-    const bool odd_to = rules.zorin && is_extraordinary(to);
-    if (odd_from && odd_to) return (zorin(h) + zorin(mesh_.twin(h))) / 2;
-    if (odd_from) return zorin(h);
-    if (odd_to) return zorin(mesh_.twin(h));
+    const bool odd_from = is_special(rules, from);
+    const bool odd_to = is_special(rules, to);
+    if (odd_from && odd_to) return (from_end(rules, h) + from_end(rules, mesh_.twin(h))) / 2;
+    if (odd_from) return from_end(rules, h);
+    if (odd_to) return from_end(rules, mesh_.twin(h));
     return edge_side(rules, h) + edge_side(rules, mesh_.twin(h));
   }
 
-  [[nodiscard]] bool is_extraordinary(Index v) const {
-    return !mesh_.is_boundary_vertex(v) && mesh_.valence(v) != 6;
+  [[nodiscard]] bool is_special(const TriangleRules& rules, Index v) const {
+    return rules.ends && !mesh_.is_boundary_vertex(v) && rules.ends->special(mesh_.valence(v));
   }
 
   /// Round the origin of h, counterclockwise from h.
-  [[nodiscard]] double zorin(Index h) const {
+  [[nodiscard]] double from_end(const TriangleRules& rules, Index h) const {
     const int n = mesh_.valence(mesh_.origin(h));
-    double sum = 3 / 4. * at(mesh_.origin(h));
+    double sum = rules.ends->self * at(mesh_.origin(h));
     Index spoke = h;
     for (int k = 0; k < n; ++k, spoke = mesh_.rotate(spoke))
-      sum += zorin_weight(n, k) * at(mesh_.target(spoke));
+      sum += rules.ends->spoke(n, k) * at(mesh_.target(spoke));
     return sum;
   }
 

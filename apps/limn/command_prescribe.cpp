@@ -1,0 +1,84 @@
+#include <filesystem>
+#include <memory>
+
+#include <fmt/core.h>
+#include <nlohmann/json.hpp>
+
+#include "command.h"
+#include "limn/base/file.h"
+#include "limn/extraordinary/eigencomponents.h"
+#include "limn/report/eigen_report.h"
+#include "limn/tune/prescribe.h"
+
+namespace limn::app {
+namespace {
+
+struct PrescribeOptions {
+  std::string scheme;
+  int valence = 0;
+  std::vector<std::string> eigenvalues;
+  std::string output;
+  bool json = false;
+};
+
+/// What the file is to say after "extends": a shipped name, or a path that holds everywhere.
+std::string name_in_file(const std::string& name) {
+  const std::vector<std::string> shipped = shipped_schemes();
+  if (std::find(shipped.begin(), shipped.end(), name) != shipped.end()) return name;
+  return std::filesystem::absolute(name).lexically_normal().string();
+}
+
+int prescribe(const PrescribeOptions& options) {
+  const Result<Scheme> base = find_scheme(options.scheme);
+  if (!base) return report(base.error());
+  const std::filesystem::path path(options.output);
+  if (path.extension() != ".toml")
+    return report({fmt::format("'{}' is no scheme file's name", options.output),
+                   "it ends in .toml",
+                   {},
+                   0,
+                   0});
+  const Prescription prescription{options.valence,
+                                  options.eigenvalues.front(),
+                                  {options.eigenvalues.begin() + 1, options.eigenvalues.end()}};
+  const Result<std::string> text =
+      prescribed_scheme(*base, name_in_file(options.scheme), path.stem().string(), prescription);
+  if (!text) return report(text.error());
+  const Result<Scheme> made = parse_scheme(*text, options.output);
+  if (!made) return report(made.error());
+  const Result<FrequencyBlocks> blocks = FrequencyAnalysis(*made).blocks(options.valence);
+  if (!blocks) return report(blocks.error());
+  const Eigencomponents components = approx_eigencomponents(*blocks);
+  if (Status status = write_file(options.output, *text); !status) return report(status.error());
+  if (options.json)
+    fmt::print("{}\n", nlohmann::ordered_json{{"scheme", made->name},
+                                              {"file", options.output},
+                                              {"valences", {eigen_json(*blocks, components)}}}
+                           .dump());
+  else
+    fmt::print("{}\n{}{}", options.output, eigen_heading(), eigen_text(components));
+  return kDone;
+}
+
+}  // namespace
+
+void declare_prescribe(CLI::App& parser, Action& action) {
+  CLI::App* command = parser.add_subcommand(
+      "prescribe", "a scheme file with chosen eigenvalues at one valence, by the inverse DFT");
+  const auto options = std::make_shared<PrescribeOptions>();
+  command->add_option("SCHEME", options->scheme, "the scheme that it extends")->required();
+  command->add_option("--valence", options->valence, "where")->required()->type_name("N");
+  command
+      ->add_option("--eigenvalues", options->eigenvalues,
+                   "expressions: the cup's, then those of frequency 1 (tangent), 2 (saddle), …")
+      ->required()
+      ->delimiter(',');
+  command->add_option("-o,--output", options->output, "the scheme file to write: NAME.toml")
+      ->required();
+  command->add_flag("--json", options->json, "print one JSON object");
+  command->footer(
+      "Example: limn prescribe loop --valence 7 --eigenvalues 1/4,1/2,1/4,1/8 -o mine.toml");
+  command->callback([&action, options] { action = [options] { return prescribe(*options); }; });
+}
+
+}  // namespace limn::app

@@ -1,0 +1,125 @@
+#include "limn/extraordinary/characteristic_map.h"
+
+#include <cmath>
+#include <numbers>
+
+#include <fmt/core.h>
+
+#include "limn/extraordinary/eigenvectors.h"
+#include "limn/mesh/lattice.h"
+
+namespace limn {
+namespace {
+
+constexpr int kMoreRings = 2;  // than control the surface: what hangs on the rim stays outside
+
+std::vector<Point3> plane_points(const FrequencyBlocks& blocks, const Eigenvectors& vectors) {
+  const auto coordinates = spatial_vectors(blocks, 1, vectors.right.col(0));
+  std::vector<Point3> points;
+  for (std::size_t v = 0; v < coordinates[0].size(); ++v)
+    points.push_back({coordinates[0][v], coordinates[1][v], 0});
+  return points;
+}
+
+/// Signed area of a face over the square of its distance from the centre, with which areas grow.
+double relative_area(const StarSurface& surface, Index f) {
+  const Mesh& mesh = surface.mesh;
+  double twice = 0;
+  double x = 0;
+  double y = 0;
+  for (Index h = mesh.face_begin(f); h < mesh.face_begin(f + 1); ++h) {
+    const Point3& a = surface.positions[mesh.origin(h)];
+    const Point3& b = surface.positions[mesh.target(h)];
+    twice += a.x * b.y - a.y * b.x;
+    x += a.x / mesh.degree(f);
+    y += a.y / mesh.degree(f);
+  }
+  return twice / (x * x + y * y);
+}
+
+/// Of the faces; but not of the one round the centre of a dual split, which is at no distance.
+double smallest_relative_area(const StarSurface& surface) {
+  double sum = 0;
+  double count = 0;
+  double smallest = 1e300;
+  for (Index f = 0; f < surface.mesh.face_count(); ++f) {
+    const double area = relative_area(surface, f);
+    if (!(std::abs(area) < 1e6)) continue;
+    sum += area;
+    count += 1;
+    smallest = std::min(smallest, area);
+  }
+  return smallest * count / sum;
+}
+
+/// How often the boundary of the image goes round the centre.
+double winding_number(const StarSurface& surface) {
+  const Mesh& mesh = surface.mesh;
+  double angle = 0;
+  for (Index h = 0; h < mesh.halfedge_count(); ++h) {
+    if (mesh.twin(h) != kNone) continue;
+    const Point3& a = surface.positions[mesh.origin(h)];
+    const Point3& b = surface.positions[mesh.target(h)];
+    angle += std::atan2(a.x * b.y - a.y * b.x, a.x * b.x + a.y * b.y);
+  }
+  return angle / (2 * std::numbers::pi);
+}
+
+void judge(CharacteristicMap& map) {
+  map.smallest_area = smallest_relative_area(map.image);
+  const double winding = winding_number(map.image);
+  Index turned = 0;  // points of negative Jacobian: the normal looks down
+  Index unsure = 0;
+  for (const Point3& normal : map.image.normals) {
+    turned += normal.z < 0 ? 1 : 0;
+    unsure += normal.z == 0 ? 1 : 0;
+  }
+  const auto points = map.image.normals.size();
+  if (turned > 0 || map.smallest_area < -1e-9) {
+    map.regular = Truth::no;
+    map.reason =
+        fmt::format("it folds: the Jacobian is negative at {} of {} points", turned, points);
+  } else if (std::abs(winding - 1) > 1e-6) {
+    map.regular = Truth::no;
+    map.reason = fmt::format("the image goes round the centre {:.3g} times", winding);
+  } else if (unsure > 0 || map.smallest_area < 1e-9) {
+    map.reason = "a Jacobian or the area of a face could not be told from 0";
+  } else {
+    map.regular = Truth::yes;
+    map.reason = fmt::format("the Jacobian is positive at {} points", points);
+  }
+}
+
+}  // namespace
+
+Result<CharacteristicMap> approx_characteristic_map(const Scheme& scheme, int n, int steps) {
+  const Result<FrequencyBlocks> near = FrequencyAnalysis(scheme).blocks(n);
+  if (!near) return near.error();
+  const Eigencomponents components = approx_eigencomponents(*near);
+  const Eigenvalue& leader = components.spectra[1].eigenvalues.front();
+  if (!components.tangent || !(*components.tangent > 0) || leader.multiplicity > 1)
+    return Error{fmt::format("scheme '{}' has no characteristic map at valence {}: frequency 1 is "
+                             "not led by a simple positive eigenvalue",
+                             scheme.name, n),
+                 {},
+                 {},
+                 0,
+                 0};
+  const int rings = near->rings + kMoreRings;
+  const Result<FrequencyBlocks> wide = FrequencyAnalysis(scheme, rings).blocks(n);
+  if (!wide) return wide.error();
+  CharacteristicMap map;
+  map.valence = n;
+  map.eigenvalue = *components.tangent;
+  const bool dual = !near->has_center;
+  map.net = dual ? face_star(n, near->rings) : star(scheme.split->lattice, n, near->rings);
+  map.net_points = plane_points(*near, approx_eigenvectors(*near, leader));
+  Result<StarSurface> image = approx_star_surface(
+      scheme, n, rings, plane_points(*wide, approx_eigenvectors(*wide, leader)), steps);
+  if (!image) return image.error();
+  map.image = std::move(*image);
+  judge(map);
+  return map;
+}
+
+}  // namespace limn

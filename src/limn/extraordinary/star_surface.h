@@ -1,0 +1,24 @@
+#pragma once
+/// The limit surface on the faces round an extraordinary vertex, sampled finely.
+
+#include <vector>
+
+#include "limn/base/error.h"
+#include "limn/mesh/mesh.h"
+#include "limn/scheme/scheme.h"
+
+namespace limn {
+
+struct StarSurface {
+  Mesh mesh;                               ///< what became of the faces round the centre
+  std::vector<Point3> positions, normals;  ///< limit points, one per vertex
+};
+
+/// The surface whose control points are `values` on the star of n ≥ 3 sectors and `rings` rings
+/// (dual splits: face star; mesh/lattice.h), after so many steps; every second one for sqrt3, whose
+/// steps turn the star. `rings` must be those that control the surface round the centre
+/// (FrequencyBlocks) and one more. Without boundary rules. Fails as `approx_limit_points`.
+[[nodiscard]] Result<StarSurface> approx_star_surface(const Scheme& scheme, int n, int rings,
+                                                      const std::vector<Point3>& values, int steps);
+
+}  // namespace limn

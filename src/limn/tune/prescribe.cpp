@@ -1,0 +1,134 @@
+#include "limn/tune/prescribe.h"
+
+#include <algorithm>
+
+#include <fmt/core.h>
+
+#include "limn/scheme/check.h"
+
+namespace limn {
+namespace {
+
+Error refusal(std::string message, std::string hint = {}) {
+  return {std::move(message), std::move(hint), {}, 0, 0};
+}
+
+const Weight* weight(const RuleCase& rule_case, std::string_view role) {
+  for (const Weight& one : rule_case.weights)
+    if (one.role == role) return &one;
+  return nullptr;
+}
+
+bool has_only(const RuleCase& rule_case, std::string_view first, std::string_view second) {
+  return std::all_of(rule_case.weights.begin(), rule_case.weights.end(),
+                     [&](const Weight& one) { return one.role == first || one.role == second; });
+}
+
+/// The weight of an end in the rule for regular edges, as text.
+Result<std::string> regular_end(const Scheme& base) {
+  const auto& edge = base.rule(RuleKind::edge);
+  const auto& vertex = base.rule(RuleKind::vertex);
+  const bool near = base.split->lattice == Lattice::triangle && base.split->births_edges && edge &&
+                    edge->size() == 1 && has_only(edge->front(), "end", "wing") && vertex &&
+                    std::all_of(vertex->begin(), vertex->end(),
+                                [](const RuleCase& one) { return has_only(one, "self", "ring"); });
+  const Weight* end = near ? weight(edge->front(), "end") : nullptr;
+  if (end == nullptr)
+    return refusal(
+        fmt::format(
+            "the first ring of scheme '{}' cannot be prescribed: its rules are not those of "
+            "a vertex and an edge of triangles with the roles self, ring, end and wing",
+            base.name),
+        "take a scheme such as loop");
+  return end->value.expression.text();
+}
+
+Status check(const Prescription& prescription, const std::string& name) {
+  const int n = prescription.valence;
+  if (n < kSmallestValence)
+    return refusal(fmt::format("valence {} is below {}", n, kSmallestValence));
+  if (n == 6)
+    return refusal("valence 6 is the regular one: every edge would end at such a vertex",
+                   "choose an extraordinary valence");
+  const std::size_t wanted = static_cast<std::size_t>(n) / 2;
+  if (prescription.eigenvalues.size() != wanted)
+    return refusal(
+        fmt::format("valence {} has frequencies 1 to {}: {} eigenvalues were given for them", n,
+                    wanted, prescription.eigenvalues.size()),
+        "give the cup's and then one for each frequency, as 1/4,1/2,1/4,1/8 at valence 7");
+  std::vector<std::string> all = prescription.eigenvalues;
+  all.push_back(prescription.cup);
+  for (const std::string& text : all) {
+    const Result<Expression> parsed = Expression::parse(text);
+    if (!parsed) return refusal(fmt::format("'{}': {}", text, parsed.error().message));
+    for (const std::string& used : parsed->names())
+      if (used != "n")
+        return refusal(fmt::format("'{}' uses '{}': an eigenvalue may use n alone", text, used));
+  }
+  const bool plain = !name.empty() && std::all_of(name.begin(), name.end(), [](unsigned char c) {
+    return std::isalnum(c) != 0 || c == '-' || c == '_';
+  });
+  if (!plain)
+    return refusal(fmt::format("'{}' is no name for a scheme", name), "letters, digits, - and _");
+  return Done{};
+}
+
+/// Σ over all n frequencies but 0 of eigenvalue · e^{2πiωk/n}.
+std::string wave_sum(const Prescription& prescription) {
+  std::string sum;
+  for (std::size_t i = 0; i < prescription.eigenvalues.size(); ++i) {
+    const auto frequency = static_cast<int>(i) + 1;
+    const bool alone = 2 * frequency == prescription.valence;  // its own conjugate
+    sum += fmt::format(" + {}({})*cos({}*pi*k/n)", alone ? "" : "2*", prescription.eigenvalues[i],
+                       2 * frequency);
+  }
+  return sum;
+}
+
+std::string rule_cases(const Scheme& scheme, RuleKind kind, std::string_view table) {
+  std::string text;
+  if (!scheme.rule(kind)) return text;
+  for (const RuleCase& one : *scheme.rule(kind)) {
+    text += fmt::format("\n[[{}]]\n", table);
+    if (one.when) text += fmt::format("when = \"{}\"\n", one.when->expression.text());
+    for (const Weight& w : one.weights)
+      text += fmt::format("{} = \"{}\"\n", w.role, w.value.expression.text());
+  }
+  return text;
+}
+
+std::string facts(const Prescription& prescription) {
+  std::string text =
+      fmt::format("\n[[facts]]\nvalence = {}\ntangent = \"{}\"\ncup     = \"{}\"\n",
+                  prescription.valence, prescription.eigenvalues.front(), prescription.cup);
+  if (prescription.eigenvalues.size() > 1)
+    text += fmt::format("saddle  = \"{}\"\n", prescription.eigenvalues[1]);
+  return text + "source  = \"prescribed\"\n";
+}
+
+}  // namespace
+
+Result<std::string> prescribed_scheme(const Scheme& base, const std::string& base_name,
+                                      const std::string& name, const Prescription& prescription) {
+  if (Status status = check(prescription, name); !status) return status.error();
+  const Result<std::string> end = regular_end(base);
+  if (!end) return end.error();
+  const int n = prescription.valence;
+  std::string text = fmt::format("name    = \"{}\"\nsplit   = \"{}\"\nextends = \"{}\"\n", name,
+                                 base.split->name, base_name);
+  text += fmt::format(
+      "source  = \"first-ring weights by the inverse DFT of a prescribed spectrum at valence {}\"\n"
+      "\n[[vertex]]\nwhen = \"n == {}\"\nself = \"{} + ({})\"\nring = \"(1 - ({}) - ({}))/n\"\n",
+      n, n, *end, prescription.cup, *end, prescription.cup);
+  text += rule_cases(base, RuleKind::vertex, "vertex");
+  text +=
+      fmt::format("\n[[edge-end]]\nwhen = \"n == {}\"\nself = \"{}\"\nring = \"(1 - ({}){})/n\"\n",
+                  n, *end, *end, wave_sum(prescription));
+  text += rule_cases(base, RuleKind::edge_end, "edge-end");
+  text += facts(prescription);
+  if (const Result<Scheme> read = parse_scheme(text, name + ".toml"); !read)
+    return refusal("the prescribed rules are no scheme: " + read.error().text());
+  return text;
+}
+
+}  // namespace limn
