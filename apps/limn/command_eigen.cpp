@@ -6,7 +6,9 @@
 
 #include "command.h"
 #include "limn/extraordinary/eigencomponents.h"
+#include "limn/report/eigen_figures.h"
 #include "limn/report/eigen_report.h"
+#include "limn/report/eigenvector_report.h"
 #include "limn/scheme/check.h"
 
 namespace limn::app {
@@ -19,6 +21,8 @@ struct EigenOptions {
   SchemeOptions scheme;
   std::string valence = "3..12";
   int rings = 0;
+  bool vectors = false;
+  std::string map;
   bool json = false;
 };
 
@@ -53,27 +57,67 @@ Result<ValenceRange> read_valences(const std::string& text) {
   return range;
 }
 
+/// What is printed of one valence, gathered as text or as JSON.
+class Output {
+ public:
+  Output(const EigenOptions& options, const Scheme& scheme)
+      : options_(options), scheme_(scheme), text_(scheme.name + "\n" + eigen_heading()) {}
+
+  void add(const FrequencyBlocks& blocks) {
+    const Eigencomponents components = approx_eigencomponents(blocks);
+    nlohmann::ordered_json json;
+    if (options_.json) json = eigen_json(blocks, components);
+    text_ += eigen_text(components);
+    if (options_.vectors && options_.json) add_vectors_json(blocks, components, json);
+    if (options_.vectors) text_ += vectors_text(blocks, components);
+    if (!options_.map.empty()) {
+      Result<CharacteristicMap> map = approx_characteristic_map(scheme_, blocks.valence);
+      const std::string regular = map ? std::string(to_string(map->regular)) : "no";
+      const std::string reason = map ? map->reason : map.error().message;
+      json["characteristic_map"] = {{"regular", regular}, {"reason", reason}};
+      text_ += fmt::format("           characteristic map: {} ({})\n", regular, reason);
+      if (map) maps_.push_back(std::move(*map));
+    }
+    list_.push_back(std::move(json));
+  }
+
+  [[nodiscard]] Status finish() const {
+    if (!options_.map.empty())
+      if (Status status = characteristic_maps_figure(scheme_.name, maps_).write(options_.map);
+          !status)
+        return status;
+    if (options_.json)
+      fmt::print("{}\n",
+                 nlohmann::ordered_json{{"scheme", scheme_.name}, {"valences", list_}}.dump());
+    else
+      fmt::print("{}", text_);
+    return Done{};
+  }
+
+ private:
+  const EigenOptions& options_;
+  const Scheme& scheme_;
+  nlohmann::ordered_json list_ = nlohmann::ordered_json::array();
+  std::string text_;
+  std::vector<CharacteristicMap> maps_;
+};
+
 int analyse(const EigenOptions& options) {
   const Result<ValenceRange> range = read_valences(options.valence);
   if (!range) return report(range.error());
+  if (!options.map.empty())
+    if (const Result<FigureFormat> format = figure_format(options.map); !format)
+      return report(format.error());
   const Result<Scheme> scheme = options.scheme.load();
   if (!scheme) return report(scheme.error());
   FrequencyAnalysis analysis(*scheme, options.rings);
-  nlohmann::ordered_json list = nlohmann::ordered_json::array();
-  std::string text = scheme->name + "\n" + eigen_heading();
+  Output output(options, *scheme);
   for (int n = range->first; n <= range->last; ++n) {
     const Result<FrequencyBlocks> blocks = analysis.blocks(n);
     if (!blocks) return report(blocks.error());
-    const Eigencomponents components = approx_eigencomponents(*blocks);
-    if (options.json)
-      list.push_back(eigen_json(*blocks, components));
-    else
-      text += eigen_text(components);
+    output.add(*blocks);
   }
-  if (options.json)
-    fmt::print("{}\n", nlohmann::ordered_json{{"scheme", scheme->name}, {"valences", list}}.dump());
-  else
-    fmt::print("{}", text);
+  if (Status status = output.finish(); !status) return report(status.error());
   return kDone;
 }
 
@@ -92,9 +136,17 @@ void declare_eigen(CLI::App& parser, Action& action) {
       ->add_option("--rings", options->rings,
                    "analyse so many rings; 0: as many as control the surface")
       ->check(CLI::Range(0, kMostRings));
+  command->add_flag("--vectors", options->vectors,
+                    "also the eigenvectors, and the stencils of limit point and tangents");
+  command->add_option("--map", options->map,
+                      "draw the characteristic maps into this file (.pdf, .svg or .png), and say "
+                      "whether samples of them fold");
   options->scheme.declare_parameters(*command);
   command->add_flag("--json", options->json, "print one JSON object");
-  command->footer("Example: limn eigen loop --valence 3..12");
+  command->footer(
+      "Example: limn eigen loop --valence 3..12\n"
+      "         limn eigen catmull-clark --valence 5 --vectors\n"
+      "         limn eigen sqrt3 --valence 3..10 --map maps.pdf");
   command->callback([&action, options] { action = [options] { return analyse(*options); }; });
 }
 

@@ -33,6 +33,36 @@ TEST(EigenCommand, GivesTheContractsJson) {
   EXPECT_FALSE(seven.at("verdict").at("reasons").empty());
 }
 
+TEST(EigenCommand, GivesVectorsAndStencils) {
+  const Folder folder;
+  const Outcome outcome = folder.limn("eigen catmull-clark --valence 5 --vectors --json");
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  const nlohmann::json five = nlohmann::json::parse(outcome.out).at("valences")[0];
+  EXPECT_EQ(five.at("orbits").size(), 6U);
+  const nlohmann::json& stencil = five.at("spatial").at("position").at("left")[0];
+  ASSERT_EQ(stencil.size(), 31U);
+  EXPECT_NEAR(stencil[0], 5 / 10., 1e-14);  // n/(n+5), 4/(n(n+5)), 1/(n(n+5))
+  EXPECT_NEAR(stencil[1], 4 / 50., 1e-14);
+  EXPECT_NEAR(stencil[2], 1 / 50., 1e-14);
+  EXPECT_EQ(five.at("spatial").at("tangent").at("left").size(), 2U);
+  for (const nlohmann::json& block : five.at("blocks")) EXPECT_FALSE(block.at("vectors").empty());
+  const Outcome text = folder.limn("eigen loop --valence 5 --vectors");
+  EXPECT_EQ(text.code, 0);
+  EXPECT_NE(text.out.find("stencil"), std::string::npos);
+}
+
+TEST(EigenCommand, DrawsCharacteristicMaps) {
+  const Folder folder;
+  const Outcome outcome = folder.limn("eigen sqrt3 --valence 3..5 --json --map maps.svg");
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_EQ(folder.read("maps.svg").substr(0, 5), "<?xml");
+  const nlohmann::json json = nlohmann::json::parse(outcome.out);
+  EXPECT_EQ(json.at("valences")[1].at("characteristic_map").at("regular"), "yes");
+  const Outcome refused = folder.limn("eigen sqrt3 --map maps.txt");
+  EXPECT_EQ(refused.code, 2);
+  EXPECT_NE(refused.err.find(".svg"), std::string::npos) << refused.err;
+}
+
 TEST(EigenCommand, RefusesBadValencesAndSchemes) {
   const Folder folder;
   const auto refused = [&](const std::string& arguments, const std::string& part) {

@@ -45,8 +45,24 @@ Eigen::VectorXcd real_phases(const FrequencyBlocks& blocks) {
   return phases;
 }
 
+/// Several columns in reduced echelon form: each is 1 on a row where the others vanish.
+void reduce(Eigen::MatrixXcd& columns) {
+  Eigen::Index done = 0;
+  for (Eigen::Index row = 0; row < columns.rows() && done < columns.cols(); ++row) {
+    Eigen::Index pivot = 0;
+    columns.row(row).tail(columns.cols() - done).cwiseAbs().maxCoeff(&pivot);
+    columns.col(done).swap(columns.col(done + pivot));
+    if (std::abs(columns(row, done)) < 1e-9) continue;
+    columns.col(done) /= std::complex<double>(columns(row, done));
+    for (Eigen::Index other = 0; other < columns.cols(); ++other)
+      if (other != done)
+        columns.col(other) -= std::complex<double>(columns(row, other)) * columns.col(done);
+    ++done;
+  }
+}
+
 void normalise(Eigenvectors& vectors, Eigen::Index shift, bool has_center) {
-  if (vectors.right.cols() > 1) return;
+  if (vectors.right.cols() > 1) return reduce(vectors.right);
   auto x = vectors.right.col(0);
   for (Eigen::Index i = shift; i < x.size(); ++i) {
     const std::complex<double> height = x(i) - (has_center && shift == 1 ? x(0) : 0.0);

@@ -20,11 +20,12 @@ struct Eigenvectors {
   Eigen::MatrixXcd left;
 };
 
-/// Of an eigenvalue that `approx_eigencomponents` found in these blocks. A single right eigenvector
-/// is scaled so that its first amplitude of the innermost ring that it does not vanish on (the
-/// centre left out) is 1; of ω = 0, less the centre's. For ω = n/2 that one has modulus 1, and they
-/// are the amplitudes of real values, unless a step turns the star (√3): it then maps real to
-/// imaginary ones. In double precision.
+/// Of an eigenvalue that `approx_eigencomponents` found in these blocks. Several right eigenvectors
+/// are each 1 on an orbit where the others vanish. A single one is scaled so that its first
+/// amplitude of the innermost ring that it does not vanish on (the centre left out) is 1; for ω =
+/// 0, less the centre's. For ω = n/2 that one has modulus 1, and they are the amplitudes of real
+/// values, unless a step turns the star (√3): it then maps real to imaginary ones. In double
+/// precision.
 [[nodiscard]] Eigenvectors approx_eigenvectors(const FrequencyBlocks& blocks,
                                                const Eigenvalue& eigenvalue);
 
