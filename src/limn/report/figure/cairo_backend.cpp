@@ -125,9 +125,16 @@ void draw(cairo_t* context, const TextOp& op) {
   cairo_restore(context);
 }
 
-/// In cairo's order, a word a pixel, and multiplied by the opacity.
+bool opaque(const Image& image) {
+  for (std::size_t i = 3; i < image.rgba.size(); i += 4)
+    if (image.rgba[i] != 255) return false;
+  return true;
+}
+
+/// In cairo's order, a word a pixel, and multiplied by the opacity. Opaque images need no mask.
 Surface surface_of(const Image& image) {
-  Surface surface(cairo_image_surface_create(CAIRO_FORMAT_ARGB32, image.width, image.height));
+  Surface surface(cairo_image_surface_create(
+      opaque(image) ? CAIRO_FORMAT_RGB24 : CAIRO_FORMAT_ARGB32, image.width, image.height));
   unsigned char* const data = cairo_image_surface_get_data(surface.get());
   if (data == nullptr) return surface;
   const auto stride = static_cast<std::size_t>(cairo_image_surface_get_stride(surface.get()));
@@ -212,8 +219,8 @@ std::string renumber_surfaces(const std::string& svg) {
       const auto [digits, end] = *id;
       const auto next = static_cast<int>(numbers.size()) + 1;
       result.append(svg, at, digits - at);
-      result += std::to_string(
-          numbers.try_emplace(svg.substr(digits, end - digits), next).first->second);
+      result +=
+          std::to_string(numbers.try_emplace(svg.substr(digits, end - digits), next).first->second);
       at = end;
     }
   }
