@@ -94,7 +94,7 @@ Result<RayCaster> RayCaster::over(std::vector<SeenSurface> surfaces) {
   caster.surfaces_ = std::move(surfaces);
   caster.find_cube();
   auto scenes = std::make_shared<Scenes>();
-  scenes->device.reset(rtcNewDevice("threads=1"));
+  scenes->device.reset(rtcNewDevice(""));
   if (!scenes->device) return no_memory();
   for (const SeenSurface& surface : caster.surfaces_) {
     Scene& scene = scenes->scenes.emplace_back();
@@ -106,27 +106,32 @@ Result<RayCaster> RayCaster::over(std::vector<SeenSurface> surfaces) {
   return caster;
 }
 
+std::optional<RayHit> RayCaster::hit_of(std::size_t surface, double x, double y) const {
+  const Scene& scene = scenes_->scenes[surface];
+  if (!scene) return std::nullopt;
+  RTCRayHit ray = {};
+  ray.ray.org_x = static_cast<float>((x - centre_[0]) / size_);
+  ray.ray.org_y = static_cast<float>((y - centre_[1]) / size_);
+  ray.ray.org_z = 1;
+  ray.ray.dir_z = -1;
+  ray.ray.tfar = 2;
+  ray.ray.mask = std::numeric_limits<unsigned>::max();
+  ray.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+  RTCIntersectContext context;
+  rtcInitIntersectContext(&context);
+  context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
+  rtcIntersect1(scene.get(), &context, &ray);
+  if (ray.hit.geomID == RTC_INVALID_GEOMETRY_ID) return std::nullopt;
+  const double u = ray.hit.u, v = ray.hit.v;
+  return hit_on(surface, ray.hit.primID, x, y, {1 - u - v, u, v});
+}
+
 std::optional<RayHit> RayCaster::first_hit(double x, double y) const {
   std::optional<RayHit> first;
   for (std::size_t s = 0; s < surfaces_.size(); ++s) {
-    const Scene& scene = scenes_->scenes[s];
-    if (!scene) continue;
-    RTCRayHit ray = {};
-    ray.ray.org_x = static_cast<float>((x - centre_[0]) / size_);
-    ray.ray.org_y = static_cast<float>((y - centre_[1]) / size_);
-    ray.ray.org_z = 1;
-    ray.ray.dir_z = -1;
-    ray.ray.tfar = 2;
-    ray.ray.mask = std::numeric_limits<unsigned>::max();
-    ray.hit.geomID = RTC_INVALID_GEOMETRY_ID;
-    RTCIntersectContext context;
-    rtcInitIntersectContext(&context);
-    context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
-    rtcIntersect1(scene.get(), &context, &ray);
-    if (ray.hit.geomID == RTC_INVALID_GEOMETRY_ID) continue;
-    const double u = ray.hit.u, v = ray.hit.v;
-    const RayHit hit = hit_on(s, ray.hit.primID, x, y, {1 - u - v, u, v});
-    if (!first || hit.depth > first->depth + kOnSurface * size_) first = hit;
+    std::optional<RayHit> hit = hit_of(s, x, y);
+    if (hit && on_edge(*hit, x, y)) hit = hit_of(s, x + 0.8e-6 * size_, y + 0.6e-6 * size_);
+    if (hit && (!first || hit->depth > first->depth + kOnSurface * size_)) first = hit;
   }
   return first;
 }
@@ -168,6 +173,20 @@ RayHit RayCaster::hit_on(std::size_t surface, std::size_t triangle, double x, do
   double depth = 0;
   for (std::size_t c = 0; c < 3; ++c) depth += (weights[c] /= total) * (*corners[c])[2];
   return {surface, triangle, weights, depth};
+}
+
+/// Whether single precision may take the neighbour for the triangle: then Embree's answer depends
+/// on the order in which it has sorted the triangles, and that on the number of threads.
+bool RayCaster::on_edge(const RayHit& hit, double x, double y) const {
+  const SeenSurface& on = surfaces_[hit.surface];
+  const std::array<int, 3>& triangle = on.triangles[hit.triangle];
+  for (std::size_t c = 0; c < 3; ++c) {
+    const SpaceVector &p = on.vertices[triangle[c]], &q = on.vertices[triangle[(c + 1) % 3]];
+    const double area = (p[0] - x) * (q[1] - y) - (p[1] - y) * (q[0] - x);
+    const double edge = std::hypot(q[0] - p[0], q[1] - p[1]);
+    if (std::abs(area) <= 3e-7 * size_ * edge) return true;
+  }
+  return false;
 }
 
 bool RayCaster::hides(const SpaceVector& point, double tolerance) const {
