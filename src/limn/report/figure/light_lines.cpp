@@ -5,6 +5,11 @@
 #include <numbers>
 
 namespace limn {
+namespace {
+
+constexpr double kFirst = 0.5;  // the first line's angle from the eye, in distances of lines
+
+}  // namespace
 
 MirroredLights::MirroredLights(const LightLines& lights, const ParallelView& view)
     : count_(std::clamp(lights.count, 1, 10000)) {
@@ -21,11 +26,11 @@ MirroredLights::MirroredLights(const LightLines& lights, const ParallelView& vie
 }
 
 double MirroredLights::turn(const SpaceVector& r) const {
-  return count_ * std::atan2(dot(r, second_), dot(r, first_)) / (2 * std::numbers::pi);
+  return count_ * std::atan2(dot(r, second_), dot(r, first_)) / (2 * std::numbers::pi) - kFirst;
 }
 
 MirroredLights::HalfPlane MirroredLights::half_plane(int line) const {
-  const double angle = 2 * std::numbers::pi * line / count_;
+  const double angle = 2 * std::numbers::pi * (line + kFirst) / count_;
   const auto at = [&](double c, double s) { return sum(sum({}, first_, c), second_, s); };
   return {at(std::cos(angle), std::sin(angle)), at(-std::sin(angle), std::cos(angle))};
 }

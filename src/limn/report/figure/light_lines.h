@@ -22,8 +22,9 @@ struct LightLines {
 /// Light lines about an axis in the viewer's coordinates, in which v is (0, 0, 1).
 class MirroredLights {
  public:
-  /// A count out of range is clamped; a direction of no length is as none. The first light line is
-  /// in the half-plane of the eye, or, where L passes through it, of what is up.
+  /// A count out of range is clamped; a direction of no length is as none. The half-plane of the
+  /// eye (or, where L passes through the eye, the one upwards) is in the middle between two light
+  /// lines.
   MirroredLights(const LightLines& lights, const ParallelView& view);
 
   [[nodiscard]] int count() const { return count_; }
@@ -34,8 +35,8 @@ class MirroredLights {
     return {twice * normal[0], twice * normal[1], twice * normal[2] - dot(normal, normal)};
   }
 
-  /// Light lines from the first one to r, in [−count/2, count/2]: whole on a light line. Any value
-  /// where r is parallel to L.
+  /// How many light lines r is beyond the first one: whole on a light line. Any value where r is
+  /// parallel to L.
   [[nodiscard]] double turn(const SpaceVector& r) const;
 
   /// The half-plane of a light line: r is on it where dot(r, across) = 0 and dot(r, along) > 0.

@@ -29,9 +29,7 @@ void ReflectionLinePanel::draw(Canvas& canvas, const Box& box) const {
       const DrawnCurves drawn = drawn_curves(reflection_line(fine, mirror, line), *rays, place);
       canvas.stroke(path_of(drawn.visible), colour, {line_width, {}});
     }
-    if (!outline) continue;
-    const DrawnCurves drawn = drawn_curves(outlines(surface), *rays, place);
-    canvas.stroke(path_of(drawn.visible), colour, {1.5 * line_width, {}});
+    if (outline) draw_outline(canvas, scene, s, *rays, place, 1.5 * line_width);
   }
   draw_scene_net(canvas, scene, *rays, place);
 }

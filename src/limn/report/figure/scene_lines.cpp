@@ -4,12 +4,15 @@
 
 #include "limn/report/figure/axes.h"
 #include "limn/report/figure/figure.h"
+#include "limn/report/figure/surface_curves.h"
 
 namespace limn {
 namespace {
 
 constexpr Colour kSeen = {0.10, 0.12, 0.16}, kHidden = {0.10, 0.12, 0.16, 0.4};
 constexpr double kDot = 1.4;
+// An outline runs along edges and so not quite where the surface turns away.
+constexpr double kOutlineDepth = 1e-3;
 const Stroke kSeenStroke = {0.7, {}};
 const Stroke kHiddenStroke = {0.45, {1.4, 1.8}};
 
@@ -19,6 +22,13 @@ Path path_of(const std::vector<Polyline>& lines) {
   Path path;
   for (const Polyline& line : lines) path.polyline(line);
   return path;
+}
+
+void draw_outline(Canvas& canvas, const SurfaceScene& scene, std::size_t index,
+                  const RayCaster& rays, const FramePlacement& place, double width) {
+  const DrawnCurves drawn =
+      drawn_curves(outlines(rays.surfaces()[index]), rays, place, kOutlineDepth);
+  canvas.stroke(path_of(drawn.visible), scene.surfaces[index].line_colour, {width, {}});
 }
 
 void draw_scene_net(Canvas& canvas, const SurfaceScene& scene, const RayCaster& rays,

@@ -1,5 +1,6 @@
 #pragma once
-/// What panels of a scene share: its control net in lines, and a note where no rays can be cast.
+/// What panels of a scene share: outlines and the control net in lines, and a note where no rays
+/// can be cast.
 
 #include "limn/base/error.h"
 #include "limn/report/figure/canvas.h"
@@ -7,6 +8,10 @@
 #include "limn/report/figure/surface_scene.h"
 
 namespace limn {
+
+/// What is seen of the outlines of surface `index`; width in points.
+void draw_outline(Canvas& canvas, const SurfaceScene& scene, std::size_t index,
+                  const RayCaster& rays, const FramePlacement& place, double width);
 
 /// The scene's control net, pale and dashed where a surface hides it.
 void draw_scene_net(Canvas& canvas, const SurfaceScene& scene, const RayCaster& rays,

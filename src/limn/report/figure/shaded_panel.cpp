@@ -10,6 +10,8 @@
 namespace limn {
 namespace {
 
+constexpr double kOutline = 0.5;  // points; bright stripes would end nowhere without it
+
 /// Pixels for a side of this many points.
 int pixels(double points, double resolution) {
   return static_cast<int>(std::clamp(std::round(points * resolution / 72), 1.0, 8000.0));
@@ -32,6 +34,8 @@ void ShadedPanel::draw(Canvas& canvas, const Box& box) const {
   canvas.image(shaded_image(*rays, place, shading, pixels(place.box().width, density),
                             pixels(place.box().height, density)),
                place.box());
+  for (std::size_t s = 0; stripes && s < scene.surfaces.size(); ++s)
+    draw_outline(canvas, scene, s, *rays, place, kOutline);
   draw_scene_net(canvas, scene, *rays, place);
 }
 

@@ -150,6 +150,7 @@ Result<RayCaster> RayCaster::over(std::vector<SeenSurface>) {
 }
 
 std::optional<RayHit> RayCaster::first_hit(double, double) const { return std::nullopt; }
+std::optional<RayHit> RayCaster::hit_of(std::size_t, double, double) const { return std::nullopt; }
 
 #endif
 
@@ -190,8 +191,11 @@ bool RayCaster::on_edge(const RayHit& hit, double x, double y) const {
 }
 
 bool RayCaster::hides(const SpaceVector& point, double tolerance) const {
-  const std::optional<RayHit> hit = first_hit(point[0], point[1]);
-  return hit && hit->depth > point[2] + tolerance * size_;
+  for (std::size_t s = 0; s < surfaces_.size(); ++s) {
+    const std::optional<RayHit> hit = hit_of(s, point[0], point[1]);
+    if (hit && hit->depth > point[2] + tolerance * size_) return true;
+  }
+  return false;
 }
 
 }  // namespace limn
