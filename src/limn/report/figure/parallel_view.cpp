@@ -7,8 +7,8 @@
 namespace limn {
 
 ParallelView::ParallelView(double azimuth, double elevation) {
-  const double a = azimuth * std::numbers::pi / 180;
-  const double e = elevation * std::numbers::pi / 180;
+  const double a = std::isfinite(azimuth) ? azimuth * std::numbers::pi / 180 : 0;
+  const double e = std::isfinite(elevation) ? elevation * std::numbers::pi / 180 : 0;
   right_ = {-std::sin(a), std::cos(a), 0};
   near_ = {std::cos(e) * std::cos(a), std::cos(e) * std::sin(a), std::sin(e)};
   up_ = {-std::sin(e) * std::cos(a), -std::sin(e) * std::sin(a), std::cos(e)};

@@ -16,7 +16,7 @@ inline constexpr SpaceVector kLightFrom = {-0.45, 0.62, 0.643};
 class ParallelView {
  public:
   /// Where the viewer stands, in degrees: the azimuth about the z axis, from x towards y; the
-  /// elevation over the xy plane, in [−90, 90].
+  /// elevation over the xy plane, in [−90, 90]. One that is not finite counts as 0.
   ParallelView(double azimuth, double elevation);
 
   /// Of a point or of a direction; a rotation.

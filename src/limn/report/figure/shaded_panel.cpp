@@ -30,7 +30,7 @@ void ShadedPanel::draw(Canvas& canvas, const Box& box) const {
   for (const SmoothSurface& surface : scene.surfaces) shading.colours.push_back(surface.colour);
   if (stripes)
     shading.lights = MirroredLights(*stripes, ParallelView(scene.azimuth, scene.elevation));
-  const double density = std::clamp(resolution, 1.0, 2400.0);
+  const double density = resolution >= 1 ? std::min(resolution, 2400.0) : 1;
   canvas.image(shaded_image(*rays, place, shading, pixels(place.box().width, density),
                             pixels(place.box().height, density)),
                place.box());

@@ -45,7 +45,7 @@ class Middles {
 
   [[nodiscard]] int add(int i, int j) {
     surface_.vertices.push_back(between(surface_.vertices[i], surface_.vertices[j], 0.5));
-    surface_.normals.push_back(normalised(sum(surface_.normals[i], surface_.normals[j])));
+    surface_.normals.push_back(between(surface_.normals[i], surface_.normals[j], 0.5));
     return static_cast<int>(surface_.vertices.size()) - 1;
   }
 

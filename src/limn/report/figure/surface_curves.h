@@ -12,7 +12,8 @@ namespace limn {
 
 /// The surface with its triangles cut, until the mirror direction r of interpolated normals is
 /// linear along their edges to within what shifts a reflection line by `tolerance` (in the units of
-/// space); at most 6 times in halves. The triangles remain joined along their edges.
+/// space); at most 6 times in halves. The triangles remain joined along their edges. New normals
+/// are means, not of length 1: interpolated normals stay what they were.
 [[nodiscard]] SeenSurface refined_for_mirror(SeenSurface surface, double tolerance);
 
 /// Where the surface shows light line `line`: on each triangle r is interpolated between its

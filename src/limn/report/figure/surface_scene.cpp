@@ -54,7 +54,7 @@ ViewFrame frame_of(const SurfaceScene& scene) {
     if (placeable(point)) points.push_back(view.seen(point));
   };
   if (scene.frame) {
-    const auto& box = *scene.frame;
+    const std::array box = {scene.frame->low, scene.frame->high};
     for (std::size_t corner = 0; corner < 8; ++corner)
       add({box[corner & 1][0], box[corner >> 1 & 1][1], box[corner >> 2][2]});
     return frame_of(points);

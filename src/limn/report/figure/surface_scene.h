@@ -33,15 +33,20 @@ struct ControlNet {
   bool points = true;  ///< a dot at each vertex
 };
 
+/// Two opposite corners of a box with sides along the axes.
+struct SpaceBox {
+  SpaceVector low = {}, high = {};
+};
+
 struct SurfaceScene {
   std::vector<SmoothSurface> surfaces = {};
   /// Drawn over the surfaces: in full where it is seen, pale and dashed where a surface hides it.
   ControlNet net = {};
   double azimuth = -50;   ///< degrees, of the viewer about the z axis, from x towards y
   double elevation = 30;  ///< degrees, of the viewer over the xy plane, in [−90, 90]
-  /// Two opposite corners of a box of space that just fits into the panel, so that panels of
-  /// several scenes share a scale. Without it: all that is drawn.
-  std::optional<std::array<SpaceVector, 2>> frame = {};
+  /// What just fits into the panel, so that panels of several scenes share a scale. Without it: all
+  /// that is drawn.
+  std::optional<SpaceBox> frame = {};
 };
 
 /// The usable triangles of a surface in the viewer's coordinates. Normals are of length 1, and 0

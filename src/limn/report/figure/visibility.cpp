@@ -14,6 +14,8 @@ namespace limn {
 #if LIMN_HAS_EMBREE
 namespace {
 
+constexpr double kBeside = 0.51;  // from the centre of the cube of side 1; only so far rays meet it
+
 struct Release {
   void operator()(RTCDevice device) const { rtcReleaseDevice(device); }
   void operator()(RTCScene scene) const { rtcReleaseScene(scene); }
@@ -109,9 +111,11 @@ Result<RayCaster> RayCaster::over(std::vector<SeenSurface> surfaces) {
 std::optional<RayHit> RayCaster::hit_of(std::size_t surface, double x, double y) const {
   const Scene& scene = scenes_->scenes[surface];
   if (!scene) return std::nullopt;
+  const double right = (x - centre_[0]) / size_, up = (y - centre_[1]) / size_;
+  if (!(std::abs(right) < kBeside) || !(std::abs(up) < kBeside)) return std::nullopt;
   RTCRayHit ray = {};
-  ray.ray.org_x = static_cast<float>((x - centre_[0]) / size_);
-  ray.ray.org_y = static_cast<float>((y - centre_[1]) / size_);
+  ray.ray.org_x = static_cast<float>(right);
+  ray.ray.org_y = static_cast<float>(up);
   ray.ray.org_z = 1;
   ray.ray.dir_z = -1;
   ray.ray.tfar = 2;
