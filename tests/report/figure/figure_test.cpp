@@ -165,6 +165,26 @@ TEST_F(FigureFile, HoldsImages) {
     EXPECT_TRUE(*canvas.render(format) == *canvas_with_images().render(format));
 }
 
+/// At 2 pixels a point, an image of pixels is what squares of half a point are.
+TEST_F(FigureFile, PixelsOfAnImageAreSquares) {
+  constexpr int width = 14, height = 10;
+  Image image{width, height, {}};
+  Canvas squares(20, 20), pixels(20, 20);
+  for (int row = 0; row < height; ++row) {
+    for (int column = 0; column < width; ++column) {
+      const int red = 17 * column, green = 25 * row, blue = (column + row) % 2 == 0 ? 255 : 51;
+      for (const int channel : {red, green, blue, 255})
+        image.rgba.push_back(static_cast<std::uint8_t>(channel));
+      squares.fill(Path::rectangle({3 + column / 2.0, 4 + row / 2.0, 0.5, 0.5}),
+                   {red / 255.0, green / 255.0, blue / 255.0});
+    }
+  }
+  pixels.image(image, {3, 4, width / 2.0, height / 2.0});
+  const std::string expected = *squares.render(FigureFormat::png);
+  EXPECT_TRUE(*pixels.render(FigureFormat::png) == expected);
+  EXPECT_FALSE(*Canvas(20, 20).render(FigureFormat::png) == expected);
+}
+
 TEST_F(FigureFile, IsWrittenByItsExtension) {
   const std::pair<const char*, const char*> beginnings[] = {
       {"a.pdf", "%PDF"}, {"b.SVG", "<?xml"}, {"c.png", "\x89PNG"}};

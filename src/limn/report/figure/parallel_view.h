@@ -2,6 +2,7 @@
 /// Parallel projection of space onto a page. A point as *seen* has the viewer's coordinates: to the
 /// right, up, and towards the eye.
 
+#include <array>
 #include <vector>
 
 #include "limn/report/figure/canvas.h"

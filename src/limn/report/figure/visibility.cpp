@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #if LIMN_HAS_EMBREE
 #include <embree3/rtcore.h>

@@ -8,6 +8,7 @@
 ///     if (const auto hit = rays->first_hit(x, y)) …
 ///     const bool gone = rays->hides(point);
 
+#include <array>
 #include <memory>
 #include <optional>
 #include <vector>
