@@ -146,6 +146,53 @@ TEST_F(Pictures, AreTheSameForAnyNumberOfThreads) {
   }
 }
 
+/// A wedge that turns away from the viewer at y = 100.5/512, where rays of a picture of 64 pixels
+/// run along its edge and meet its front and its back alike.
+TEST_F(Pictures, AreTheSameForAnyOrderOfTriangles) {
+  SurfaceScene scene = {.azimuth = 0, .elevation = 0, .frame = SpaceBox{{-1, -1, -1}, {1, 1, 1}}};
+  constexpr double edge = 100.5 / 512;
+  SmoothSurface& wedge = scene.surfaces.emplace_back();
+  wedge.vertices = {{0.5, -1, -1}, {0.5, -1, 1},   {0, edge, -1},  {0, edge, 1}, {-0.5, -1, -1},
+                    {-0.5, -1, 1}, {-0.5, 1, 0.9}, {-0.5, 0.9, 1}, {-0.5, 1, 1}};
+  wedge.normals = {{1, 0, 0},  {1, 0, 0}, {0, 1, 0}, {0, 1, 0}, {-1, 0, 0},
+                   {-1, 0, 0}, {1, 0, 0}, {1, 0, 0}, {1, 0, 0}};
+  wedge.triangles = {{0, 2, 1}, {1, 2, 3}, {4, 5, 2}, {5, 3, 2}, {6, 7, 8}};
+  const ShadedPanel panel{.scene = scene, .resolution = 23.04};
+  std::reverse(scene.surfaces[0].triangles.begin(), scene.surfaces[0].triangles.end());
+  const ShadedPanel reversed{.scene = scene, .resolution = 23.04};
+  const Canvas one = drawn(panel), other = drawn(reversed);
+  ASSERT_EQ(image_of(one).image.width, 64);
+  EXPECT_EQ(image_of(one).image.rgba, image_of(other).image.rgba);
+}
+
+/// Of a plate whose sides cut pixels anywhere, the pixels hold its area and its middle.
+TEST_F(Pictures, CoverPixelsByTheirShares) {
+  SurfaceScene scene = {.azimuth = 0, .elevation = 0, .frame = SpaceBox{{-1, -1, -1}, {1, 1, 1}}};
+  scene.surfaces = {sampled_surface(1, 1, [](double s, double t) -> SurfacePoint {
+    return {{0, s - 0.37, 0.7 * t - 0.21}, {1, 0, 0}};
+  })};
+  scene.surfaces[0].colour = grey(0.5);
+  const Canvas canvas = drawn(ShadedPanel{.scene = scene, .resolution = 20});
+  const Image& image = image_of(canvas).image;
+  const double full = 1 - image.rgba[4 * std::size_t(image.width) * (image.height / 2) +
+                                     4 * std::size_t(image.width / 2)] /
+                              255.0;
+  double area = 0, x = 0, y = 0;
+  for (int row = 0; row < image.height; ++row) {
+    for (int column = 0; column < image.width; ++column) {
+      const std::size_t pixel = std::size_t(row) * image.width + column;
+      const double share = (1 - image.rgba[4 * pixel] / 255.0) / full;
+      area += share;
+      x += share * (column + 0.5);
+      y += share * (row + 0.5);
+    }
+  }
+  const double unit = image.width / 2.0;  // pixels
+  EXPECT_NEAR(area, 0.7 * unit * unit, 0.005 * unit * unit);
+  EXPECT_NEAR(x / area, unit * (1 + 0.13), 0.02);
+  EXPECT_NEAR(y / area, unit * (1 - 0.14), 0.02);
+}
+
 /// Pixels do not change where triangles are turned over or normals are: both sides are alike.
 TEST_F(Pictures, DoNotDependOnOrientation) {
   const SmoothSurface surface = torus(40, 0.4);

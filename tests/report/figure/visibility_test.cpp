@@ -149,6 +149,24 @@ TEST_F(Rays, CutLinesWhereTheyAreHidden) {
   }
 }
 
+/// A strip of 1/10 point before the line is none that an eye could see.
+TEST_F(Rays, CutNoSpecksOutOfLines) {
+  const auto strip = [](double width) {
+    return sampled_surface(1, 1, [width](double s, double t) -> SurfacePoint {
+      return {{0, width * (s - 0.5), t - 0.5}, {1, 0, 0}};
+    });
+  };
+  const FramePlacement place({{-1, 1}, {-1, 1}}, {0, 0, 200, 200});
+  SpaceCurve line;
+  for (int i = -500; i <= 500; ++i) line.push_back({i * 0.0005, 0.1, -0.2});
+  for (const double width : {0.001, 0.01}) {
+    const RayCaster rays = RayCaster::over({seen(strip(width))}).value();
+    const DrawnCurves drawn = drawn_curves({line, SpaceCurve(3, line[0])}, rays, place);
+    EXPECT_EQ(drawn.visible.size(), width < 0.002 ? 1u : 2u);
+    EXPECT_EQ(drawn.hidden.size(), width < 0.002 ? 0u : 1u);
+  }
+}
+
 TEST_F(Rays, MeetNothingWhereThereIsNothing) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   SmoothSurface bad = sphere(4);

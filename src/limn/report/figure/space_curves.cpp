@@ -164,7 +164,8 @@ DrawnCurves drawn_curves(const std::vector<SpaceCurve>& curves, const RayCaster&
   for (const SpaceCurve& curve : curves) {
     if (curve.size() < 2) continue;
     for (const Part& part : without_specks(cutter.parts(curve)))
-      (part.hidden ? drawn.hidden : drawn.visible).push_back(simplified(part.line, kDeviation));
+      if (length_of(part.line) > 0)
+        (part.hidden ? drawn.hidden : drawn.visible).push_back(simplified(part.line, kDeviation));
   }
   return drawn;
 }

@@ -29,9 +29,9 @@ struct DrawnCurves {
 };
 
 /// Cuts the curves where surfaces begin to hide them, to 1/100 of a point; `tolerance` as in
-/// `RayCaster::hides`. Parts that are too short to see are joined to what is round them, and points
-/// are left out where the line stays within 1/50 of a point. Cost: a few rays each point of the
-/// page.
+/// `RayCaster::hides`. Parts that are too short to see are joined to what is round them, those of
+/// no length left out, and points are left out where the line stays within 1/50 of a point. Cost: a
+/// few rays each point of the page.
 [[nodiscard]] DrawnCurves drawn_curves(const std::vector<SpaceCurve>& curves, const RayCaster& rays,
                                        const FramePlacement& place,
                                        double tolerance = RayCaster::kOnSurface);

@@ -92,11 +92,7 @@ Crossing crossing(const SeenSurface& surface, const std::array<int, 3>& triangle
   if (triangle[a] > triangle[b]) std::swap(a, b);  // the same point from either side of the edge
   const double t = values.across[a] / (values.across[a] - values.across[b]);
   const int i = triangle[a], j = triangle[b];
-  // One through a vertex bears its name.
-  const long long name = values.across[a] == 0   ? name_of(i, i)
-                         : values.across[b] == 0 ? name_of(j, j)
-                                                 : name_of(i, j);
-  return {name, between(surface.vertices[i], surface.vertices[j], t),
+  return {name_of(i, j), between(surface.vertices[i], surface.vertices[j], t),
           values.along[a] + t * (values.along[b] - values.along[a])};
 }
 
@@ -153,7 +149,7 @@ std::vector<SpaceCurve> reflection_line(const SeenSurface& surface, const Mirror
     while ((values.across[apex] >= 0) != (inside == 1)) ++apex;
     Crossing a = crossing(surface, triangle, values, apex, (apex + 1) % 3);
     Crossing b = crossing(surface, triangle, values, apex, (apex + 2) % 3);
-    if (a.name == b.name || !cut_at_axis(a, b, fresh--)) continue;
+    if (!cut_at_axis(a, b, fresh--)) continue;
     segments.push_back({a.name, b.name, a.at, b.at});
   }
   return joined(segments);
