@@ -138,6 +138,53 @@ TEST_F(FigureFile, SvgIsWellFormedAndHasNoRaster) {
   }
 }
 
+/// Opaque red and green over half-transparent blue and nothing.
+Canvas canvas_with_images() {
+  const Image image = {2, 2, {255, 0, 0, 255, 0, 255, 0, 255, 0, 0, 255, 128, 9, 9, 9, 0}};
+  Canvas canvas(60, 40);
+  canvas.image(image, {0, 0, 40, 40});
+  canvas.image(image, {42, 4, 8, 16});
+  canvas.image({}, {0, 0, 1, 1});
+  canvas.image(image, {0, 0, 0, 1});
+  return canvas;
+}
+
+TEST_F(FigureFile, HoldsImages) {
+  const Canvas canvas = canvas_with_images();
+  EXPECT_EQ(canvas.ops().size(), 2u);
+  const std::string pdf = *canvas.render(FigureFormat::pdf);
+  EXPECT_GE(occurrences(pdf, "/Subtype /Image"), 2u);
+  const std::string svg = *canvas.render(FigureFormat::svg);
+  EXPECT_EQ(occurrences(svg, "<image"), 2u);
+  EXPECT_EQ(occurrences(svg, "data:image/png;base64,"), 2u);
+  for (const char* id : {"image1", "image2", "surface3"})
+    EXPECT_EQ(occurrences(svg, std::string("id=\"") + id + "\""), 1u) << id << svg;
+  EXPECT_EQ(occurrences(svg, "xlink:href=\"#image1\""), 1u);
+  EXPECT_EQ(occurrences(svg, "xlink:href=\"#image2\""), 1u);
+  for (const FigureFormat format : kFormats)
+    EXPECT_TRUE(*canvas.render(format) == *canvas_with_images().render(format));
+}
+
+/// At 2 pixels a point, an image of pixels is what squares of half a point are.
+TEST_F(FigureFile, PixelsOfAnImageAreSquares) {
+  constexpr int width = 14, height = 10;
+  Image image{width, height, {}};
+  Canvas squares(20, 20), pixels(20, 20);
+  for (int row = 0; row < height; ++row) {
+    for (int column = 0; column < width; ++column) {
+      const int red = 17 * column, green = 25 * row, blue = (column + row) % 2 == 0 ? 255 : 51;
+      for (const int channel : {red, green, blue, 255})
+        image.rgba.push_back(static_cast<std::uint8_t>(channel));
+      squares.fill(Path::rectangle({3 + column / 2.0, 4 + row / 2.0, 0.5, 0.5}),
+                   {red / 255.0, green / 255.0, blue / 255.0});
+    }
+  }
+  pixels.image(image, {3, 4, width / 2.0, height / 2.0});
+  const std::string expected = *squares.render(FigureFormat::png);
+  EXPECT_TRUE(*pixels.render(FigureFormat::png) == expected);
+  EXPECT_FALSE(*Canvas(20, 20).render(FigureFormat::png) == expected);
+}
+
 TEST_F(FigureFile, IsWrittenByItsExtension) {
   const std::pair<const char*, const char*> beginnings[] = {
       {"a.pdf", "%PDF"}, {"b.SVG", "<?xml"}, {"c.png", "\x89PNG"}};

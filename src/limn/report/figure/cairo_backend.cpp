@@ -8,11 +8,14 @@
 #include <cairo.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstring>
 #include <functional>
 #include <map>
 #include <memory>
 #include <numbers>
+#include <optional>
 #endif
 
 namespace limn {
@@ -122,6 +125,43 @@ void draw(cairo_t* context, const TextOp& op) {
   cairo_restore(context);
 }
 
+bool opaque(const Image& image) {
+  for (std::size_t i = 3; i < image.rgba.size(); i += 4)
+    if (image.rgba[i] != 255) return false;
+  return true;
+}
+
+/// In cairo's order, a word a pixel, and multiplied by the opacity. Opaque images need no mask.
+Surface surface_of(const Image& image) {
+  Surface surface(cairo_image_surface_create(
+      opaque(image) ? CAIRO_FORMAT_RGB24 : CAIRO_FORMAT_ARGB32, image.width, image.height));
+  unsigned char* const data = cairo_image_surface_get_data(surface.get());
+  if (data == nullptr) return surface;
+  const auto stride = static_cast<std::size_t>(cairo_image_surface_get_stride(surface.get()));
+  const auto width = static_cast<std::size_t>(image.width);
+  for (std::size_t y = 0; y < static_cast<std::size_t>(image.height); ++y) {
+    for (std::size_t x = 0; x < width; ++x) {
+      const std::uint8_t* const pixel = &image.rgba[4 * (y * width + x)];
+      const std::uint32_t alpha = pixel[3];
+      const auto part = [&](int channel) { return (pixel[channel] * alpha + 127) / 255; };
+      const std::uint32_t word = alpha << 24 | part(0) << 16 | part(1) << 8 | part(2);
+      std::memcpy(data + y * stride + 4 * x, &word, sizeof word);
+    }
+  }
+  cairo_surface_mark_dirty(surface.get());
+  return surface;
+}
+
+void draw(cairo_t* context, const ImageOp& op) {
+  const Surface pixels = surface_of(op.image);
+  cairo_save(context);
+  cairo_translate(context, op.box.x, op.box.y);
+  cairo_scale(context, op.box.width / op.image.width, op.box.height / op.image.height);
+  cairo_set_source_surface(context, pixels.get(), 0, 0);
+  cairo_paint(context);
+  cairo_restore(context);
+}
+
 void draw(cairo_t* context, const ClipOp& op) {
   cairo_save(context);
   set_path(context, op.path);
@@ -152,27 +192,37 @@ Surface make_surface(const Canvas& canvas, FigureFormat format, std::string& byt
   return surface;
 }
 
+/// The end of the id "surface7" or "image7" that begins there, and where its number begins.
+std::optional<std::array<std::size_t, 2>> surface_id_at(const std::string& svg, std::size_t at) {
+  for (const std::string_view word : {"surface", "image"}) {
+    if (svg.compare(at, word.size(), word) != 0) continue;
+    const std::size_t digits = at + word.size();
+    const std::size_t end = std::min(svg.find_first_not_of("0123456789", digits), svg.size());
+    if (end > digits) return std::array{digits, end};
+  }
+  return std::nullopt;
+}
+
 /// cairo numbers its surfaces through the life of the process and writes the numbers into the
-/// SVG's ids; here they are counted anew from 1. Letters are outlines, so that the word `surface`
-/// with a number is an id wherever it stands.
+/// SVG's ids; here they are counted anew from 1. An id follows a quote or a #, which never stand
+/// before a word in the data of an image, and letters are outlines.
 std::string renumber_surfaces(const std::string& svg) {
-  const std::string_view word = "surface";
   std::map<std::string, int, std::less<>> numbers;
   std::string result;
   result.reserve(svg.size());
   for (std::size_t at = 0; at < svg.size();) {
-    const std::size_t found = std::min(svg.find(word, at), svg.size());
-    result.append(svg, at, found - at);
-    if (found == svg.size()) break;
-    const std::size_t digits = found + word.size();
-    const std::size_t end = std::min(svg.find_first_not_of("0123456789", digits), svg.size());
-    result += word;
-    if (end > digits) {
+    const std::size_t mark = svg.find_first_of("\"#", at);
+    if (mark == svg.npos) return result.append(svg, at);
+    result.append(svg, at, mark + 1 - at);
+    at = mark + 1;
+    if (const auto id = surface_id_at(svg, at)) {
+      const auto [digits, end] = *id;
       const auto next = static_cast<int>(numbers.size()) + 1;
-      const int number = numbers.try_emplace(svg.substr(digits, end - digits), next).first->second;
-      result += std::to_string(number);
+      result.append(svg, at, digits - at);
+      result +=
+          std::to_string(numbers.try_emplace(svg.substr(digits, end - digits), next).first->second);
+      at = end;
     }
-    at = end;
   }
   return result;
 }

@@ -1,6 +1,7 @@
 #include "limn/report/figure/canvas.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <numbers>
 
@@ -86,6 +87,13 @@ void Canvas::stroke(Path path, Colour colour, Stroke stroke) {
 
 void Canvas::text(PagePoint at, std::string text, const TextStyle& style) {
   if (!text.empty()) ops_.emplace_back(TextOp{at, std::move(text), style});
+}
+
+void Canvas::image(Image image, const Box& box) {
+  if (image.width < 1 || image.height < 1 || !(box.width > 0) || !(box.height > 0)) return;
+  assert(image.width <= 32767 && image.height <= 32767);
+  assert(image.rgba.size() == 4 * std::size_t(image.width) * std::size_t(image.height));
+  ops_.emplace_back(ImageOp{std::move(image), box});
 }
 
 void Canvas::begin_clip(Path path) { ops_.emplace_back(ClipOp{std::move(path)}); }

@@ -1,5 +1,5 @@
 #pragma once
-/// A page to draw on: filled and stroked paths, text, clipping, in points (1/72 inch) from the
+/// A page to draw on: filled and stroked paths, text, images, clipping, in points (1/72 inch) from the
 /// top left corner, y downward. A canvas only remembers what was drawn; `write` makes the file.
 ///
 ///     Canvas canvas(200, 100);
@@ -88,6 +88,14 @@ class Path {
   std::vector<PagePoint> points_;
 };
 
+/// A picture of pixels.
+struct Image {
+  int width = 0, height = 0;  ///< each in [1, 32767]
+  /// Red, green, blue (sRGB) and opacity of each pixel, rows from the top; 4 · width · height
+  /// values. Colours are as they are, not multiplied by the opacity.
+  std::vector<std::uint8_t> rgba = {};
+};
+
 /// What a canvas remembers.
 struct FillOp {
   Path path;
@@ -103,11 +111,15 @@ struct TextOp {
   std::string text;
   TextStyle style;
 };
+struct ImageOp {
+  Image image;
+  Box box;
+};
 struct ClipOp {
   Path path;
 };
 struct UnclipOp {};
-using DrawingOp = std::variant<FillOp, StrokeOp, TextOp, ClipOp, UnclipOp>;
+using DrawingOp = std::variant<FillOp, StrokeOp, TextOp, ImageOp, ClipOp, UnclipOp>;
 
 /// The kinds of figure file, by extension: .pdf (fonts embedded), .svg (letters as outlines) and
 /// .png (144 pixels per inch, on white).
@@ -133,6 +145,9 @@ class Canvas {
   void stroke(Path path, Colour colour, Stroke stroke = {});
   /// Text in the markup of rich_text.h: f_{x}, 10^{−3}, *{bold}, /{italic}.
   void text(PagePoint at, std::string text, const TextStyle& style = {});
+  /// The image stretched over the box; nothing if the image or the box has no area. Vector formats
+  /// hold the pixels as they are.
+  void image(Image image, const Box& box);
 
   /// What follows is drawn within `path` (and within the clips before it), until `end_clip`.
   void begin_clip(Path path);

@@ -17,6 +17,8 @@
 #include "limn/report/figure/chart_panel.h"
 #include "limn/report/figure/map_panel.h"
 #include "limn/report/figure/overlay_panel.h"
+#include "limn/report/figure/reflection_line_panel.h"
+#include "limn/report/figure/shaded_panel.h"
 #include "limn/report/figure/surface_panel.h"
 
 namespace limn {

@@ -1,0 +1,27 @@
+#pragma once
+/// Reflection lines of smooth surfaces as curves, not as pixels.
+
+#include <string>
+
+#include "limn/report/figure/canvas.h"
+#include "limn/report/figure/light_lines.h"
+#include "limn/report/figure/surface_scene.h"
+
+namespace limn {
+
+/// A panel (see map_panel.h) of the scene in lines: what its surfaces mirror of the light lines,
+/// and their outlines; what surfaces hide is left out. Without Embree (`rays_available`) the panel
+/// only says so.
+struct ReflectionLinePanel {
+  SurfaceScene scene = {};
+  LightLines lights = {};
+  std::string title = {};
+  bool outline = true;
+  double line_width = 0.5;  ///< points; outlines are half as wide again
+
+  /// In points, for the given width.
+  [[nodiscard]] double height(double width) const;
+  void draw(Canvas& canvas, const Box& box) const;
+};
+
+}  // namespace limn
