@@ -16,6 +16,7 @@
 #include "limn/report/figure/canvas.h"
 #include "limn/report/figure/chart_panel.h"
 #include "limn/report/figure/map_panel.h"
+#include "limn/report/figure/net_panel.h"
 #include "limn/report/figure/overlay_panel.h"
 #include "limn/report/figure/reflection_line_panel.h"
 #include "limn/report/figure/shaded_panel.h"

@@ -1,0 +1,36 @@
+#pragma once
+/// Nets in the plane with names at their vertices.
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "limn/report/figure/canvas.h"
+
+namespace limn {
+
+/// A panel (see map_panel.h) of nets drawn over one another, in their order, and of labels.
+struct NetPanel {
+  struct Net {
+    std::vector<PagePoint> vertices = {};  ///< y upwards
+    std::vector<std::array<int, 2>> edges = {};
+    Colour colour = {};
+    Stroke stroke = {};
+    double dot = 1.2;  ///< radius of the vertices in points; 0: none
+  };
+  struct Label {
+    PagePoint at = {};
+    std::string text = {};  ///< in the markup of rich_text.h
+    PagePoint shift = {};   ///< in points, y upwards
+    Colour colour = {};
+  };
+  std::vector<Net> nets = {};
+  std::vector<Label> labels = {};
+  std::string title = {};
+
+  /// In points, for the given width.
+  [[nodiscard]] double height(double width) const;
+  void draw(Canvas& canvas, const Box& box) const;
+};
+
+}  // namespace limn

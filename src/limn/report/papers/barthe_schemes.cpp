@@ -1,0 +1,149 @@
+#include <cmath>
+#include <limits>
+
+#include <fmt/core.h>
+
+#include "limn/extraordinary/eigencomponents.h"
+#include "limn/report/papers/barthe_parts.h"
+#include "limn/scheme/check.h"
+
+namespace limn::bgsk {
+namespace {
+
+constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+
+/// Schemes given by a mask or factors alone have no rules at extraordinary vertices.
+bool has_rules(const Scheme& scheme) { return !scheme.mask && !scheme.factors; }
+
+struct Study {
+  Scheme scheme;
+  std::vector<Eigencomponents> valences;  // 3 … kLastValence
+};
+
+Result<Study> study(const std::string& name) {
+  Result<Scheme> scheme = find_scheme(name);
+  if (!scheme) return scheme.error();
+  Study result{std::move(*scheme), {}};
+  if (!has_rules(result.scheme)) return result;
+  FrequencyAnalysis analysis(result.scheme);
+  for (int n = kSmallestValence; n <= kLastValence; ++n) {
+    const Result<FrequencyBlocks> blocks = analysis.blocks(n);
+    if (!blocks) return blocks.error();
+    result.valences.push_back(approx_eigencomponents(*blocks));
+  }
+  return result;
+}
+
+/// The largest modulus that is none of position, tangent, cup and saddle.
+double largest_other(const Eigencomponents& found) {
+  double largest = 0;
+  for (const BlockSpectrum& spectrum : found.spectra) {
+    const std::size_t labelled = spectrum.frequency == 0 ? 2 : spectrum.frequency <= 2 ? 1 : 0;
+    if (labelled < spectrum.eigenvalues.size())
+      largest = std::max(largest, std::abs(spectrum.eigenvalues[labelled].value));
+  }
+  return largest;
+}
+
+DataTable numbers_of(const Study& study) {
+  DataTable numbers{{"valence", "tangent", "tangent squared", "cup", "saddle", "largest other"},
+                    {}};
+  for (const Eigencomponents& found : study.valences) {
+    const double tangent = found.tangent.value_or(kNone);
+    numbers.rows.push_back({static_cast<double>(found.valence), tangent, tangent * tangent,
+                            found.cup.value_or(kNone), found.saddle.value_or(kNone),
+                            largest_other(found)});
+  }
+  return numbers;
+}
+
+ChartPanel chart(const DataTable& numbers, const std::string& title) {
+  ChartPanel panel;
+  panel.title = title;
+  panel.x_label = "valence /{n}";
+  panel.y_label = "eigenvalue";
+  panel.y_low = 0;
+  const std::vector<std::string> names{"tangent", "tangent²", "cup", "saddle", "largest other"};
+  for (std::size_t column = 1; column < numbers.columns.size(); ++column) {
+    ChartPanel::Series series{.name = names[column - 1], .markers = true};
+    for (const std::vector<double>& row : numbers.rows) {
+      series.x.push_back(row[0]);
+      series.y.push_back(std::abs(row[column]));
+    }
+    panel.series.push_back(std::move(series));
+  }
+  return panel;
+}
+
+std::string number_text(std::optional<double> value) {
+  return value ? fmt::format("{:.6f}", *value) : "–";
+}
+
+std::string shape_text(std::optional<Curvature> shape) {
+  return shape ? std::string(to_string(*shape)) : "–";
+}
+
+std::vector<std::vector<std::string>> table_rows(const Study& study) {
+  std::vector<std::vector<std::string>> rows{
+      {"n", "tangent", "cup", "saddle", "C1 necessary", "bounded curvature", "cup", "saddle"}};
+  for (const Eigencomponents& found : study.valences)
+    rows.push_back({fmt::format("{}", found.valence), number_text(found.tangent),
+                    number_text(found.cup), number_text(found.saddle),
+                    std::string(to_string(found.verdict.c1_necessary)),
+                    std::string(to_string(found.verdict.bounded_curvature)),
+                    shape_text(found.verdict.cup), shape_text(found.verdict.saddle)});
+  return rows;
+}
+
+/// "3, 8 … 20": the valences of which something holds.
+template <class Holds>
+std::string valences_where(const Study& study, const Holds& holds) {
+  std::string text;
+  const auto count = study.valences.size();
+  for (std::size_t i = 0; i < count; ++i) {
+    if (!holds(study.valences[i])) continue;
+    std::size_t last = i;
+    while (last + 1 < count && holds(study.valences[last + 1])) ++last;
+    text += text.empty() ? "" : ", ";
+    text += fmt::format("{}", study.valences[i].valence);
+    if (last > i) text += fmt::format(" … {}", study.valences[last].valence);
+    i = last;
+  }
+  return text.empty() ? "no n" : text;
+}
+
+std::string summary(const Study& study) {
+  const auto not_c1 = valences_where(
+      study, [](const Eigencomponents& found) { return found.verdict.c1_necessary == Truth::no; });
+  const auto bounded = valences_where(study, [](const Eigencomponents& found) {
+    return found.verdict.bounded_curvature == Truth::yes;
+  });
+  return fmt::format("necessary conditions of C1 fail at: {}; bounded curvature at: {}.", not_c1,
+                     bounded);
+}
+
+}  // namespace
+
+Status add_schemes(PaperPage& page) {
+  page.add_heading("Every shipped scheme at the valences 3 … 20");
+  page.add_paragraph(
+      "Eigenvalues by rotational frequency, on as many rings as control the surface round the "
+      "vertex (dual schemes: the face). Curvature is bounded where nothing exceeds tangent².");
+  for (const std::string& name : shipped_schemes()) {
+    const Result<Study> found = study(name);
+    if (!found) return found.error();
+    if (found->valences.empty()) continue;
+    const DataTable numbers = numbers_of(*found);
+    Figure figure(1, 300);
+    figure.add(chart(numbers, name));
+    Status status = page.add_figure({name, "eigenvalues-" + name}, figure, numbers,
+                                    "(not in the paper)", summary(*found));
+    if (!status) return status;
+    status =
+        page.add_table({name, "table-" + name}, table_rows(*found), numbers, found->scheme.source);
+    if (!status) return status;
+  }
+  return Done{};
+}
+
+}  // namespace limn::bgsk

@@ -1,0 +1,119 @@
+#include <cmath>
+#include <numbers>
+
+#include <fmt/core.h>
+
+#include "limn/extraordinary/eigencomponents.h"
+#include "limn/mesh/lattice.h"
+#include "limn/refine/refine.h"
+#include "limn/report/papers/barthe_parts.h"
+#include "limn/report/surface_scenes.h"
+
+namespace limn::bgsk {
+namespace {
+
+constexpr int kValence = 7;
+constexpr int kRings = 3;
+
+struct Variant {
+  const char* scheme;
+  const char* spectrum;  // as the paper's (4), (5), (6) state it
+};
+constexpr Variant kVariants[] = {
+    {"loop-7-bounded", "(4)"}, {"loop-7-shrinking", "(5)"}, {"loop-7-flat", "(6)"}};
+
+/// The star in the plane, its rings regular heptagons; the heights are those of a saddle.
+std::vector<Point3> control_points(double height) {
+  std::vector<Point3> points{{0, 0, 0}};
+  for (int ring = 1; ring <= kRings; ++ring)
+    for (int sector = 0; sector < kValence; ++sector)
+      for (int k = 0; k < ring; ++k) {
+        const auto spoke = [](int s) { return 2 * std::numbers::pi * s / kValence; };
+        const double x = (ring - k) * std::cos(spoke(sector)) + k * std::cos(spoke(sector + 1));
+        const double y = (ring - k) * std::sin(spoke(sector)) + k * std::sin(spoke(sector + 1));
+        points.push_back({x, y, height * (x * x - y * y)});
+      }
+  return points;
+}
+
+/// The refined plane, seen from above with its edges.
+Result<SurfacePanel> plane_panel(const Scheme& scheme, const Mesh& control) {
+  const auto fine = refine(scheme, control, control_points(0), 3);
+  if (!fine) return fine.error();
+  SurfacePanel panel;
+  panel.azimuth = -90;
+  panel.elevation = 90;
+  panel.mesh_lines = true;
+  for (const Point3& p : fine->values) panel.vertices.push_back({p.x, p.y, 0});
+  for (Index f = 0; f < fine->mesh.face_count(); ++f) {
+    const Index h = fine->mesh.face_begin(f);
+    panel.faces.push_back(
+        {fine->mesh.origin(h), fine->mesh.origin(h + 1), fine->mesh.origin(h + 2)});
+  }
+  return panel;
+}
+
+/// A row of the table of numbers: the eigenvalues by shape [BGSK (4)–(6)].
+std::vector<double> spectrum_row(const Eigencomponents& found) {
+  const auto leader = [&](std::size_t frequency) {
+    return found.spectra[frequency].eigenvalues.front().value.real();
+  };
+  const double cup = found.spectra[0].eigenvalues[1].value.real();
+  return {1, leader(1), leader(1), cup, leader(2), leader(2), leader(3), leader(3)};
+}
+
+std::string verdict_words(const Eigencomponents& found) {
+  const Verdict& verdict = found.verdict;
+  std::string words = fmt::format(
+      "C1 necessary: {}, bounded curvature: {}, cup {}, saddle {}", to_string(verdict.c1_necessary),
+      to_string(verdict.bounded_curvature), to_string(*verdict.cup), to_string(*verdict.saddle));
+  return words;
+}
+
+}  // namespace
+
+Status add_variants(PaperPage& page) {
+  const Mesh control = star(Lattice::triangle, kValence, kRings);
+  Figure shaded(3);
+  Figure lines(3);
+  DataTable numbers{{"row", "λ0", "λ1", "λ2", "λ3", "λ4", "λ5", "λ6", "λ7"}, {}};
+  std::string words;
+  for (const Variant& variant : kVariants) {
+    const Result<Scheme> scheme = find_scheme(variant.scheme);
+    if (!scheme) return scheme.error();
+    const Result<SurfacePanel> plane = plane_panel(*scheme, control);
+    if (!plane) return plane.error();
+    Result<SmoothSurface> surface = limit_surface(*scheme, control, control_points(0.16), 6);
+    if (!surface) return surface.error();
+    const Result<FrequencyBlocks> blocks = FrequencyAnalysis(*scheme).blocks(kValence);
+    if (!blocks) return blocks.error();
+    const Eigencomponents found = approx_eigencomponents(*blocks);
+    SurfaceScene scene;
+    scene.surfaces.push_back(std::move(*surface));
+    scene.azimuth = -62;
+    scene.elevation = 42;
+    const LightLines lights{.count = 72};
+    shaded.add(*plane, fmt::format("{}: spectrum {}", variant.scheme, variant.spectrum));
+    shaded.add(ShadedPanel{.scene = scene}, "the saddle's limit surface");
+    shaded.add(ShadedPanel{.scene = scene, .stripes = lights}, "reflection lines");
+    lines.add(ReflectionLinePanel{.scene = scene, .lights = lights},
+              fmt::format("{}, spectrum {}", variant.scheme, variant.spectrum));
+    std::vector<double> row = spectrum_row(found);
+    row.insert(row.begin(), static_cast<double>(numbers.rows.size() + 1));
+    numbers.rows.push_back(std::move(row));
+    words += fmt::format("{} {}: {}. ", variant.scheme, variant.spectrum, verdict_words(found));
+  }
+  Status status = page.add_figure(
+      {"Figure 1", "fig01"}, shaded, numbers,
+      "three versions of Loop's scheme at valence 7 with eigenvalues from one set, placed by "
+      "(4), (5) and (6): a subdivided planar mesh, a saddle, and reflection lines on it.",
+      "the same three behaviours, from scheme files made by `limn prescribe`. " + words);
+  if (!status) return status;
+  return page.add_figure(
+      {"Figure 1, right column, as curves", "fig01-lines"}, lines, numbers,
+      "the right column is a picture of pixels.",
+      "the reflection lines of the limit surface as curves: in row 1 they run smoothly through the "
+      "vertex, in row 2 they break there, in row 3 the third frequency bends them.");
+}
+
+}  // namespace limn::bgsk

@@ -1,0 +1,43 @@
+#include "limn/report/surface_scenes.h"
+
+#include "limn/extraordinary/limit_points.h"
+#include "limn/refine/refine.h"
+
+namespace limn {
+namespace {
+
+SpaceVector vector_of(const Point3& p) { return {p.x, p.y, p.z}; }
+
+}  // namespace
+
+Result<SmoothSurface> limit_surface(const Scheme& scheme, const Mesh& control,
+                                    const std::vector<Point3>& points, int steps) {
+  const Result<Refined<Point3>> fine = refine(scheme, control, points, steps);
+  if (!fine) return fine.error();
+  LimitOptions options;
+  options.steps_made = steps;
+  const Result<LimitPoints> limit = approx_limit_points(scheme, fine->mesh, fine->values, options);
+  if (!limit) return limit.error();
+  SmoothSurface surface;
+  for (const Point3& p : limit->positions) surface.vertices.push_back(vector_of(p));
+  for (const Point3& n : limit->normals) surface.normals.push_back(vector_of(n));
+  const Mesh& mesh = fine->mesh;
+  for (Index f = 0; f < mesh.face_count(); ++f) {
+    const Index first = mesh.face_begin(f);
+    for (Index h = first + 1; h + 1 < mesh.face_begin(f + 1); ++h)
+      surface.triangles.push_back({mesh.origin(first), mesh.origin(h), mesh.origin(h + 1)});
+  }
+  return surface;
+}
+
+ControlNet control_net(const Mesh& mesh, const std::vector<Point3>& points) {
+  ControlNet net;
+  for (const Point3& p : points) net.vertices.push_back(vector_of(p));
+  for (Index e = 0; e < mesh.edge_count(); ++e) {
+    const Index h = mesh.halfedge_of_edge(e);
+    net.edges.push_back({mesh.origin(h), mesh.target(h)});
+  }
+  return net;
+}
+
+}  // namespace limn
