@@ -1,4 +1,3 @@
-#include <charconv>
 #include <memory>
 
 #include <fmt/core.h>
@@ -7,12 +6,11 @@
 #include "command.h"
 #include "limn/extraordinary/eigencomponents.h"
 #include "limn/report/eigen_report.h"
-#include "limn/scheme/check.h"
+#include "valences.h"
 
 namespace limn::app {
 namespace {
 
-constexpr int kLargestValence = 2000;
 constexpr int kMostRings = 6;
 
 struct EigenOptions {
@@ -22,39 +20,8 @@ struct EigenOptions {
   bool json = false;
 };
 
-struct ValenceRange {
-  int first, last;
-};
-
-bool read_integer(std::string_view text, int& value) {
-  const auto [end, fault] = std::from_chars(text.data(), text.data() + text.size(), value);
-  return fault == std::errc() && end == text.data() + text.size();
-}
-
-/// "7" or "3..12".
-Result<ValenceRange> read_valences(const std::string& text) {
-  ValenceRange range{};
-  const std::size_t dots = text.find("..");
-  const bool one = dots == std::string::npos;
-  const std::string_view view = text;
-  const bool read = read_integer(view.substr(0, dots), range.first) &&
-                    read_integer(one ? view : view.substr(dots + 2), range.last);
-  const std::string hint = "a valence, as 7, or a range, as 3..12";
-  if (!read) return Error{fmt::format("--valence: '{}' is no valence", text), hint, {}, 0, 0};
-  if (range.first > range.last)
-    return Error{fmt::format("--valence: the range {} is empty", text), hint, {}, 0, 0};
-  if (range.first < kSmallestValence || range.last > kLargestValence)
-    return Error{fmt::format("--valence: {} is not between {} and {}", text, kSmallestValence,
-                             kLargestValence),
-                 hint,
-                 {},
-                 0,
-                 0};
-  return range;
-}
-
 int analyse(const EigenOptions& options) {
-  const Result<ValenceRange> range = read_valences(options.valence);
+  const Result<ValenceSpan> range = read_valences(options.valence);
   if (!range) return report(range.error());
   const Result<Scheme> scheme = options.scheme.load();
   if (!scheme) return report(scheme.error());
