@@ -38,6 +38,15 @@ TEST(Range, OfAllValencesIsTheNarrowest) {
   EXPECT_NEAR(common.front().high, 3 / 16., 1e-14);
 }
 
+/// At b = 1/4 an outer ring reaches the tangent's 1/2 at regular vertices, where the paper reports
+/// the loss of C1 [Kawaharada, Sugihara 2006].
+TEST(Range, OfLaplacianButterflyEndsAtAQuarter) {
+  const ValenceRange range = ranged(shipped("laplacian-butterfly"), "b", "c1", 6);
+  ASSERT_EQ(range.parts.size(), 1U);
+  EXPECT_TRUE(range.parts.front().low.of_search);
+  EXPECT_EQ(range.parts.front().high.rational, Rational(1, 4));
+}
+
 TEST(Range, OfInequalitiesEndsWhereTheSidesAreEqual) {
   const ValenceRange below = ranged(shipped("laplacian-loop"), "a", "cup < tangent^2", 7);
   ASSERT_EQ(below.parts.size(), 1U);
@@ -82,7 +91,7 @@ TEST(Range, OfTwoPartsMeetsAnotherInTwo) {
   const auto range = [](std::vector<Interval> parts) {
     ValenceRange made;
     for (const Interval part : parts)
-      made.parts.push_back({{part.low, false, {}}, {part.high, false, {}}});
+      made.parts.push_back({{part.low, {}, false, {}}, {part.high, {}, false, {}}});
     return made;
   };
   const std::vector<Interval> common =

@@ -38,7 +38,7 @@ Json solution_json(const Solution& solution) {
 
 Json end_json(const RangeEnd& end) {
   return {{"value", end.value},
-          {"exact", exact_json(near_rational(end.value))},
+          {"exact", exact_json(end.rational)},
           {"end_of_search", end.of_search},
           {"reason", end.reason}};
 }
@@ -59,7 +59,7 @@ std::string value_text(double value, const std::optional<Rational>& rational) {
 std::string remark(const std::string& text) { return "           " + text + "\n"; }
 
 std::string end_text(const char* side, const RangeEnd& end) {
-  return remark(fmt::format("{} {}: {}", side, value_text(end.value, near_rational(end.value)),
+  return remark(fmt::format("{} {}: {}", side, value_text(end.value, end.rational),
                             end.of_search ? "end of the search" : end.reason));
 }
 
@@ -91,11 +91,9 @@ Json tune_json(const ValenceRange& range) {
   Json list = Json::array();
   for (const RangePart& part : range.parts)
     list.push_back({{"low", end_json(part.low)}, {"high", end_json(part.high)}});
-  return {{"valence", range.valence},
-          {"searched", interval_json(range.searched)},
-          {"samples", range.samples},
-          {"parts", std::move(list)},
-          {"reason", range.reason}};
+  return {{"valence", range.valence}, {"searched", interval_json(range.searched)},
+          {"samples", range.samples}, {"closed", range.closed},
+          {"parts", std::move(list)}, {"reason", range.reason}};
 }
 
 std::string solution_heading(const std::string& name) {
@@ -124,9 +122,10 @@ std::string tune_text(const std::string& name, const ValenceSolutions& solutions
 
 std::string tune_text(const std::string& name, const ValenceRange& range) {
   std::string text;
+  const auto sign = [&](const RangeEnd& end) { return range.closed || end.of_search ? "<=" : "<"; };
   for (const RangePart& part : range.parts)
-    text += fmt::format("{:>7}  {:.9g} < {} < {:.9g}\n", range.valence, part.low.value, name,
-                        part.high.value) +
+    text += fmt::format("{:>7}  {:.9g} {} {} {} {:.9g}\n", range.valence, part.low.value,
+                        sign(part.low), name, sign(part.high), part.high.value) +
             end_text("from", part.low) + end_text("to", part.high);
   if (!range.reason.empty()) text += fmt::format("{:>7}  {}\n", range.valence, range.reason);
   return text;
@@ -136,7 +135,9 @@ std::string common_text(const std::string& name, const std::vector<Interval>& co
   if (common.empty()) return fmt::format("    all  no {} serves all these valences\n", name);
   std::string text;
   for (const Interval part : common)
-    text += fmt::format("    all  {} in {}\n", name, interval_text(part));
+    text += fmt::format("    all  {} between {} and {}\n", name,
+                        value_text(part.low, near_rational(part.low)),
+                        value_text(part.high, near_rational(part.high)));
   return text;
 }
 

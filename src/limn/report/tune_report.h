@@ -17,8 +17,8 @@ namespace limn {
 /// as in eigen_json.
 [[nodiscard]] nlohmann::ordered_json tune_json(const ValenceSolutions& solutions);
 
-/// {"valence", "searched", "samples", "parts": [{"low", "high": {"value", "exact", "end_of_search",
-/// "reason"}}], "reason"}.
+/// {"valence", "searched", "samples", "closed", "parts": [{"low", "high": {"value", "exact",
+/// "end_of_search", "reason"}}], "reason"}.
 [[nodiscard]] nlohmann::ordered_json tune_json(const ValenceRange& range);
 
 /// [[low, high], …]

@@ -20,6 +20,7 @@ class RangeSearch {
       : scheme_(scheme), requirement_(requirement), curve_(scheme, n, interval) {
     result_.valence = n;
     result_.searched = interval;
+    result_.closed = is_closed(requirement.relation);
     result_.samples = curve_.quick() ? kRangeSamples : kSlowRangeSamples;
   }
 
@@ -102,10 +103,11 @@ class RangeSearch {
       std::size_t last = first;
       while (last + 1 < samples_.size() && samples_[last + 1].holds) ++last;
       RangePart part;
-      part.low = first == 0 ? RangeEnd{samples_[first].x, true, {}}
-                            : end_between(sound(first, last, 1), samples_[first - 1]);
+      part.low = first == 0
+                     ? RangeEnd{samples_[first].x, near_rational(samples_[first].x), true, {}}
+                     : end_between(sound(first, last, 1), samples_[first - 1]);
       part.high = last + 1 == samples_.size()
-                      ? RangeEnd{samples_[last].x, true, {}}
+                      ? RangeEnd{samples_[last].x, near_rational(samples_[last].x), true, {}}
                       : end_between(sound(last, first, -1), samples_[last + 1]);
       result_.parts.push_back(std::move(part));
       first = last;
@@ -129,7 +131,8 @@ class RangeSearch {
     // far enough on that nothing is undecided, near enough that nothing else has changed
     const double beyond = std::clamp(x + std::copysign(1e-5, outside.x - inside.x),
                                      result_.searched.low, result_.searched.high);
-    return {x, false, why_not(beyond)};
+    const std::optional<Rational> rational = near_rational(x);
+    return {rational ? to_double(*rational) : x, rational, false, why_not(beyond)};
   }
 
   std::string why_not(double x) {

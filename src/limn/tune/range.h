@@ -1,9 +1,11 @@
 #pragma once
 /// The values of a freed parameter or let at which an inequality or a verdict holds.
 
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "limn/tune/near_rational.h"
 #include "limn/tune/requirement.h"
 
 namespace limn {
@@ -11,6 +13,7 @@ namespace limn {
 /// One end of a part: a value, and what stops the requirement there.
 struct RangeEnd {
   double value = 0;
+  std::optional<Rational> rational;  ///< that `value` stands for; recognised, not proved
   bool of_search = false;  ///< the searched range ends here, the requirement may hold beyond
   std::string reason;      ///< what fails just beyond; empty where `of_search`
 };
@@ -23,6 +26,7 @@ struct ValenceRange {
   int valence = 0;
   Interval searched;
   int samples = 0;
+  bool closed = false;           ///< ends belong to it; those of the search always do
   std::vector<RangePart> parts;  ///< ascending, apart
   std::string reason;            ///< why there is no part; nothing where there is one
 };

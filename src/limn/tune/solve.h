@@ -15,8 +15,8 @@
 #include <string>
 #include <vector>
 
-#include "limn/base/rational.h"
 #include "limn/base/truth.h"
+#include "limn/tune/near_rational.h"
 #include "limn/tune/requirement.h"
 
 namespace limn {
@@ -24,7 +24,7 @@ namespace limn {
 struct Solution {
   double value = 0;
   double residual = 0;  ///< |left - right| at `value` for the eigenvalue tried
-  /// p/q with q ≤ 1000 that solves as well as `value` does; recognised, not proved.
+  /// near_rational that solves as well as `value` does; recognised, not proved.
   std::optional<Rational> rational;
   bool is_double = false;          ///< the two sides touch and do not cross
   Eigenvalue eigenvalue;           ///< that solves; frequency 0 and value 1 where none is sought
@@ -55,8 +55,5 @@ inline constexpr double kUndecidedResidual = 1e-8;
 /// Fails where the range is empty and where the scheme has no blocks at any sample.
 [[nodiscard]] Result<ValenceSolutions> solve_at(FreedScheme& scheme, const Requirement& requirement,
                                                 int n, const SearchRange* range = nullptr);
-
-/// p/q with the least q ≤ 1000 within `tolerance` (1 + |x|) of x.
-[[nodiscard]] std::optional<Rational> near_rational(double x, double tolerance = 1e-13);
 
 }  // namespace limn
