@@ -1,10 +1,14 @@
+#include <algorithm>
+#include <filesystem>
 #include <memory>
 
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
 
 #include "command.h"
+#include "limn/base/file.h"
 #include "limn/report/tune_report.h"
+#include "limn/report/tuned_scheme.h"
 #include "valences.h"
 
 namespace limn::app {
@@ -16,6 +20,7 @@ struct TuneOptions {
   std::vector<std::string> require;
   std::string valence = "3..12";
   std::string between;
+  std::string output;
   bool range = false;
   bool everywhere = false;
   bool json = false;
@@ -56,6 +61,8 @@ Result<Task> read_task(const TuneOptions& options) {
                  {},
                  0,
                  0};
+  if (options.range && !options.output.empty())
+    return Error{"-o writes solutions, not ranges", "leave out -o or --range", {}, 0, 0};
   std::optional<SearchRange> between;
   if (!options.between.empty()) {
     Result<SearchRange> read = SearchRange::parse(options.between);
@@ -73,7 +80,23 @@ nlohmann::ordered_json heading_json(const Task& task, const nlohmann::ordered_js
           {"valences", valences}};
 }
 
-int solve(Task& task, bool json) {
+/// Writes the solutions as a scheme file, if it reads back.
+Status write_tuned(const Task& task, const std::vector<ValenceSolutions>& solutions,
+                   const TuneOptions& options) {
+  namespace fs = std::filesystem;
+  const std::vector<std::string> shipped = shipped_schemes();
+  std::string extends = options.scheme.name;
+  if (std::find(shipped.begin(), shipped.end(), extends) == shipped.end())
+    extends = fs::proximate(extends, fs::absolute(options.output).parent_path()).string();
+  const Result<std::string> text =
+      tuned_scheme_text(task.freed, task.requirement, solutions, extends);
+  if (!text) return text.error();
+  if (const Result<Scheme> back = parse_scheme(*text, options.output); !back) return back.error();
+  return write_file(options.output, *text);
+}
+
+int solve(Task& task, const TuneOptions& options) {
+  const bool json = options.json;
   nlohmann::ordered_json list = nlohmann::ordered_json::array();
   std::string text = fmt::format("{}: {} such that {}\n", task.scheme.name, task.freed.name(),
                                  task.requirement.text) +
@@ -81,9 +104,9 @@ int solve(Task& task, bool json) {
   bool undecided = false;
   bool any_value = false;
   Error without_value;
+  std::vector<ValenceSolutions> all;
   for (int n = task.valences.first; n <= task.valences.last; ++n) {
-    const Result<ValenceSolutions> found =
-        solve_at(task.freed, task.requirement, n, task.searched());
+    Result<ValenceSolutions> found = solve_at(task.freed, task.requirement, n, task.searched());
     if (!found) return report(found.error());
     for (const Solution& solution : found->solutions)
       undecided = undecided || solution.holds == Truth::undecided;
@@ -93,8 +116,11 @@ int solve(Task& task, bool json) {
       list.push_back(tune_json(*found));
     else
       text += tune_text(task.freed.name(), *found);
+    all.push_back(std::move(*found));
   }
   if (!any_value) return report(without_value);
+  if (!options.output.empty())
+    if (Status status = write_tuned(task, all, options); !status) return report(status.error());
   fmt::print("{}", json ? heading_json(task, list).dump() + "\n" : text);
   return undecided ? kUndecided : kDone;
 }
@@ -127,7 +153,7 @@ int find_ranges(Task& task, bool json) {
 int tune(const TuneOptions& options) {
   Result<Task> task = read_task(options);
   if (!task) return report(task.error());
-  return options.range ? find_ranges(*task, options.json) : solve(*task, options.json);
+  return options.range ? find_ranges(*task, options.json) : solve(*task, options);
 }
 
 }  // namespace
@@ -156,6 +182,10 @@ void declare_tune(CLI::App& parser, Action& action) {
       ->add_option("--between", options->between,
                    "look here alone; else in the parameter's range, or from -4 to 4")
       ->type_name("LOW,HIGH");
+  command
+      ->add_option("-o,--output", options->output,
+                   "write a scheme file that has the solutions, in fractions")
+      ->type_name("FILE.toml");
   command->add_flag("--range", options->range, "the range in which the requirement holds");
   command->add_flag("--everywhere", options->everywhere,
                     "the value is that of the regular neighbours, too");

@@ -34,7 +34,8 @@ TEST(TuneCommand, GivesRanges) {
   const std::string arguments = "tune laplacian-loop --free a --require c1 --valence 3..4 --range";
   const Outcome text = folder.limn(arguments);
   EXPECT_EQ(text.code, 0) << text.err;
-  EXPECT_NE(text.out.find("all  a between -0.3125 = -5/16 and 0.1875 = 3/16"), std::string::npos) << text.out;
+  EXPECT_NE(text.out.find("all  a between -0.3125 = -5/16 and 0.1875 = 3/16"), std::string::npos)
+      << text.out;
   const nlohmann::json json = nlohmann::json::parse(folder.limn(arguments + " --json").out);
   const nlohmann::json& part = json.at("valences")[1].at("parts")[0];
   EXPECT_NEAR(part.at("high").at("value"), 15 / 64., 1e-14);
@@ -51,6 +52,36 @@ TEST(TuneCommand, TellsOfValencesWithoutASaddle) {
   const Outcome none = folder.limn(arguments + "3");
   EXPECT_EQ(none.code, 2);
   EXPECT_NE(none.err.find("there is no saddle at valence 3"), std::string::npos) << none.err;
+}
+
+TEST(TuneCommand, WritesASchemeThatExtendsAnother) {
+  const Folder folder;
+  const Outcome first = folder.limn(
+      "tune loop --free beta --require 'cup = tangent^2/2' --valence 7..8 -o first.toml");
+  ASSERT_EQ(first.code, 0) << first.err;
+  // beside a file that extends a shipped scheme, one that extends that file, -p and all
+  const Outcome second = folder.limn(
+      "tune first.toml --free beta --require 'cup = 3*tangent^2/4' --valence 9 -o second.toml");
+  ASSERT_EQ(second.code, 0) << second.err;
+  const Outcome outcome = folder.limn("eigen second.toml --valence 7..9 --json");
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  const nlohmann::json json = nlohmann::json::parse(outcome.out).at("valences");
+  for (int i = 0; i < 3; ++i) {
+    const nlohmann::json& components = json[static_cast<std::size_t>(i)].at("components");
+    const double tangent = components.at("tangent");
+    EXPECT_NEAR(components.at("cup"), tangent * tangent * (i < 2 ? 0.5 : 0.75), 1e-14);
+  }
+}
+
+TEST(TuneCommand, KeepsWhatOptionsSet) {
+  const Folder folder;
+  const Outcome outcome = folder.limn(
+      "tune laplacian-loop -p a=n/100 --free beta --require 'cup = tangent^2' --valence 5 -o "
+      "a.toml");
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  const Outcome eigen = folder.limn("eigen a.toml --valence 5 --json");
+  const nlohmann::json json = nlohmann::json::parse(eigen.out).at("valences")[0].at("components");
+  EXPECT_NEAR(json.at("cup"), std::pow(json.at("tangent").get<double>(), 2), 1e-14);
 }
 
 TEST(TuneCommand, RefusesWhatItCannotSolve) {
@@ -72,6 +103,9 @@ TEST(TuneCommand, RefusesWhatItCannotSolve) {
   refused(loop + "--require 'cup = 1/4' --require 'saddle = 1/4'", "one requirement");
   refused(loop + "--free lambda --require 'cup = 1/4'", "one free name");
   refused(loop + "--require 'cup = 1/4' --valence 2", "2 is not between 3 and");
+  refused("butterfly --free w --require 'cup = 1/4' --valence 5..6 -o x.toml", "one number");
+  refused(loop + "--require c1 --range -o x.toml", "not ranges");
+  refused(loop + "--require 'cup = 1/5' --valence 5 -o no/x.toml", "cannot write");
   refused(loop, "--require");
   refused("loop --require c1", "--free");
   refused("box-spline-triangle --free i --require c1 --range", "nothing that can be freed");

@@ -49,6 +49,8 @@ class FreedScheme {
 
   [[nodiscard]] const std::string& name() const { return name_; }
   [[nodiscard]] const Scheme& original() const { return *original_; }
+  /// Whether x is one number everywhere, not one for each valence.
+  [[nodiscard]] bool is_one_number() const { return everywhere_; }
   /// Whether the neighbours of a vertex (dual: face) of valence n have x as well. Each value of x
   /// then costs a refined star, else only the putting in of a number.
   [[nodiscard]] bool everywhere(int n) const { return everywhere_ || n == regular_; }
