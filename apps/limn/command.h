@@ -15,6 +15,7 @@ namespace limn::app {
 // exit codes of every command
 inline constexpr int kDone = 0;
 inline constexpr int kBadInput = 2;
+inline constexpr int kUndecided = 3;  // some answer is "undecided"
 
 /// What the chosen command runs once the whole command line is parsed; returns the exit code.
 using Action = std::function<int()>;
@@ -28,6 +29,7 @@ void declare_refine(CLI::App& parser, Action& action);
 void declare_artifacts(CLI::App& parser, Action& action);
 void declare_eigen(CLI::App& parser, Action& action);
 void declare_prescribe(CLI::App& parser, Action& action);
+void declare_tune(CLI::App& parser, Action& action);
 void declare_papers(CLI::App& parser, Action& action);
 
 /// Prints "limn: …" on standard error; returns kBadInput.

@@ -1,4 +1,3 @@
-#include <charconv>
 #include <memory>
 
 #include <fmt/core.h>
@@ -9,12 +8,11 @@
 #include "limn/report/eigen_figures.h"
 #include "limn/report/eigen_report.h"
 #include "limn/report/eigenvector_report.h"
-#include "limn/scheme/check.h"
+#include "valences.h"
 
 namespace limn::app {
 namespace {
 
-constexpr int kLargestValence = 2000;
 constexpr int kMostRings = 6;
 
 struct EigenOptions {
@@ -25,37 +23,6 @@ struct EigenOptions {
   std::string map;
   bool json = false;
 };
-
-struct ValenceRange {
-  int first, last;
-};
-
-bool read_integer(std::string_view text, int& value) {
-  const auto [end, fault] = std::from_chars(text.data(), text.data() + text.size(), value);
-  return fault == std::errc() && end == text.data() + text.size();
-}
-
-/// "7" or "3..12".
-Result<ValenceRange> read_valences(const std::string& text) {
-  ValenceRange range{};
-  const std::size_t dots = text.find("..");
-  const bool one = dots == std::string::npos;
-  const std::string_view view = text;
-  const bool read = read_integer(view.substr(0, dots), range.first) &&
-                    read_integer(one ? view : view.substr(dots + 2), range.last);
-  const std::string hint = "a valence, as 7, or a range, as 3..12";
-  if (!read) return Error{fmt::format("--valence: '{}' is no valence", text), hint, {}, 0, 0};
-  if (range.first > range.last)
-    return Error{fmt::format("--valence: the range {} is empty", text), hint, {}, 0, 0};
-  if (range.first < kSmallestValence || range.last > kLargestValence)
-    return Error{fmt::format("--valence: {} is not between {} and {}", text, kSmallestValence,
-                             kLargestValence),
-                 hint,
-                 {},
-                 0,
-                 0};
-  return range;
-}
 
 /// What is printed of one valence, gathered as text or as JSON.
 class Output {
@@ -103,7 +70,7 @@ class Output {
 };
 
 int analyse(const EigenOptions& options) {
-  const Result<ValenceRange> range = read_valences(options.valence);
+  const Result<ValenceSpan> range = read_valences(options.valence);
   if (!range) return report(range.error());
   if (!options.map.empty())
     if (const Result<FigureFormat> format = figure_format(options.map); !format)

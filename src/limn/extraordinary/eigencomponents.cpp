@@ -151,13 +151,14 @@ Eigen::VectorXcd eigenvalues_of(const Eigen::MatrixXcd& square) {
 }
 
 template <class Matrix>
-std::vector<Eigenvalue> eigenvalues(const FrequencyBlocks& blocks, const Matrix& block, int omega) {
+std::vector<Eigenvalue> eigenvalues(const FrequencyBlocks& blocks, const Matrix& block, int omega,
+                                    Near near) {
   std::vector<Eigenvalue> list;
   for (const RingPart& part : ring_parts(blocks, block)) {
     const Eigen::Index size = part.last - part.first;
     const Matrix square = block.block(part.first, part.first, size, size);
     Eigen::VectorXcd values = eigenvalues_of(square);
-    join_split_ones(square, values);
+    if (near == Near::joined) join_split_ones(square, values);
     for (const std::complex<double> value : values) list.push_back({value, omega, part.ring, 1, 1});
   }
   for (Eigenvalue& one : list)
@@ -180,24 +181,12 @@ std::vector<Eigenvalue> eigenvalues(const FrequencyBlocks& blocks, const Matrix&
   return list;
 }
 
-BlockSpectrum spectrum(const FrequencyBlocks& blocks, int omega) {
-  const Eigen::MatrixXcd block = mirrored(blocks, blocks.blocks[static_cast<std::size_t>(omega)]);
-  if (block.imag().cwiseAbs().maxCoeff() < 1e-14)
-    return {omega, eigenvalues(blocks, Eigen::MatrixXd(block.real()), omega)};
-  return {omega, eigenvalues(blocks, block, omega)};
-}
-
 /// -1, 0, 1 for smaller, equal, larger; nothing in between.
 std::optional<int> compare(double a, double b) {
   const double difference = a - b;
   if (std::abs(difference) <= kEqualBelow) return 0;
   if (std::abs(difference) < kUndecidedBelow) return std::nullopt;
   return difference < 0 ? -1 : 1;
-}
-
-std::optional<double> real_value(const std::vector<Eigenvalue>& list, std::size_t index) {
-  if (index >= list.size() || std::abs(list[index].value.imag()) > kEqualBelow) return std::nullopt;
-  return list[index].value.real();
 }
 
 std::string described(const Eigenvalue& eigenvalue) {
@@ -337,16 +326,33 @@ std::string_view to_string(Curvature curvature) {
   return "undecided";
 }
 
+std::optional<double> labelled(const Component& component, const BlockSpectrum& spectrum) {
+  const std::vector<Eigenvalue>& list = spectrum.eigenvalues;
+  if (component.index >= list.size()) return std::nullopt;
+  const std::complex<double> value = list[component.index].value;
+  if (std::abs(value.imag()) > kEqualBelow) return std::nullopt;
+  return value.real();
+}
+
+BlockSpectrum approx_spectrum(const FrequencyBlocks& blocks, int omega, Near near) {
+  const Eigen::MatrixXcd block = mirrored(blocks, blocks.blocks[static_cast<std::size_t>(omega)]);
+  if (block.imag().cwiseAbs().maxCoeff() < 1e-14)
+    return {omega, eigenvalues(blocks, Eigen::MatrixXd(block.real()), omega, near)};
+  return {omega, eigenvalues(blocks, block, omega, near)};
+}
+
 Eigencomponents approx_eigencomponents(const FrequencyBlocks& blocks) {
   Eigencomponents result;
   result.valence = blocks.valence;
   result.rings = blocks.rings;
   for (int omega = 0; omega <= blocks.valence / 2; ++omega)
-    result.spectra.push_back(spectrum(blocks, omega));
-  result.position = real_value(result.spectra[0].eigenvalues, 0);
-  result.cup = real_value(result.spectra[0].eigenvalues, 1);
-  result.tangent = real_value(result.spectra[1].eigenvalues, 0);
-  if (blocks.valence > 3) result.saddle = real_value(result.spectra[2].eigenvalues, 0);
+    result.spectra.push_back(approx_spectrum(blocks, omega));
+  const std::array<std::optional<double>*, kComponents.size()> values{
+      &result.position, &result.cup, &result.tangent, &result.saddle};
+  for (std::size_t i = 0; i < values.size(); ++i)
+    if (const Component& component = kComponents[i]; component.exists_at(blocks.valence))
+      *values[i] =
+          labelled(component, result.spectra[static_cast<std::size_t>(component.frequency)]);
   Judge(result).judge();
   return result;
 }

@@ -2,9 +2,11 @@
 /// Eigenvalues of the subdivision matrix, each known by its rotational frequency [BGSK §2.2], and
 /// what they say about the surface.
 
+#include <array>
 #include <complex>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "limn/base/truth.h"
@@ -26,6 +28,22 @@ struct BlockSpectrum {
   int frequency = 0;
   std::vector<Eigenvalue> eigenvalues;
 };
+
+/// A label: eigenvalue number `index` (largest first) of a frequency's block.
+struct Component {
+  std::string_view name;
+  int frequency;
+  std::size_t index;
+
+  /// At n = 3 frequency 2 is the conjugate of frequency 1 and has no label of its own.
+  [[nodiscard]] bool exists_at(int valence) const { return frequency <= valence / 2; }
+};
+inline constexpr std::array<Component, 4> kComponents{
+    {{"position", 0, 0}, {"cup", 0, 1}, {"tangent", 1, 0}, {"saddle", 2, 0}}};
+
+/// The labelled eigenvalue; nothing where it is not real. `spectrum` is that of its frequency.
+[[nodiscard]] std::optional<double> labelled(const Component& component,
+                                             const BlockSpectrum& spectrum);
 
 /// How the curvature of a shape (cup or saddle) comes out at the vertex, by its eigenvalue against
 /// the square of the tangent's.
@@ -54,6 +72,15 @@ struct Eigencomponents {
 /// Eigenvalues closer than this are called equal; between it and kUndecidedBelow nothing is said.
 inline constexpr double kEqualBelow = 1e-10;
 inline constexpr double kUndecidedBelow = 1e-8;
+
+/// What becomes of eigenvalues closer than about 1e-6, which may be one defective eigenvalue that
+/// rounding split: `joined` gives them their mean, exact if they are one; `apart` leaves them, exact
+/// if they are several.
+enum class Near { joined, apart };
+
+/// The spectrum of one block, 0 ≤ ω ≤ ⌊n/2⌋, in double precision.
+[[nodiscard]] BlockSpectrum approx_spectrum(const FrequencyBlocks& blocks, int omega,
+                                            Near near = Near::joined);
 
 /// In double precision: an "approximate" reading; certificates are another matter. Cost: one small
 /// eigenvalue problem for each frequency.

@@ -1,0 +1,198 @@
+#include <algorithm>
+#include <filesystem>
+#include <memory>
+
+#include <fmt/core.h>
+#include <nlohmann/json.hpp>
+
+#include "command.h"
+#include "limn/base/file.h"
+#include "limn/report/tune_report.h"
+#include "limn/report/tuned_scheme.h"
+#include "valences.h"
+
+namespace limn::app {
+namespace {
+
+struct TuneOptions {
+  SchemeOptions scheme;
+  std::vector<std::string> free;
+  std::vector<std::string> require;
+  std::string valence = "3..12";
+  std::string between;
+  std::string output;
+  bool range = false;
+  bool everywhere = false;
+  bool json = false;
+};
+
+/// What the options ask for, read against the scheme.
+struct Task {
+  Scheme scheme;
+  FreedScheme freed;
+  Requirement requirement;
+  ValenceSpan valences;
+  std::optional<SearchRange> between;
+
+  [[nodiscard]] const SearchRange* searched() const { return between ? &*between : nullptr; }
+};
+
+Result<Task> read_task(const TuneOptions& options) {
+  if (options.free.size() > 1 || options.require.size() > 1)
+    return Error{"one free name and one requirement is all that can be solved for",
+                 "fix the others by -p, or tune them one after another",
+                 {},
+                 0,
+                 0};
+  Result<ValenceSpan> valences = read_valences(options.valence);
+  if (!valences) return valences.error();
+  Result<Scheme> scheme = options.scheme.load();
+  if (!scheme) return scheme.error();
+  Result<FreedScheme> freed = FreedScheme::make(
+      *scheme, options.free.front(), options.everywhere ? Reach::everywhere : Reach::automatic);
+  if (!freed) return freed.error();
+  Result<Requirement> requirement = Requirement::parse(options.require.front(), *scheme);
+  if (!requirement) return requirement.error();
+  if (requirement->has_range() != options.range)
+    return Error{fmt::format("requirement '{}' {}", requirement->text,
+                             options.range ? "is an equation, which has no range"
+                                           : "is no equation, so that it holds in a range"),
+                 options.range ? "leave out --range" : "add --range",
+                 {},
+                 0,
+                 0};
+  if (options.range && !options.output.empty())
+    return Error{"-o writes solutions, not ranges", "leave out -o or --range", {}, 0, 0};
+  std::optional<SearchRange> between;
+  if (!options.between.empty()) {
+    Result<SearchRange> read = SearchRange::parse(options.between);
+    if (!read) return read.error();
+    between = std::move(*read);
+  }
+  return Task{std::move(*scheme), std::move(*freed), std::move(*requirement), *valences,
+              std::move(between)};
+}
+
+nlohmann::ordered_json heading_json(const Task& task, const nlohmann::ordered_json& valences) {
+  return {{"scheme", task.scheme.name},
+          {"free", task.freed.name()},
+          {"require", task.requirement.text},
+          {"valences", valences}};
+}
+
+/// Writes the solutions as a scheme file, if it reads back.
+Status write_tuned(const Task& task, const std::vector<ValenceSolutions>& solutions,
+                   const TuneOptions& options) {
+  namespace fs = std::filesystem;
+  const std::vector<std::string> shipped = shipped_schemes();
+  std::string extends = options.scheme.name;
+  if (std::find(shipped.begin(), shipped.end(), extends) == shipped.end())
+    extends = fs::proximate(extends, fs::absolute(options.output).parent_path()).string();
+  const Result<std::string> text =
+      tuned_scheme_text(task.freed, task.requirement, solutions, extends);
+  if (!text) return text.error();
+  if (const Result<Scheme> back = parse_scheme(*text, options.output); !back) return back.error();
+  return write_file(options.output, *text);
+}
+
+int solve(Task& task, const TuneOptions& options) {
+  const bool json = options.json;
+  nlohmann::ordered_json list = nlohmann::ordered_json::array();
+  std::string text = fmt::format("{}: {} such that {}\n", task.scheme.name, task.freed.name(),
+                                 task.requirement.text) +
+                     solution_heading(task.freed.name());
+  bool undecided = false;
+  bool any_value = false;
+  Error without_value;
+  std::vector<ValenceSolutions> all;
+  for (int n = task.valences.first; n <= task.valences.last; ++n) {
+    Result<ValenceSolutions> found = solve_at(task.freed, task.requirement, n, task.searched());
+    if (!found) return report(found.error());
+    for (const Solution& solution : found->solutions)
+      undecided = undecided || solution.holds == Truth::undecided;
+    any_value = any_value || found->has_value;
+    if (!found->has_value) without_value.message = found->reason;
+    if (json)
+      list.push_back(tune_json(*found));
+    else
+      text += tune_text(task.freed.name(), *found);
+    all.push_back(std::move(*found));
+  }
+  if (!any_value) return report(without_value);
+  if (!options.output.empty())
+    if (Status status = write_tuned(task, all, options); !status) return report(status.error());
+  fmt::print("{}", json ? heading_json(task, list).dump() + "\n" : text);
+  return undecided ? kUndecided : kDone;
+}
+
+int find_ranges(Task& task, bool json) {
+  nlohmann::ordered_json list = nlohmann::ordered_json::array();
+  std::string text = fmt::format("{}: {} such that {}\n", task.scheme.name, task.freed.name(),
+                                 task.requirement.text);
+  std::vector<ValenceRange> ranges;
+  for (int n = task.valences.first; n <= task.valences.last; ++n) {
+    Result<ValenceRange> found = range_at(task.freed, task.requirement, n, task.searched());
+    if (!found) return report(found.error());
+    if (json)
+      list.push_back(tune_json(*found));
+    else
+      text += tune_text(task.freed.name(), *found);
+    ranges.push_back(std::move(*found));
+  }
+  const std::vector<Interval> common = common_range(ranges);
+  if (ranges.size() > 1) text += common_text(task.freed.name(), common);
+  if (json) {
+    nlohmann::ordered_json object = heading_json(task, list);
+    object["common"] = intervals_json(common);
+    text = object.dump() + "\n";
+  }
+  fmt::print("{}", text);
+  return kDone;
+}
+
+int tune(const TuneOptions& options) {
+  Result<Task> task = read_task(options);
+  if (!task) return report(task.error());
+  return options.range ? find_ranges(*task, options.json) : solve(*task, options);
+}
+
+}  // namespace
+
+void declare_tune(CLI::App& parser, Action& action) {
+  CLI::App* command = parser.add_subcommand(
+      "tune", "the values of a parameter or a let at which the eigencomponents are as required");
+  const auto options = std::make_shared<TuneOptions>();
+  command->add_option("SCHEME", options->scheme.name, "a shipped scheme, or a scheme file")
+      ->required();
+  command->add_option("--free", options->free, "the parameter or let that is to be found")
+      ->type_name("NAME")
+      ->required()
+      ->allow_extra_args(false);
+  command
+      ->add_option("--require", options->require,
+                   "an equation in position, tangent, cup, saddle, n and the scheme's names; with "
+                   "--range an inequality, c1, convergent or bounded-curvature")
+      ->type_name("TEXT")
+      ->required()
+      ->allow_extra_args(false);
+  command->add_option("--valence", options->valence, "a valence, or a range of them")
+      ->type_name("N or A..B")
+      ->capture_default_str();
+  command
+      ->add_option("--between", options->between,
+                   "look here alone; else in the parameter's range, or from -4 to 4")
+      ->type_name("LOW,HIGH");
+  command
+      ->add_option("-o,--output", options->output,
+                   "write a scheme file that has the solutions, in fractions")
+      ->type_name("FILE.toml");
+  command->add_flag("--range", options->range, "the range in which the requirement holds");
+  command->add_flag("--everywhere", options->everywhere,
+                    "the value is that of the regular neighbours, too");
+  options->scheme.declare_parameters(*command);
+  command->add_flag("--json", options->json, "print one JSON object");
+  command->footer("Example: limn tune sqrt3 --free alpha --require \"cup = tangent^2\"");
+  command->callback([&action, options] { action = [options] { return tune(*options); }; });
+}
+
+}  // namespace limn::app

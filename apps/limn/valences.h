@@ -1,0 +1,17 @@
+#pragma once
+/// --valence, as several commands take it.
+
+#include <string>
+
+#include "limn/base/error.h"
+
+namespace limn::app {
+
+struct ValenceSpan {
+  int first = 0, last = 0;
+};
+
+/// "7" or "3..12": kSmallestValence … kLargestValence, not empty.
+[[nodiscard]] Result<ValenceSpan> read_valences(const std::string& text);
+
+}  // namespace limn::app

@@ -1,0 +1,120 @@
+#include "limn/report/tuned_scheme.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/core.h>
+#include <fmt/ranges.h>
+#include <nlohmann/json.hpp>
+
+namespace limn {
+namespace {
+
+/// In the quotes of a TOML string, whose escapes are those of JSON.
+std::string quoted(const std::string& text) { return nlohmann::json(text).dump(); }
+
+const Formula& definition_of(const Scheme& scheme, const std::string& name) {
+  for (const auto& [let, value] : scheme.lets)
+    if (let == name) return value;
+  return std::find_if(scheme.parameters.begin(), scheme.parameters.end(),
+                      [&](const Parameter& parameter) { return parameter.name == name; })
+      ->value;
+}
+
+/// Of the solutions that hold the nearest to the scheme's own value; nullptr: there is none.
+const Solution* chosen(const ValenceSolutions& solutions, double own) {
+  const Solution* best = nullptr;
+  for (const Solution& solution : solutions.solutions)
+    if (solution.holds == Truth::yes &&
+        (best == nullptr || std::abs(solution.value - own) < std::abs(best->value - own)))
+      best = &solution;
+  return best;
+}
+
+Rational fraction(const Solution& solution) {
+  return solution.rational ? *solution.rational : Rational(solution.value);
+}
+
+std::string parameter_text(const Parameter& parameter, const std::string& value) {
+  std::string text = fmt::format("\n[parameter.{}]\ndefault = {}\n", parameter.name, quoted(value));
+  if (parameter.low && parameter.high)
+    text += fmt::format("range   = [{}, {}]\n", quoted(parameter.low->expression.text()),
+                        quoted(parameter.high->expression.text()));
+  if (!parameter.meaning.empty()) text += fmt::format("meaning = {}\n", quoted(parameter.meaning));
+  return text;
+}
+
+/// The freed name's new definition and what was decided about it.
+struct Definition {
+  std::string text;
+  std::vector<int> kept;  ///< valences with the scheme's own value
+  double residual = 0;    ///< the largest
+  bool any = false;
+};
+
+Definition define(const FreedScheme& freed, const std::vector<ValenceSolutions>& solutions,
+                  bool one_number) {
+  const Scheme& scheme = freed.original();
+  const Formula& own = definition_of(scheme, freed.name());
+  Definition definition;
+  std::string guards;
+  for (const ValenceSolutions& at : solutions) {
+    const Result<double> own_value = Scope<double>(scheme, at.valence, std::nullopt)(own);
+    const Solution* solution = chosen(at, own_value ? *own_value : 0);
+    const bool for_neighbours = !one_number && freed.everywhere(at.valence) && solutions.size() > 1;
+    if (solution == nullptr || for_neighbours) {
+      definition.kept.push_back(at.valence);
+      continue;
+    }
+    definition.any = true;
+    definition.residual = std::max(definition.residual, solution->residual);
+    const std::string value = to_string(fraction(*solution));
+    definition.text += one_number ? value : fmt::format("(n == {}) * ({}) + ", at.valence, value);
+    guards += fmt::format("(n != {}) * ", at.valence);
+  }
+  if (!one_number) definition.text += fmt::format("{}({})", guards, own.expression.text());
+  return definition;
+}
+
+}  // namespace
+
+Result<std::string> tuned_scheme_text(const FreedScheme& freed, const Requirement& requirement,
+                                      const std::vector<ValenceSolutions>& solutions,
+                                      const std::string& extends) {
+  const Scheme& scheme = freed.original();
+  const bool one_number = freed.is_one_number();
+  if (one_number && solutions.size() > 1)
+    return Error{fmt::format("'{}' is one number everywhere, so a file can have that of one "
+                             "valence only",
+                             freed.name()),
+                 "give a single --valence",
+                 {},
+                 0,
+                 0};
+  const Definition definition = define(freed, solutions, one_number);
+  if (!definition.any)
+    return Error{fmt::format("no {} was found to write", freed.name()), {}, {}, 0, 0};
+  const std::string task = fmt::format("{} such that {}", freed.name(), requirement.text);
+  std::string text = fmt::format(
+      "# Made by limn tune. Residuals are {:.1e} at most; long fractions are doubles, exactly.\n",
+      definition.residual);
+  if (!definition.kept.empty())
+    text += fmt::format("# The value of '{}' is kept at n = {}.\n", scheme.name,
+                        fmt::join(definition.kept, ", "));
+  text +=
+      fmt::format("title   = {}\nextends = {}\nnotes   = {}\n",
+                  quoted(fmt::format("{}, tuned", scheme.title)), quoted(extends), quoted(task));
+  bool is_let = true;
+  for (const Parameter& parameter : scheme.parameters) {
+    const bool is_freed = parameter.name == freed.name();
+    is_let = is_let && !is_freed;
+    if (is_freed)
+      text += parameter_text(parameter, definition.text);
+    else if (parameter.value.place.line == 0)  // it was set by an option
+      text += parameter_text(parameter, parameter.value.expression.text());
+  }
+  if (is_let) text += fmt::format("\n[let]\n{} = {}\n", freed.name(), quoted(definition.text));
+  return text;
+}
+
+}  // namespace limn

@@ -1,0 +1,89 @@
+#pragma once
+/// A scheme with one of its names freed: frequency blocks as functions of a number x that a
+/// parameter or a let takes.
+///
+/// Where the name's definition hangs on n and only rules at the star's centre use it (the vertex
+/// and edge-end rules; corner rules of dual splits), it is a number for each valence: x is its
+/// value at the valence analysed, and the regular neighbours keep the scheme's own definition.
+/// Else, or on demand, it is one number everywhere. At a regular valence the neighbours have x in
+/// either case.
+
+#include <map>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "limn/extraordinary/frequency_blocks.h"
+#include "limn/scheme/scheme.h"
+
+namespace limn {
+
+/// A closed interval of the real line, low ≤ high.
+struct Interval {
+  double low = 0, high = 0;
+};
+
+/// Where a search looks, as expressions in n and the scheme's names.
+struct SearchRange {
+  Expression low, high;
+  /// "LOW,HIGH". Fails with the fault and its column in the message.
+  [[nodiscard]] static Result<SearchRange> parse(std::string_view text);
+};
+
+/// Lets and parameters that the rules of interior vertices use, in the order of the file, and that
+/// no guard and no index k hangs on.
+[[nodiscard]] std::vector<std::string> freeable_names(const Scheme& scheme);
+
+enum class Reach { automatic, everywhere };
+
+class FreedScheme {
+ public:
+  /// `name`: one of freeable_names; else the error lists those. The scheme is copied.
+  [[nodiscard]] static Result<FreedScheme> make(const Scheme& scheme, const std::string& name,
+                                                Reach reach = Reach::automatic);
+  ~FreedScheme();
+  FreedScheme(FreedScheme&&) noexcept;
+  FreedScheme& operator=(FreedScheme&&) noexcept;
+
+  [[nodiscard]] const std::string& name() const { return name_; }
+  [[nodiscard]] const Scheme& original() const { return *original_; }
+  /// Whether x is one number everywhere, not one for each valence.
+  [[nodiscard]] bool is_one_number() const { return everywhere_; }
+  /// Whether the neighbours of a vertex (dual: face) of valence n have x as well. Each value of x
+  /// then costs a refined star, else only the putting in of a number.
+  [[nodiscard]] bool everywhere(int n) const { return everywhere_ || n == regular_; }
+
+  /// The blocks at valence n ≥ 3 where the name is x. Fails as FrequencyAnalysis::blocks: where x
+  /// has the weights sum to something else than 1, divides by zero, …
+  [[nodiscard]] Result<FrequencyBlocks> blocks(int n, double x);
+
+  /// An expression in n, the scheme's names (the freed one is x) and the given ones beside them.
+  [[nodiscard]] Result<double> evaluate(
+      const Expression& expression, int n, double x,
+      const std::vector<std::pair<std::string_view, double>>& beside = {});
+
+  /// Where to look at valence n: `stated`, or else the parameter's range, or else [-4, 4]; a
+  /// missing end of the parameter's range is 8 from the other. Fails where that is empty.
+  [[nodiscard]] Result<Interval> search_range(int n, const SearchRange* stated);
+
+ private:
+  struct Instance;  // a copy of the scheme with x in it, and its analysis
+
+  FreedScheme(const Scheme& scheme, std::string name, bool everywhere);
+  Result<std::unique_ptr<Instance>> build(int n, int rings) const;
+  Result<Instance*> named_at(int n, double x);
+  Result<Instance*> fixed_at(int n, double x);
+
+  std::unique_ptr<Scheme> original_;  // so that a move leaves pointers into it whole
+  std::string name_;
+  bool everywhere_;
+  int regular_;
+  /// By valence; x is put in at each use. Refined only where x changes no neighbour.
+  std::map<int, std::unique_ptr<Instance>> named_;
+  /// By rings (0: as many as control the surface) and x, which the neighbours have as well.
+  std::map<std::pair<int, double>, std::unique_ptr<Instance>> fixed_;
+};
+
+}  // namespace limn

@@ -1,0 +1,205 @@
+#include "limn/tune/range.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/core.h>
+
+#include "limn/tune/block_curve.h"
+#include "limn/tune/line_search.h"
+
+namespace limn {
+namespace {
+
+constexpr int kRangeSamples = 257;
+constexpr int kSlowRangeSamples = 65;
+
+class RangeSearch {
+ public:
+  RangeSearch(FreedScheme& scheme, const Requirement& requirement, int n, Interval interval)
+      : scheme_(scheme), requirement_(requirement), curve_(scheme, n, interval) {
+    result_.valence = n;
+    result_.searched = interval;
+    result_.closed = is_closed(requirement.relation);
+    result_.samples = curve_.quick() ? kRangeSamples : kSlowRangeSamples;
+  }
+
+  Result<ValenceRange> run() {
+    if (Status status = take_samples(); !status) return status.error();
+    look_between();
+    collect_parts();
+    if (result_.parts.empty() && result_.reason.empty()) say_absent();
+    return std::move(result_);
+  }
+
+ private:
+  struct Sample {
+    double x;
+    bool holds;
+    double margin;  // -infinity where there is none
+  };
+
+  Result<double> margin_in(const Result<FrequencyBlocks>& blocks, double x) {
+    if (!blocks) return blocks.error();
+    return margin(requirement_, scheme_, x, approx_eigencomponents(*blocks));
+  }
+  double margin_at(double x) {
+    const Result<double> value = margin_in(curve_(x), x);
+    return value ? *value : -HUGE_VAL;
+  }
+  [[nodiscard]] bool enough(double margin) const {
+    return is_closed(requirement_.relation) ? margin >= -kEqualBelow : margin > 0;
+  }
+  Sample sample_at(double x) {
+    const double value = margin_at(x);
+    return {x, enough(value), value};
+  }
+
+  Status take_samples() {
+    const auto [low, high] = result_.searched;
+    bool any = false;
+    for (int k = 0; k < result_.samples; ++k) {
+      const double share = static_cast<double>(k) / (result_.samples - 1);
+      samples_.push_back(sample_at(low * (1 - share) + high * share));
+      any = any || std::isfinite(samples_.back().margin);
+    }
+    if (any) return Done{};
+    const double middle = low / 2 + high / 2;
+    const Result<FrequencyBlocks> blocks = curve_.exact(middle);
+    if (!blocks) {
+      Error error = blocks.error();
+      error.message += fmt::format(", with {} = {:.6g}", scheme_.name(), middle);
+      return error;
+    }
+    const Result<double> value = margin_in(blocks, middle);
+    result_.reason = value ? "the requirement has no value in this range" : value.error().text();
+    return Done{};
+  }
+
+  /// Adds samples where three show a peak of the margin that may rise above 0 between them, or a
+  /// dip that may fall below it.
+  void look_between() {
+    std::vector<Sample> all{samples_.front()};
+    for (std::size_t k = 1; k < samples_.size(); ++k) {
+      if (k + 1 < samples_.size()) {
+        const Sample &a = samples_[k - 1], &m = samples_[k], &b = samples_[k + 1];
+        const double sign = m.holds ? 1 : -1;
+        const bool turns = a.holds == m.holds && m.holds == b.holds && std::isfinite(m.margin) &&
+                           sign * m.margin <= sign * a.margin && sign * m.margin <= sign * b.margin;
+        if (turns) {
+          const double x = approx_minimum(a.x, b.x, [&](double t) { return sign * margin_at(t); });
+          if (const Sample turning = sample_at(x); turning.holds != m.holds) all.push_back(turning);
+        }
+      }
+      all.push_back(samples_[k]);
+    }
+    std::sort(all.begin(), all.end(), [](const Sample& a, const Sample& b) { return a.x < b.x; });
+    samples_ = std::move(all);
+  }
+
+  void collect_parts() {
+    for (std::size_t first = 0; first < samples_.size(); ++first) {
+      if (!samples_[first].holds) continue;
+      std::size_t last = first;
+      while (last + 1 < samples_.size() && samples_[last + 1].holds) ++last;
+      RangePart part;
+      part.low = first == 0
+                     ? RangeEnd{samples_[first].x, near_rational(samples_[first].x), true, {}}
+                     : end_between(sound(first, last, 1), samples_[first - 1]);
+      part.high = last + 1 == samples_.size()
+                      ? RangeEnd{samples_[last].x, near_rational(samples_[last].x), true, {}}
+                      : end_between(sound(last, first, -1), samples_[last + 1]);
+      result_.parts.push_back(std::move(part));
+      first = last;
+    }
+  }
+
+  /// A sample at or beside one end of a part, where the two sides are not equal if there is one:
+  /// the end itself may be a sample.
+  [[nodiscard]] const Sample& sound(std::size_t end, std::size_t other_end, int inwards) const {
+    if (end == other_end || samples_[end].margin > kEqualBelow) return samples_[end];
+    const Sample& beside = samples_[end + static_cast<std::size_t>(inwards)];
+    return beside.margin > kEqualBelow ? beside : samples_[end];
+  }
+
+  RangeEnd end_between(const Sample& inside, const Sample& outside) {
+    // where the two sides are not all along equal, 0 itself can be found
+    const bool plain = inside.margin > kEqualBelow;
+    const double x = last_holding(inside.x, outside.x, [&](double t) {
+      return plain ? margin_at(t) > 0 : enough(margin_at(t));
+    });
+    // far enough on that nothing is undecided, near enough that nothing else has changed
+    const double beyond = std::clamp(x + std::copysign(1e-5, outside.x - inside.x),
+                                     result_.searched.low, result_.searched.high);
+    const std::optional<Rational> rational = near_rational(x);
+    return {rational ? to_double(*rational) : x, rational, false, why_not(beyond)};
+  }
+
+  std::string why_not(double x) {
+    const Result<FrequencyBlocks> blocks = curve_(x);
+    if (!blocks) return blocks.error().text();
+    const Eigencomponents found = approx_eigencomponents(*blocks);
+    if (requirement_.left) {
+      const Result<double> value = margin(requirement_, scheme_, x, found);
+      return value ? "the two sides are equal" : value.error().text();
+    }
+    for (const std::string& reason : found.verdict.reasons)
+      for (const char* kind : {"not convergent", "not C1", "unbounded curvature"})
+        if (reason.rfind(kind, 0) == 0) return reason;
+    return "undecided";
+  }
+
+  void say_absent() {
+    const auto [low, high] = result_.searched;
+    double most = -HUGE_VAL;
+    for (const Sample& sample : samples_) most = std::max(most, sample.margin);
+    std::vector<double> best;  // a plateau, as a rule, of what does not hang on x
+    for (const Sample& sample : samples_)
+      if (sample.margin >= most - kEqualBelow) best.push_back(sample.x);
+    const double x = best[best.size() / 2];
+    result_.reason = fmt::format("nowhere in [{:.6g}, {:.6g}]; the nearest is {} = {:.6g}: {}", low,
+                                 high, scheme_.name(), x, why_not(x));
+  }
+
+  FreedScheme& scheme_;
+  const Requirement& requirement_;
+  BlockCurve curve_;
+  ValenceRange result_;
+  std::vector<Sample> samples_;
+};
+
+}  // namespace
+
+Result<ValenceRange> range_at(FreedScheme& scheme, const Requirement& requirement, int n,
+                              const SearchRange* range) {
+  if (!requirement.has_range())
+    return Error{fmt::format("requirement '{}' is an equation", requirement.text),
+                 "its values are points, not ranges",
+                 {},
+                 0,
+                 0};
+  const Result<Interval> interval = scheme.search_range(n, range);
+  if (!interval) return interval.error();
+  return RangeSearch(scheme, requirement, n, *interval).run();
+}
+
+std::vector<Interval> common_range(const std::vector<ValenceRange>& ranges) {
+  std::vector<Interval> common;
+  for (const ValenceRange& range : ranges) {
+    std::vector<Interval> next;
+    for (const RangePart& part : range.parts) {
+      if (&range == &ranges.front()) next.push_back({part.low.value, part.high.value});
+      for (const Interval& other : common) {
+        const Interval both{std::max(part.low.value, other.low),
+                            std::min(part.high.value, other.high)};
+        if (both.low <= both.high) next.push_back(both);
+      }
+    }
+    common = std::move(next);
+  }
+  std::sort(common.begin(), common.end(),
+            [](const Interval& a, const Interval& b) { return a.low < b.low; });
+  return common;
+}
+
+}  // namespace limn

@@ -1,0 +1,45 @@
+#pragma once
+/// The values of a freed parameter or let at which an inequality or a verdict holds.
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "limn/tune/near_rational.h"
+#include "limn/tune/requirement.h"
+
+namespace limn {
+
+/// One end of a part: a value, and what stops the requirement there.
+struct RangeEnd {
+  double value = 0;
+  std::optional<Rational> rational;  ///< that `value` stands for; recognised, not proved
+  bool of_search = false;  ///< the searched range ends here, the requirement may hold beyond
+  std::string reason;      ///< what fails just beyond; empty where `of_search`
+};
+
+struct RangePart {
+  RangeEnd low, high;  ///< low.value ≤ high.value
+};
+
+struct ValenceRange {
+  int valence = 0;
+  Interval searched;
+  int samples = 0;
+  bool closed = false;           ///< ends belong to it; those of the search always do
+  std::vector<RangePart> parts;  ///< ascending, apart
+  std::string reason;            ///< why there is no part; nothing where there is one
+};
+
+/// At valence n: the range is sampled evenly, least failures are looked at closely, and ends are
+/// bisected, to rounding; but where a requirement that allows equality (is_closed) holds with
+/// equality all along, its end is where it fails by kEqualBelow. Parts narrower than a sample's
+/// width may be missed where no sample comes near them; the same goes for gaps. Cost: 257 samples,
+/// each with all eigenvalues. Fails as solve_at does.
+[[nodiscard]] Result<ValenceRange> range_at(FreedScheme& scheme, const Requirement& requirement,
+                                            int n, const SearchRange* range = nullptr);
+
+/// Where it holds at every one of these valences at the same time.
+[[nodiscard]] std::vector<Interval> common_range(const std::vector<ValenceRange>& ranges);
+
+}  // namespace limn

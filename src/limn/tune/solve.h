@@ -1,0 +1,59 @@
+#pragma once
+/// All real values of a freed parameter or let at which an equation in the eigencomponents holds.
+///
+/// A label such as "cup" changes from one eigenvalue to another as x moves. So every real
+/// eigenvalue of the sought label's block (sought_component) is tried in the label's place, and for
+/// each root found it is said whether the label holds there: at valence 3 of √3 an eigenvalue of
+/// the centre equals tangent² at alpha = 5/9, but one of an outer ring leads there and is the cup.
+///
+/// The search samples the range evenly and follows the eigenvalues of each ring in the order of
+/// their size: changes of sign are bisected, least distances from 0 are minimised, so that double
+/// roots are found. Two roots of one eigenvalue nearer than a sample's width, without a visible
+/// least distance between them, may be missed: absence is found, not proved.
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "limn/base/truth.h"
+#include "limn/tune/near_rational.h"
+#include "limn/tune/requirement.h"
+
+namespace limn {
+
+struct Solution {
+  double value = 0;
+  double residual = 0;  ///< |left - right| at `value` for the eigenvalue tried
+  /// near_rational that solves as well as `value` does; recognised, not proved.
+  std::optional<Rational> rational;
+  bool is_double = false;          ///< the two sides touch and do not cross
+  Eigenvalue eigenvalue;           ///< that solves; frequency 0 and value 1 where none is sought
+  Truth holds = Truth::undecided;  ///< with the labels as they are at `value`
+  std::string reason;              ///< why not
+  Eigencomponents found;           ///< at `value`
+};
+
+struct ValenceSolutions {
+  int valence = 0;
+  Interval searched;
+  int samples = 0;
+  /// Whether the equation has a value anywhere there: at valence 3 none with a saddle has.
+  bool has_value = true;
+  std::vector<Solution> solutions;  ///< ascending
+  /// Where it holds throughout: at two samples in a row or more, to kEqualBelow.
+  std::vector<Interval> throughout;
+  /// Why there is no solution: nothing where there is one.
+  std::string reason;
+};
+
+/// A residual up to this is a solution; up to kUndecidedResidual it is one that rounding hides.
+inline constexpr double kSolved = 1e-12;
+inline constexpr double kUndecidedResidual = 1e-8;
+
+/// At valence n. Residuals of simple roots reach 1e-14 and less, in double. Cost: 1025 samples (257
+/// where no quick reading of the blocks exists), each at most three small eigenvalue problems.
+/// Fails where the range is empty and where the scheme has no blocks at any sample.
+[[nodiscard]] Result<ValenceSolutions> solve_at(FreedScheme& scheme, const Requirement& requirement,
+                                                int n, const SearchRange* range = nullptr);
+
+}  // namespace limn

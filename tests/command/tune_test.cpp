@@ -1,0 +1,115 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "run_command.h"
+
+namespace limn::test {
+namespace {
+
+TEST(TuneCommand, GivesTheContractsJson) {
+  const Folder folder;
+  const Outcome outcome =
+      folder.limn("tune sqrt3 --free alpha --require 'cup = tangent^2' --valence 3..5 --json");
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  const nlohmann::json json = nlohmann::json::parse(outcome.out);
+  EXPECT_EQ(json.at("scheme"), "sqrt3");
+  EXPECT_EQ(json.at("free"), "alpha");
+  EXPECT_EQ(json.at("require"), "cup = tangent^2");
+  ASSERT_EQ(json.at("valences").size(), 3U);
+  const nlohmann::json& three = json.at("valences")[0].at("solutions")[0];
+  EXPECT_EQ(three.at("exact"), "5/9");
+  EXPECT_EQ(three.at("holds"), false);
+  EXPECT_NE(three.at("reason").get<std::string>().find("ring 2"), std::string::npos);
+  const nlohmann::json& five = json.at("valences")[2].at("solutions")[0];
+  EXPECT_NEAR(five.at("value"), (4 - 2 * std::cos(2 * M_PI / 5)) / 9, 1e-15);
+  EXPECT_EQ(five.at("holds"), true);
+  EXPECT_TRUE(five.at("exact").is_null());
+  EXPECT_LT(five.at("residual"), 1e-14);
+}
+
+TEST(TuneCommand, GivesRanges) {
+  const Folder folder;
+  const std::string arguments = "tune laplacian-loop --free a --require c1 --valence 3..4 --range";
+  const Outcome text = folder.limn(arguments);
+  EXPECT_EQ(text.code, 0) << text.err;
+  EXPECT_NE(text.out.find("all  a between -0.3125 = -5/16 and 0.1875 = 3/16"), std::string::npos)
+      << text.out;
+  const nlohmann::json json = nlohmann::json::parse(folder.limn(arguments + " --json").out);
+  const nlohmann::json& part = json.at("valences")[1].at("parts")[0];
+  EXPECT_NEAR(part.at("high").at("value"), 15 / 64., 1e-14);
+  EXPECT_EQ(part.at("high").at("exact"), "15/64");
+  EXPECT_NEAR(json.at("common")[0][0], -5 / 16., 1e-14);
+}
+
+TEST(TuneCommand, TellsOfValencesWithoutASaddle) {
+  const Folder folder;
+  const std::string arguments = "tune loop --free beta --require 'cup = saddle' --valence ";
+  const Outcome some = folder.limn(arguments + "3..5");
+  EXPECT_EQ(some.code, 0);
+  EXPECT_NE(some.out.find("there is no saddle at valence 3"), std::string::npos) << some.out;
+  const Outcome none = folder.limn(arguments + "3");
+  EXPECT_EQ(none.code, 2);
+  EXPECT_NE(none.err.find("there is no saddle at valence 3"), std::string::npos) << none.err;
+}
+
+TEST(TuneCommand, WritesASchemeThatExtendsAnother) {
+  const Folder folder;
+  const Outcome first = folder.limn(
+      "tune loop --free beta --require 'cup = tangent^2/2' --valence 7..8 -o first.toml");
+  ASSERT_EQ(first.code, 0) << first.err;
+  // beside a file that extends a shipped scheme, one that extends that file, -p and all
+  const Outcome second = folder.limn(
+      "tune first.toml --free beta --require 'cup = 3*tangent^2/4' --valence 9 -o second.toml");
+  ASSERT_EQ(second.code, 0) << second.err;
+  const Outcome outcome = folder.limn("eigen second.toml --valence 7..9 --json");
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  const nlohmann::json json = nlohmann::json::parse(outcome.out).at("valences");
+  for (int i = 0; i < 3; ++i) {
+    const nlohmann::json& components = json[static_cast<std::size_t>(i)].at("components");
+    const double tangent = components.at("tangent");
+    EXPECT_NEAR(components.at("cup"), tangent * tangent * (i < 2 ? 0.5 : 0.75), 1e-14);
+  }
+}
+
+TEST(TuneCommand, KeepsWhatOptionsSet) {
+  const Folder folder;
+  const Outcome outcome = folder.limn(
+      "tune laplacian-loop -p a=n/100 --free beta --require 'cup = tangent^2' --valence 5 -o "
+      "a.toml");
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  const Outcome eigen = folder.limn("eigen a.toml --valence 5 --json");
+  const nlohmann::json json = nlohmann::json::parse(eigen.out).at("valences")[0].at("components");
+  EXPECT_NEAR(json.at("cup"), std::pow(json.at("tangent").get<double>(), 2), 1e-14);
+}
+
+TEST(TuneCommand, RefusesWhatItCannotSolve) {
+  const Folder folder;
+  const auto refused = [&](const std::string& arguments, const std::string& part) {
+    const Outcome outcome = folder.limn("tune " + arguments);
+    EXPECT_EQ(outcome.code, 2) << arguments;
+    EXPECT_EQ(outcome.out, "");
+    EXPECT_NE(outcome.err.find(part), std::string::npos) << outcome.err;
+  };
+  const std::string loop = "loop --free beta ";
+  refused("catmull-clark --free a --require c1 --range", "nothing that can be freed");
+  refused("loop --free gamma --require c1 --range", "can be freed: lambda, beta");
+  refused(loop + "--require 'cup = tangnt'", "column 7: unknown name 'tangnt'");
+  refused(loop + "--require c1", "add --range");
+  refused(loop + "--require 'cup = 1/4' --range", "leave out --range");
+  refused(loop + "--require 'cup = 1/4' --between 1,0", "is empty at n = 3");
+  refused(loop + "--require 'cup = 1/4' --between 1", "no comma");
+  refused(loop + "--require 'cup = 1/4' --require 'saddle = 1/4'", "one requirement");
+  refused(loop + "--free lambda --require 'cup = 1/4'", "one free name");
+  refused(loop + "--require 'cup = 1/4' --valence 2", "2 is not between 3 and");
+  refused("butterfly --free w --require 'cup = 1/4' --valence 5..6 -o x.toml", "one number");
+  refused(loop + "--require c1 --range -o x.toml", "not ranges");
+  refused(loop + "--require 'cup = 1/5' --valence 5 -o no/x.toml", "cannot write");
+  refused(loop, "--require");
+  refused("loop --require c1", "--free");
+  refused("box-spline-triangle --free i --require c1 --range", "nothing that can be freed");
+}
+
+}  // namespace
+}  // namespace limn::test

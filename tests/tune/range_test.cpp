@@ -1,0 +1,109 @@
+// Ranges of a parameter against closed forms.
+
+#include "limn/tune/range.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "tuned.h"
+
+namespace limn::test {
+namespace {
+
+double tangent_of_loop(int n) { return 3 / 8. + std::cos(2 * M_PI / n) / 4; }
+
+/// With Loop's edge rule cup = tangent² + a, which must stay within ±tangent
+/// [Kawaharada, Sugihara 2006, §3.3, who print only 0 < a].
+TEST(Range, OfLaplacianLoopIsTheTangents) {
+  for (const Reach reach : {Reach::automatic, Reach::everywhere})
+    for (int n = 3; n <= 12; ++n) {
+      const double tangent = tangent_of_loop(n);
+      const ValenceRange range = ranged(shipped("laplacian-loop"), "a", "c1", n, reach);
+      ASSERT_EQ(range.parts.size(), 1U) << n;
+      const auto& [low, high] = range.parts.front();
+      EXPECT_NEAR(low.value, -tangent - tangent * tangent, 1e-14) << n;
+      EXPECT_NEAR(high.value, tangent - tangent * tangent, 1e-14) << n;
+      EXPECT_FALSE(low.of_search);
+      EXPECT_NE(high.reason.find("leads the tangent's"), std::string::npos) << high.reason;
+    }
+}
+
+TEST(Range, OfAllValencesIsTheNarrowest) {
+  std::vector<ValenceRange> ranges;
+  for (int n = 3; n <= 12; ++n) ranges.push_back(ranged(shipped("laplacian-loop"), "a", "c1", n));
+  const std::vector<Interval> common = common_range(ranges);
+  ASSERT_EQ(common.size(), 1U);
+  EXPECT_NEAR(common.front().low, -5 / 16., 1e-14);
+  EXPECT_NEAR(common.front().high, 3 / 16., 1e-14);
+}
+
+/// At b = 1/4 an outer ring reaches the tangent's 1/2 at regular vertices, where the paper reports
+/// the loss of C1 [Kawaharada, Sugihara 2006].
+TEST(Range, OfLaplacianButterflyEndsAtAQuarter) {
+  const ValenceRange range = ranged(shipped("laplacian-butterfly"), "b", "c1", 6);
+  ASSERT_EQ(range.parts.size(), 1U);
+  EXPECT_TRUE(range.parts.front().low.of_search);
+  EXPECT_EQ(range.parts.front().high.rational, Rational(1, 4));
+}
+
+TEST(Range, OfInequalitiesEndsWhereTheSidesAreEqual) {
+  const ValenceRange below = ranged(shipped("laplacian-loop"), "a", "cup < tangent^2", 7);
+  ASSERT_EQ(below.parts.size(), 1U);
+  EXPECT_TRUE(below.parts.front().low.of_search);
+  EXPECT_NEAR(below.parts.front().high.value, 0, 1e-15);
+  const ValenceRange at_most = ranged(shipped("laplacian-loop"), "a", "tangent^2 >= cup", 7);
+  ASSERT_EQ(at_most.parts.size(), 1U);
+  EXPECT_NEAR(at_most.parts.front().high.value, 0, 1e-15);
+}
+
+/// Curvature is bounded while |tangent² + a| ≤ tangent² and the outer rings' 1/8 ≤ tangent², and
+/// the saddle forbids it from 7 on.
+TEST(Range, OfBoundedCurvatureClosesAtItsEnds) {
+  for (const int n : {4, 5}) {
+    const double square = std::pow(tangent_of_loop(n), 2);
+    const ValenceRange range = ranged(shipped("laplacian-loop"), "a", "bounded-curvature", n);
+    ASSERT_EQ(range.parts.size(), 1U) << n;
+    EXPECT_NEAR(range.parts.front().low.value, -2 * square, 1e-14);
+    EXPECT_NEAR(range.parts.front().high.value, 0, 1e-14);
+  }
+  const ValenceRange none = ranged(shipped("laplacian-loop"), "a", "bounded-curvature", 7);
+  EXPECT_TRUE(none.parts.empty());
+  EXPECT_NE(none.reason.find("nowhere in [-1, 1]"), std::string::npos) << none.reason;
+  EXPECT_NE(none.reason.find("of frequency 2"), std::string::npos) << none.reason;
+}
+
+TEST(Range, SeesNarrowPartsAndGaps) {
+  // cup - tangent² = 1e-8 - (g - 1/3)², positive on 2e-4 alone
+  const Scheme family =
+      loop_with("(5/8 - lambda^2 + (g - 1/3)^2 - 1/100000000)/n", "[\"0\", \"2/3\"]");
+  const ValenceRange part = ranged(family, "g", "cup > tangent^2", 7);
+  ASSERT_EQ(part.parts.size(), 1U);
+  EXPECT_NEAR(part.parts[0].low.value, 1 / 3. - 1e-4, 1e-11);
+  EXPECT_NEAR(part.parts[0].high.value, 1 / 3. + 1e-4, 1e-11);
+  const ValenceRange gap = ranged(family, "g", "cup < tangent^2", 7);
+  ASSERT_EQ(gap.parts.size(), 2U);
+  EXPECT_NEAR(gap.parts[0].high.value, 1 / 3. - 1e-4, 1e-11);
+  EXPECT_NEAR(gap.parts[1].low.value, 1 / 3. + 1e-4, 1e-11);
+}
+
+TEST(Range, OfTwoPartsMeetsAnotherInTwo) {
+  const auto range = [](std::vector<Interval> parts) {
+    ValenceRange made;
+    for (const Interval part : parts)
+      made.parts.push_back({{part.low, {}, false, {}}, {part.high, {}, false, {}}});
+    return made;
+  };
+  const std::vector<Interval> common =
+      common_range({range({{0, 2}, {3, 5}}), range({{1, 4}}), range({{-1, 3.5}, {3.75, 9}})});
+  ASSERT_EQ(common.size(), 3U);
+  EXPECT_EQ(common[0].low, 1);
+  EXPECT_EQ(common[0].high, 2);
+  EXPECT_EQ(common[1].high, 3.5);
+  EXPECT_EQ(common[2].low, 3.75);
+  EXPECT_TRUE(common_range({range({{0, 1}}), range({{2, 3}})}).empty());
+  EXPECT_TRUE(common_range({range({}), range({{2, 3}})}).empty());
+}
+
+}  // namespace
+}  // namespace limn::test
