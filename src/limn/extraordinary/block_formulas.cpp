@@ -11,7 +11,6 @@ namespace {
 constexpr std::size_t kLargestSquare = 12;  // whose determinant is expanded
 constexpr int kEverySlope = 2;              // half sectors in a sector
 
-Symbol lambda() { return variable("lambda"); }
 /// e^{iπω/n}
 Symbol half_sector() { return variable("half-sector"); }
 
@@ -85,13 +84,14 @@ Result<Symbolic> determinant(const SymbolicMatrix& matrix) {
 }
 
 Result<Polynomial> characteristic_polynomial(const SymbolicMatrix& matrix,
-                                             const std::vector<std::size_t>& part) {
+                                             const std::vector<std::size_t>& part,
+                                             const Symbol& unknown) {
   SymbolicMatrix square(part.size(), std::vector<Symbolic>(part.size()));
   for (std::size_t i = 0; i < part.size(); ++i)
     for (std::size_t j = 0; j < part.size(); ++j) {
       const Symbolic negated = matrix[part[i]][part[j]].negated();
       const Result<Symbolic> entry =
-          Symbolic::add(negated, i == j ? Symbolic(Polynomial(lambda())) : Symbolic(0));
+          Symbolic::add(negated, i == j ? Symbolic(Polynomial(unknown)) : Symbolic(0));
       if (!entry) return entry.error();
       square[i][j] = *entry;
     }
@@ -161,8 +161,9 @@ void append(FrequencyFormulas& formulas, int ring, const ClosedRoots& roots) {
 
 }  // namespace
 
-Result<BlockFormulas> BlockFormulas::make(const SectorPattern& pattern, SymbolicWeights& weights) {
-  BlockFormulas result(pattern, weights.n());
+Result<BlockFormulas> BlockFormulas::make(const SectorPattern& pattern, SymbolicWeights& weights,
+                                          const std::string& unknown) {
+  BlockFormulas result(pattern, weights.n(), unknown);
   for (const NamedWeight& name : pattern.names) {
     result.plain_.emplace_back(0);
     result.repeated_.emplace_back();
@@ -250,10 +251,10 @@ Result<FrequencyFormulas> BlockFormulas::eigenvalues(const Frequency& frequency)
   if (!matrix) return matrix.error();
   for (const RingPart& rings : ring_parts(*matrix, pattern_.orbits))
     for (const std::vector<std::size_t>& part : connected_parts(*matrix, rings.first, rings.last)) {
-      Result<Polynomial> polynomial = characteristic_polynomial(*matrix, part);
+      Result<Polynomial> polynomial = characteristic_polynomial(*matrix, part, unknown_);
       if (polynomial) polynomial = with_cosines(*polynomial, frequency, n_);
       if (!polynomial) return polynomial.error();
-      const Result<ClosedRoots> roots = closed_roots(*polynomial, lambda());
+      const Result<ClosedRoots> roots = closed_roots(*polynomial, unknown_);
       if (!roots) return roots.error();
       append(formulas, rings.ring, *roots);
     }

@@ -9,7 +9,7 @@
 
 namespace limn {
 
-/// A frequency: a number, or the symbol omega for all others.
+/// A frequency: a number, or a symbol for all others.
 struct Frequency {
   std::optional<int> number;
   Symbolic value;
@@ -20,9 +20,11 @@ using SymbolicMatrix = std::vector<std::vector<Symbolic>>;
 /// A pattern's terms as formulas. The pattern must outlive it.
 class BlockFormulas {
  public:
-  /// Fails where a weight is no formula.
+  /// `unknown`: the name of the characteristic polynomial's variable. Fails where a weight is no
+  /// formula.
   [[nodiscard]] static Result<BlockFormulas> make(const SectorPattern& pattern,
-                                                  SymbolicWeights& weights);
+                                                  SymbolicWeights& weights,
+                                                  const std::string& unknown);
 
   /// The highest harmonic of a repeated weight: frequencies up to it are special.
   [[nodiscard]] int highest_harmonic() const;
@@ -36,7 +38,8 @@ class BlockFormulas {
   [[nodiscard]] Result<FrequencyFormulas> eigenvalues(const Frequency& frequency) const;
 
  private:
-  BlockFormulas(const SectorPattern& pattern, Symbolic n) : pattern_(pattern), n_(std::move(n)) {}
+  BlockFormulas(const SectorPattern& pattern, Symbolic n, const std::string& unknown)
+      : pattern_(pattern), n_(std::move(n)), unknown_(variable(unknown)) {}
   [[nodiscard]] Result<Symbolic> term_value(const SectorTerm& term,
                                             const Frequency& frequency) const;
   [[nodiscard]] int half_sectors(const SectorTerm& term) const;
@@ -44,6 +47,7 @@ class BlockFormulas {
 
   const SectorPattern& pattern_;
   Symbolic n_;
+  Symbol unknown_;
   std::vector<Symbolic> plain_;
   std::vector<RepeatedWeight> repeated_;
 };

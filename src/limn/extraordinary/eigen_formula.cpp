@@ -33,7 +33,7 @@ class CaseFormulas {
     std::vector<int> single = valences;
     if (valences.size() > kFewValences) {
       SymbolicWeights weights(scheme_, kept_);
-      const Result<BlockFormulas> blocks = BlockFormulas::make(*pattern, weights);
+      const Result<BlockFormulas> blocks = BlockFormulas::make(*pattern, weights, kept_.unknown);
       if (!blocks) return blocks.error();
       const auto from = std::lower_bound(valences.begin(), valences.end(), weights.least_valence());
       single.assign(valences.begin(), from);
@@ -48,9 +48,9 @@ class CaseFormulas {
   }
 
  private:
-  static Status append_general(const SectorPattern& pattern, const BlockFormulas& blocks,
-                               const std::vector<int>& valences,
-                               std::vector<ValenceFormulas>& list) {
+  Status append_general(const SectorPattern& pattern, const BlockFormulas& blocks,
+                        const std::vector<int>& valences,
+                        std::vector<ValenceFormulas>& list) const {
     ValenceFormulas formulas{{}, pattern.rings, {}};
     for (const int valence : valences) {
       if (formulas.valences.empty() || *formulas.valences.back().last != valence - 1)
@@ -62,9 +62,9 @@ class CaseFormulas {
     const int special = blocks.highest_harmonic();
     for (int omega = 0; omega <= special + 1; ++omega) {
       const bool general = omega > special;
-      const Frequency frequency = general
-                                      ? Frequency{std::nullopt, Polynomial(whole_number("omega"))}
-                                      : Frequency{omega, omega};
+      const Frequency frequency =
+          general ? Frequency{std::nullopt, Polynomial(whole_number(kept_.frequency))}
+                  : Frequency{omega, omega};
       Result<FrequencyFormulas> found = blocks.eigenvalues(frequency);
       if (!found) return found.error();
       found->frequency = omega;
@@ -78,7 +78,7 @@ class CaseFormulas {
   Status append_single(const SectorPattern& pattern, int n,
                        std::vector<ValenceFormulas>& list) const {
     SymbolicWeights weights(scheme_, kept_, n);
-    const Result<BlockFormulas> blocks = BlockFormulas::make(pattern, weights);
+    const Result<BlockFormulas> blocks = BlockFormulas::make(pattern, weights, kept_.unknown);
     if (!blocks) return blocks.error();
     ValenceFormulas formulas{{{n, n}}, pattern.rings, {}};
     for (int omega = 0; omega <= n / 2; ++omega) {
@@ -109,8 +109,22 @@ bool hangs_on(const Scheme& scheme, const Formula& formula, const std::string& n
   });
 }
 
+/// The first of these that the scheme does not use itself.
+std::string free_name(const Scheme& scheme, const std::vector<std::string>& candidates) {
+  for (const std::string& name : candidates) {
+    const auto is_taken = [&](const auto& one) { return one.name == name; };
+    const bool let = std::any_of(scheme.lets.begin(), scheme.lets.end(),
+                                 [&](const auto& one) { return one.first == name; });
+    if (!let && std::none_of(scheme.parameters.begin(), scheme.parameters.end(), is_taken))
+      return name;
+  }
+  return candidates.back();
+}
+
 NamesKept names_kept(const Scheme& scheme, const std::set<std::string>& evaluated) {
   NamesKept kept;
+  kept.frequency = free_name(scheme, {"omega", "frequency", "frequency_"});
+  kept.unknown = free_name(scheme, {"lambda", "mu", "eigenvalue", "eigenvalue_"});
   for (const Parameter& parameter : scheme.parameters) {
     if (evaluated.count(parameter.name) > 0) continue;
     kept.parameters.insert(parameter.name);
@@ -155,7 +169,7 @@ class Sample {
     for (const RegularName& regular : regular_names(scheme, kept))
       for (const Parameter& parameter : scheme.parameters)
         if (parameter.name == regular.parameter) give(regular.name, parameter.value, regular.n);
-    scope_.give("omega", omega);
+    scope_.give(kept.frequency, omega);
   }
 
   /// NaN where the formula is no real number.
@@ -284,7 +298,7 @@ Result<EigenFormulas> eigen_formulas(const Scheme& scheme, const std::set<std::s
       formulas = by_lets;
   }
   if (!formulas) return formulas.error();
-  EigenFormulas result{std::move(*formulas), {}};
+  EigenFormulas result{std::move(*formulas), {}, kept.frequency, kept.unknown};
   for (RegularName& name : regular_names(scheme, kept))
     if (uses(result.valences, name.name)) result.regular_names.push_back(std::move(name));
   return result;

@@ -16,16 +16,18 @@
 
 namespace limn {
 
-/// An eigenvalue. The text is an expression as scheme files write them, in n, omega and the
-/// parameters.
+/// An eigenvalue. The text is an expression as scheme files write them, in n, the frequency and
+/// the parameters.
 struct EigenFormula {
-  int ring = 0;  ///< the least number of rings that are invariant by themselves and have it
+  /// The least number of rings that are invariant by themselves and have it. At single frequencies
+  /// (the butterfly's omega = 3 at n = 6) phases may cancel, so that fewer do.
+  int ring = 0;
   ClosedRoot root;
   /// The same with the scheme's lets as names, where that is shorter: "5/8 - n*beta".
   std::optional<ClosedRoot> by_lets;
 };
 
-/// What has no closed form: the roots of a polynomial in lambda of degree 3 or more.
+/// What has no closed form: the roots of a polynomial of degree 3 or more.
 struct EigenEquation {
   int ring = 0;
   int degree = 0;
@@ -64,6 +66,9 @@ struct RegularName {
 struct EigenFormulas {
   std::vector<ValenceFormulas> valences;
   std::vector<RegularName> regular_names;  ///< that occur in the formulas
+  /// What the frequency and the unknown of equations are called: these, unless the scheme has such
+  /// names.
+  std::string frequency = "omega", unknown = "lambda";
 };
 
 /// Guards of rules are looked at up to this valence; what holds there is taken to hold beyond.

@@ -26,6 +26,7 @@ struct NamesKept {
   /// Those parameters that hang on n: where a regular rule has one at its own n, that is another
   /// number and has another name.
   std::set<std::string> hanging_on_n;
+  std::string frequency, unknown;  ///< what these are called
 };
 [[nodiscard]] std::string regular_name(const std::string& name, int n);
 
