@@ -1,11 +1,13 @@
 #include <charconv>
 #include <memory>
+#include <set>
 
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
 
 #include "command.h"
 #include "limn/extraordinary/eigencomponents.h"
+#include "limn/report/eigen_formula_report.h"
 #include "limn/report/eigen_report.h"
 #include "limn/scheme/check.h"
 
@@ -20,6 +22,8 @@ struct EigenOptions {
   std::string valence = "3..12";
   int rings = 0;
   bool json = false;
+  bool formulas = false;
+  bool latex = false;
 };
 
 struct ValenceRange {
@@ -51,6 +55,26 @@ Result<ValenceRange> read_valences(const std::string& text) {
                  0,
                  0};
   return range;
+}
+
+/// Parameters that the command line gives a value have it in the formulas too.
+int print_formulas(const EigenOptions& options) {
+  const Result<Scheme> scheme = options.scheme.load();
+  if (!scheme) return report(scheme.error());
+  std::set<std::string> given;
+  for (const std::string& assignment : options.scheme.parameters) {
+    std::string name = assignment.substr(0, assignment.find('='));
+    std::erase(name, ' ');
+    given.insert(std::move(name));
+  }
+  const Result<EigenFormulas> formulas = eigen_formulas(*scheme, given, options.rings);
+  if (!formulas) return report(formulas.error());
+  if (options.json)
+    fmt::print("{}\n", eigen_formulas_json(scheme->name, *formulas).dump());
+  else
+    fmt::print("{}", eigen_formulas_text(scheme->name, *formulas,
+                                         options.latex ? Notation::latex : Notation::text));
+  return kDone;
 }
 
 int analyse(const EigenOptions& options) {
@@ -85,17 +109,27 @@ void declare_eigen(CLI::App& parser, Action& action) {
   const auto options = std::make_shared<EigenOptions>();
   command->add_option("SCHEME", options->scheme.name, "a shipped scheme, or a scheme file")
       ->required();
-  command->add_option("--valence", options->valence, "a valence, or a range of them")
-      ->type_name("N or A..B")
-      ->capture_default_str();
+  CLI::Option* const valence =
+      command->add_option("--valence", options->valence, "a valence, or a range of them")
+          ->type_name("N or A..B")
+          ->capture_default_str();
   command
       ->add_option("--rings", options->rings,
                    "analyse so many rings; 0: as many as control the surface")
       ->check(CLI::Range(0, kMostRings));
   options->scheme.declare_parameters(*command);
-  command->add_flag("--json", options->json, "print one JSON object");
+  CLI::Option* const json = command->add_flag("--json", options->json, "print one JSON object");
+  CLI::Option* const formulas =
+      command
+          ->add_flag("--formulas", options->formulas, "closed formulas, for all valences at once")
+          ->excludes(valence);
+  command->add_flag("--latex", options->latex, "formulas as LaTeX")
+      ->needs(formulas)
+      ->excludes(json);
   command->footer("Example: limn eigen loop --valence 3..12");
-  command->callback([&action, options] { action = [options] { return analyse(*options); }; });
+  command->callback([&action, options] {
+    action = [options] { return options->formulas ? print_formulas(*options) : analyse(*options); };
+  });
 }
 
 }  // namespace limn::app
