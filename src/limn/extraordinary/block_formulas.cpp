@@ -213,7 +213,7 @@ Result<Symbolic> BlockFormulas::term_value(const SectorTerm& term,
   if (value && term.every_sector) value = Symbolic::multiply(*value, n_);
   if (value && term.repeated >= 0) {
     const Result<Symbolic> sum = along(term, frequency);
-    if (!sum) return sum;
+    if (!sum) return sum.error();
     value = Symbolic::multiply(*value, *sum);
   }
   if (value && frequency.number != 0) value = turned(*value, half_sectors(term));

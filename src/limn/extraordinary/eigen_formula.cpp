@@ -201,6 +201,7 @@ void sort(const Scheme& scheme, const NamesKept& kept, const ValenceFormulas& fo
     return std::pair(one.ring, std::isnan(value) ? 0 : -std::abs(value));
   };
   std::vector<std::pair<std::pair<int, double>, EigenFormula>> ranked;
+  ranked.reserve(frequency.eigenvalues.size());
   for (EigenFormula& one : frequency.eigenvalues) ranked.emplace_back(rank(one), std::move(one));
   std::stable_sort(ranked.begin(), ranked.end(),
                    [](const auto& a, const auto& b) { return a.first < b.first; });
@@ -255,6 +256,7 @@ void append_by_lets(const Scheme& scheme, const NamesKept& kept,
     if (frequencies.size() != by_lets[i].frequencies.size()) continue;
     for (std::size_t omega = 0; omega < frequencies.size(); ++omega) {
       std::vector<Sample> samples;
+      samples.reserve(kSamples);
       for (int number = 0; number < kSamples; ++number)
         samples.push_back(sample(scheme, kept, formulas[i], frequencies[omega], number));
       for (EigenFormula& one : frequencies[omega].eigenvalues) {

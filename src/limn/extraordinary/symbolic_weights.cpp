@@ -71,7 +71,7 @@ Result<Symbolic> beyond_harmonics(const RepeatedWeight& weight, const Result<Sym
                                   int j, const Symbolic& n) {
   if (!value) return value;
   const Result<Symbolic> harmonic = harmonic_at(weight, j, n);
-  if (!harmonic) return harmonic;
+  if (!harmonic) return harmonic.error();
   return Symbolic::add(*value, harmonic->negated());
 }
 
@@ -109,7 +109,7 @@ Result<Symbolic> SymbolicWeights::value(const NamedWeight& name, const std::opti
     scope.give(one, Polynomial(variable(regular ? regular_name(one, *name.regular) : one)));
   }
   const Result<Symbolic> found = scope(name.weight->value);
-  if (!found) return found;
+  if (!found) return found.error();
   return Symbolic::multiply(*found, Polynomial(name.share));
 }
 

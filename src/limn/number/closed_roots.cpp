@@ -23,7 +23,7 @@ Result<PolynomialFactors> quotient(const Polynomial& a, const Polynomial& b) {
   Result<PolynomialFactors> above = factor(a);
   if (!above) return above;
   const Result<PolynomialFactors> below = factor(b);
-  if (!below) return below;
+  if (!below) return below.error();
   above->content /= below->content;
   for (const auto& [base, exponent] : below->factors) {
     const auto same = std::find_if(above->factors.begin(), above->factors.end(),

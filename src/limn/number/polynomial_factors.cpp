@@ -71,7 +71,7 @@ class Ring {
 
   static Rational rational(const fmpq* value) {
     char* const text = fmpq_get_str(nullptr, 10, value);
-    const Rational result{std::string(text)};
+    Rational result{std::string(text)};
     flint_free(text);
     return result;
   }

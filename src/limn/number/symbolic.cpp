@@ -89,8 +89,7 @@ Result<Polynomial> product_without_squares(const Polynomial& a, const Polynomial
 Rational square_part(const Rational& q) {
   const auto part = [](Integer left) {
     Integer root = 1;
-    if (const Integer whole = boost::multiprecision::sqrt(left); whole * whole == left)
-      return whole;
+    if (Integer whole = boost::multiprecision::sqrt(left); whole * whole == left) return whole;
     for (int p = 2; p < 1000 && Integer(p) * p <= left; ++p)
       while (left % (Integer(p) * p) == 0) {
         left /= Integer(p) * p;
@@ -167,9 +166,9 @@ struct CosineAndSine {
 
 Result<Symbolic> complement(const Symbolic& cosine) {
   const Result<Symbolic> square = Symbolic::multiply(cosine, cosine);
-  if (!square) return square;
+  if (!square) return square.error();
   const Result<Symbolic> rest = Symbolic::add(1, square->negated());
-  if (!rest) return rest;
+  if (!rest) return rest.error();
   return Symbolic::sqrt(*rest);
 }
 
@@ -227,9 +226,9 @@ Result<CosineAndSine> of_one_angle(const Rational& q, const Monomial& monomial) 
 Result<Symbolic> two_products(const Symbolic& a, const Symbolic& b, const Symbolic& c,
                               const Symbolic& d, int sign) {
   const Result<Symbolic> left = Symbolic::multiply(a, b);
-  if (!left) return left;
+  if (!left) return left.error();
   const Result<Symbolic> right = Symbolic::multiply(c, d);
-  if (!right) return right;
+  if (!right) return right.error();
   return Symbolic::add(*left, sign < 0 ? right->negated() : *right);
 }
 
@@ -245,7 +244,7 @@ Result<CosineAndSine> cosine_and_sine(const Symbolic& angle) {
   bool first = true;
   for (const auto& [monomial, q] : powers.begin()->second.terms()) {
     const Result<CosineAndSine> part = of_one_angle(q, monomial);
-    if (!part) return part;
+    if (!part) return part.error();
     if (first) {
       sum = *part;
       first = false;
