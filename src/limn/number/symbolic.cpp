@@ -290,9 +290,10 @@ Result<Symbolic> Symbolic::reduced(Polynomial numerator, Polynomial denominator)
     const Monomial low = denominator.common_monomial();
     const Result<Coprime> coprime = without_common_divisor(
         numerator * Polynomial(power(lowest, -1), 1), denominator * Polynomial(power(low, -1), 1));
-    if (!coprime) return coprime.error();
-    numerator = coprime->a * Polynomial(product(lowest, power(low, -1)), 1);
-    denominator = coprime->b;
+    if (coprime) {  // else it stays as it is: not the shortest quotient, but the same number
+      numerator = coprime->a * Polynomial(product(lowest, power(low, -1)), 1);
+      denominator = coprime->b;
+    }
   }
   if (denominator.terms().size() == 1) {
     const auto& [monomial, value] = *denominator.terms().begin();

@@ -5,7 +5,7 @@
 /// A square root that is no rational is a symbol t with t² = its radicand; a cosine is one symbol
 /// for each angle 1/q of its kind, with Chebyshev's polynomials for its multiples. Such symbols are
 /// not related to one another, so that `==` never calls different numbers equal but may miss an
-/// equality. Denominators other than monomials need FLINT (number/polynomial_factors.h).
+/// equality. Without FLINT (number/polynomial_factors.h) quotients are not brought to lowest terms.
 
 #include <string>
 
@@ -21,7 +21,8 @@ class Symbolic {
   Symbolic(int value) : numerator_(value) {}
   Symbolic(Polynomial value) : numerator_(std::move(value)) {}
 
-  /// Coprime; no square root stands in the denominator, and a monomial one is divided out.
+  /// Coprime (with FLINT); no square root stands in the denominator, and a monomial one is divided
+  /// out.
   [[nodiscard]] const Polynomial& numerator() const { return numerator_; }
   [[nodiscard]] const Polynomial& denominator() const { return denominator_; }
   [[nodiscard]] bool is_zero() const { return numerator_.is_zero(); }
