@@ -1,4 +1,5 @@
 #include <memory>
+#include <set>
 
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
@@ -6,6 +7,7 @@
 #include "command.h"
 #include "limn/extraordinary/eigencomponents.h"
 #include "limn/report/eigen_figures.h"
+#include "limn/report/eigen_formula_report.h"
 #include "limn/report/eigen_report.h"
 #include "limn/report/eigenvector_report.h"
 #include "valences.h"
@@ -22,6 +24,8 @@ struct EigenOptions {
   bool vectors = false;
   std::string map;
   bool json = false;
+  bool formulas = false;
+  bool latex = false;
 };
 
 /// What is printed of one valence, gathered as text or as JSON.
@@ -69,8 +73,28 @@ class Output {
   std::vector<CharacteristicMap> maps_;
 };
 
+/// Parameters that the command line gives a value have it in the formulas too.
+int print_formulas(const EigenOptions& options) {
+  const Result<Scheme> scheme = options.scheme.load();
+  if (!scheme) return report(scheme.error());
+  std::set<std::string> given;
+  for (const std::string& assignment : options.scheme.parameters) {
+    std::string name = assignment.substr(0, assignment.find('='));
+    std::erase(name, ' ');
+    given.insert(std::move(name));
+  }
+  const Result<EigenFormulas> formulas = eigen_formulas(*scheme, given, options.rings);
+  if (!formulas) return report(formulas.error());
+  if (options.json)
+    fmt::print("{}\n", eigen_formulas_json(scheme->name, *formulas).dump());
+  else
+    fmt::print("{}", eigen_formulas_text(scheme->name, *formulas,
+                                         options.latex ? Notation::latex : Notation::text));
+  return kDone;
+}
+
 int analyse(const EigenOptions& options) {
-  const Result<ValenceSpan> range = read_valences(options.valence);
+  const Result<Valences> range = read_valences(options.valence);
   if (!range) return report(range.error());
   if (!options.map.empty())
     if (const Result<FigureFormat> format = figure_format(options.map); !format)
@@ -96,25 +120,40 @@ void declare_eigen(CLI::App& parser, Action& action) {
   const auto options = std::make_shared<EigenOptions>();
   command->add_option("SCHEME", options->scheme.name, "a shipped scheme, or a scheme file")
       ->required();
-  command->add_option("--valence", options->valence, "a valence, or a range of them")
-      ->type_name("N or A..B")
-      ->capture_default_str();
+  CLI::Option* const valence =
+      command->add_option("--valence", options->valence, "a valence, or a range of them")
+          ->type_name("N or A..B")
+          ->capture_default_str();
   command
       ->add_option("--rings", options->rings,
                    "analyse so many rings; 0: as many as control the surface")
       ->check(CLI::Range(0, kMostRings));
-  command->add_flag("--vectors", options->vectors,
-                    "also the eigenvectors, and the stencils of limit point and tangents");
-  command->add_option("--map", options->map,
-                      "draw the characteristic maps into this file (.pdf, .svg or .png), and say "
-                      "whether samples of them fold");
+  CLI::Option* const vectors =
+      command->add_flag("--vectors", options->vectors,
+                        "also the eigenvectors, and the stencils of limit point and tangents");
+  CLI::Option* const map = command->add_option(
+      "--map", options->map,
+      "draw the characteristic maps into this file (.pdf, .svg or .png), and say "
+      "whether samples of them fold");
   options->scheme.declare_parameters(*command);
-  command->add_flag("--json", options->json, "print one JSON object");
+  CLI::Option* const json = command->add_flag("--json", options->json, "print one JSON object");
+  CLI::Option* const formulas =
+      command
+          ->add_flag("--formulas", options->formulas, "closed formulas, for all valences at once")
+          ->excludes(valence)
+          ->excludes(vectors)
+          ->excludes(map);
+  command->add_flag("--latex", options->latex, "formulas as LaTeX")
+      ->needs(formulas)
+      ->excludes(json);
   command->footer(
       "Example: limn eigen loop --valence 3..12\n"
       "         limn eigen catmull-clark --valence 5 --vectors\n"
-      "         limn eigen sqrt3 --valence 3..10 --map maps.pdf");
-  command->callback([&action, options] { action = [options] { return analyse(*options); }; });
+      "         limn eigen sqrt3 --valence 3..10 --map maps.pdf\n"
+      "         limn eigen catmull-clark --formulas");
+  command->callback([&action, options] {
+    action = [options] { return options->formulas ? print_formulas(*options) : analyse(*options); };
+  });
 }
 
 }  // namespace limn::app

@@ -31,7 +31,7 @@ struct Task {
   Scheme scheme;
   FreedScheme freed;
   Requirement requirement;
-  ValenceSpan valences;
+  Valences valences;
   std::optional<SearchRange> between;
 
   [[nodiscard]] const SearchRange* searched() const { return between ? &*between : nullptr; }
@@ -44,7 +44,7 @@ Result<Task> read_task(const TuneOptions& options) {
                  {},
                  0,
                  0};
-  Result<ValenceSpan> valences = read_valences(options.valence);
+  Result<Valences> valences = read_valences(options.valence);
   if (!valences) return valences.error();
   Result<Scheme> scheme = options.scheme.load();
   if (!scheme) return scheme.error();

@@ -18,8 +18,8 @@ bool read_integer(std::string_view text, int& value) {
 
 }  // namespace
 
-Result<ValenceSpan> read_valences(const std::string& text) {
-  ValenceSpan range{};
+Result<Valences> read_valences(const std::string& text) {
+  Valences range{};
   const std::size_t dots = text.find("..");
   const bool one = dots == std::string::npos;
   const std::string_view view = text;

@@ -7,11 +7,11 @@
 
 namespace limn::app {
 
-struct ValenceSpan {
+struct Valences {
   int first = 0, last = 0;
 };
 
 /// "7" or "3..12": kSmallestValence … kLargestValence, not empty.
-[[nodiscard]] Result<ValenceSpan> read_valences(const std::string& text);
+[[nodiscard]] Result<Valences> read_valences(const std::string& text);
 
 }  // namespace limn::app

@@ -81,5 +81,54 @@ TEST(EigenCommand, RefusesBadValencesAndSchemes) {
   refused("nosuch", "nosuch");
 }
 
+bool without_flint(const Outcome& outcome) {
+  return outcome.code == 2 && outcome.err.find("without FLINT") != std::string::npos;
+}
+
+TEST(EigenCommand, PrintsFormulas) {
+  const Folder folder;
+  const Outcome outcome = folder.limn("eigen sqrt3 --formulas");
+  if (without_flint(outcome)) GTEST_SKIP() << outcome.err;
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  for (const char* line :
+       {"n ≥ 3\n", "omega = 0     ring 1  1\n", "ring 1  2/3 - alpha = 4/9*cos(pi/n)^2\n",
+        "omega ≥ 1     ring 1  2/3*cos(pi*omega/n)\n", "ring 3  0  (3 times)\n",
+        "(c + sqrt(c^2 + 6))/18  with c = cos(pi*omega/n)\n"})
+    EXPECT_NE(outcome.out.find(line), std::string::npos) << line << "in\n" << outcome.out;
+  const Outcome latex = folder.limn("eigen loop --formulas --latex");
+  EXPECT_NE(latex.out.find("\\frac{5}{8} - n \\beta = \\left("), std::string::npos) << latex.out;
+  const Outcome butterfly = folder.limn("eigen butterfly --formulas");
+  EXPECT_NE(butterfly.out.find("no closed form"), std::string::npos);
+}
+
+TEST(EigenCommand, GivesFormulasAsJson) {
+  const Folder folder;
+  const Outcome outcome = folder.limn("eigen butterfly-modified --formulas --json");
+  if (without_flint(outcome)) GTEST_SKIP() << outcome.err;
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  const nlohmann::json json = nlohmann::json::parse(outcome.out);
+  bool general = false;
+  for (const nlohmann::json& one : json.at("formulas")) {
+    EXPECT_GE(one.at("eigenvalues").size(), 5U);
+    if (one.at("valences") != "n = 5, n ≥ 7" || one.at("frequency") != 1) continue;
+    general = true;
+    EXPECT_EQ(one.at("spans"), nlohmann::json::parse("[[5, 5], [7, null]]"));
+    EXPECT_EQ(one.at("eigenvalues")[0].at("text"), "1/2");
+    EXPECT_EQ(one.at("eigenvalues")[0].at("latex"), "\\frac{1}{2}");
+    EXPECT_TRUE(one.at("left").empty());
+  }
+  EXPECT_TRUE(general);
+}
+
+TEST(EigenCommand, PutsGivenParametersIntoFormulas) {
+  const Folder folder;
+  const Outcome outcome = folder.limn("eigen laplacian-loop --formulas -p a=1/8");
+  if (without_flint(outcome)) GTEST_SKIP() << outcome.err;
+  EXPECT_NE(outcome.out.find("3/4 - n*beta = "), std::string::npos) << outcome.out;
+  EXPECT_EQ(outcome.out.find("a_6"), std::string::npos) << outcome.out;
+  EXPECT_EQ(folder.limn("eigen loop --latex").code, 2);
+  EXPECT_EQ(folder.limn("eigen loop --formulas --valence 7").code, 2);
+}
+
 }  // namespace
 }  // namespace limn::test

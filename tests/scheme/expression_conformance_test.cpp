@@ -6,6 +6,7 @@
 
 #include <map>
 
+#include "limn/number/symbolic.h"
 #include "limn/scheme/expression.h"
 
 namespace limn {
@@ -76,7 +77,7 @@ Result<Number> evaluate(const std::string& text) {
 template <class Number>
 class Conformance : public testing::Test {};
 
-using Numbers = testing::Types<double, Exact, Measured>;
+using Numbers = testing::Types<double, Exact, Symbolic, Measured>;
 TYPED_TEST_SUITE(Conformance, Numbers);
 
 TYPED_TEST(Conformance, Values) {
@@ -175,15 +176,20 @@ RC_GTEST_PROP(ConformanceOfTwo, RandomExpressions, ()) {
   const Result<Measured> measured = evaluate<Measured>(text);
   const Result<Exact> exact = evaluate<Exact>(text);
   const Result<double> approx = evaluate<double>(text);
+  const Result<Symbolic> symbolic = evaluate<Symbolic>(text);
   if (!measured) {
     RC_CLASSIFY(true, "fails");
     if (measured.error().message.find("unknown") == 0) return;
     RC_ASSERT(!exact.ok());
+    RC_ASSERT(!symbolic.ok());
     RC_ASSERT(!approx.ok());
     RC_ASSERT(approx.error().column == measured.error().column);
     return;
   }
   RC_ASSERT(approx.ok());
+  if (symbolic)
+    RC_ASSERT(std::abs(Arithmetic<Symbolic>::approx(*symbolic) - *approx) <=
+              1e3 * measured->error + 1e-10 * (1 + std::abs(*approx)));
   if (!exact) {  // only for want of a way to write it
     RC_CLASSIFY(true, "not exact");
     const std::string& why = exact.error().message;

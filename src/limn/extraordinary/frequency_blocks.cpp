@@ -20,6 +20,8 @@ using Weights = std::vector<std::vector<double>>;
 
 Result<Weights> evaluated(const Scheme& scheme, const SectorPattern& pattern, int n) {
   Weights weights(pattern.names.size());
+  std::vector<double> shares;
+  for (const NamedWeight& name : pattern.names) shares.push_back(to_double(name.share));
   // each scope evaluates a let that several weights use once
   const auto evaluate = [&](Scope<double> scope, bool repeated) -> Status {
     for (std::size_t i = 0; i < pattern.names.size(); ++i) {
@@ -27,7 +29,7 @@ Result<Weights> evaluated(const Scheme& scheme, const SectorPattern& pattern, in
       if (name.repeated != repeated) continue;
       const Result<double> value = scope(name.weight->value);
       if (!value) return value.error();
-      weights[i].push_back(name.share * *value);
+      weights[i].push_back(shares[i] * *value);
     }
     return Done{};
   };

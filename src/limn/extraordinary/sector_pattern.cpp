@@ -88,7 +88,7 @@ class Namer {
     for (const Step& step : *program) {
       const bool repeated = step.walk.repeated;
       const int name = static_cast<int>(names.size());
-      names.push_back({kind, step.weight, to_double(step.share), repeated, step.per_sector});
+      names.push_back({kind, step.weight, step.share, repeated, step.per_sector});
       for (int k = 0; k < (repeated ? kSectors : 1); ++k) {
         row.weights.push_back(WeightForm::name(static_cast<int>(positions.size())));
         positions.push_back({name, repeated ? k : -1});
@@ -96,6 +96,45 @@ class Namer {
     }
     row.program = program;
     return row;
+  }
+
+  /// A row of a regular rule.
+  Result<Row<WeightForm>> regular_row(const Scheme& scheme, RuleKind kind, int n,
+                                      const RegularNames& named) {
+    const Result<const RuleCase*> rule_case = applicable_case(scheme, kind, n);
+    if (!rule_case) return rule_case.error();
+    Row<WeightForm> row;
+    if (*rule_case == nullptr) {
+      if (kind == RuleKind::edge_end) return row;
+      return missing_rule(scheme, kind, n);
+    }
+    const auto program =
+        std::make_shared<Program>(compile(**rule_case, kind, scheme.split->lattice));
+    for (const Step& step : *program)
+      for (int k = 0; k < (step.walk.repeated ? n : 1); ++k) {
+        NamedWeight name{kind, step.weight, step.share, false, false, n, std::nullopt};
+        if (step.walk.repeated) name.k = k;
+        row.weights.push_back(named(name) ? form_of(name) : WeightForm());
+      }
+    row.program = program;
+    return row;
+  }
+
+ private:
+  WeightForm form_of(const NamedWeight& name) {
+    const auto same = std::find_if(names.begin(), names.end(), [&](const NamedWeight& other) {
+      return other.weight == name.weight && other.share == name.share &&
+             other.regular == name.regular && other.k == name.k;
+    });
+    if (same == names.end()) {
+      names.push_back(name);
+      positions.push_back({static_cast<int>(names.size()) - 1, -1});
+      return WeightForm::name(static_cast<int>(positions.size()) - 1);
+    }
+    const int number = static_cast<int>(same - names.begin());
+    const auto position = std::find_if(positions.begin(), positions.end(),
+                                       [&](const Position& p) { return p.name == number; });
+    return WeightForm::name(static_cast<int>(position - positions.begin()));
   }
 };
 
@@ -224,14 +263,17 @@ struct StarForms {
   std::vector<LinearForm<WeightForm>> forms;  // by vertex of step.fine
 };
 
-Result<StarForms> refined_star(const Scheme& scheme, const CenterCases& cases, int rings) {
+Result<StarForms> refined_star(const Scheme& scheme, const CenterCases& cases, int rings,
+                               const RegularNames& named) {
   const Split& split = *scheme.split;
   const std::vector<RuleKind> kinds = center_rules(split);
   StarForms star{star_step(split, kSectors, rings), {}, {}};
   RuleTables<WeightForm> tables(
       scheme, Boundary::left_out, [&](RuleKind kind, int n) -> Result<Row<WeightForm>> {
         const auto at = std::find(kinds.begin(), kinds.end(), kind);
-        if (n != kSectors || at == kinds.end()) return constant_row(scheme, kind, n);
+        if (n != kSectors || at == kinds.end())
+          return named ? star.namer.regular_row(scheme, kind, n, named)
+                       : constant_row(scheme, kind, n);
         return star.namer.row(cases[static_cast<std::size_t>(at - kinds.begin())], kind,
                               split.lattice);
       });
@@ -261,10 +303,11 @@ Result<CenterCases> center_cases(const Scheme& scheme, int n) {
   return cases;
 }
 
-Result<int> control_rings(const Scheme& scheme, const CenterCases& cases) {
+Result<int> control_rings(const Scheme& scheme, const CenterCases& cases,
+                          const RegularNames& named) {
   // D(r): the farthest ring that ring r of the refined star hangs on. It grows more slowly than
   // r, so that what controls the faces round the centre at every level is the last r ≤ D(r).
-  const Result<StarForms> star = refined_star(scheme, cases, kMostRings);
+  const Result<StarForms> star = refined_star(scheme, cases, kMostRings, named);
   if (!star) return star.error();
   const Seats seats(*scheme.split, kMostRings + kSeenBeyond);
   const auto ring = [&](Index v) {
@@ -288,9 +331,10 @@ Result<int> control_rings(const Scheme& scheme, const CenterCases& cases) {
       0};
 }
 
-Result<SectorPattern> sector_pattern(const Scheme& scheme, const CenterCases& cases, int rings) {
+Result<SectorPattern> sector_pattern(const Scheme& scheme, const CenterCases& cases, int rings,
+                                     const RegularNames& named) {
   const Split& split = *scheme.split;
-  const Result<StarForms> star = refined_star(scheme, cases, rings);
+  const Result<StarForms> star = refined_star(scheme, cases, rings, named);
   if (!star) return star.error();
   const Seats seats(split, rings);
   const double turn = split.dilation.rows[0][1] == 0 ? 0 : 0.5;

@@ -1,8 +1,9 @@
 #pragma once
 /// One step of a star, sector by sector, with the weights of its centre as names: what the
-/// frequency blocks of every valence are made of. Private to frequency_blocks.
+/// frequency blocks of every valence are made of. Private to frequency_blocks and eigen_formula.
 
-#include <complex>
+#include <functional>
+#include <optional>
 #include <vector>
 
 #include "limn/extraordinary/frequency_blocks.h"
@@ -18,14 +19,21 @@ using CenterCases = std::vector<const RuleCase*>;
 [[nodiscard]] Result<CenterCases> center_cases(const Scheme& scheme, int n);
 
 /// A weight of the rules at the centre: of a position, times `share`; of all n positions of a
-/// repeated role.
+/// repeated role. Or one weight of a regular rule.
 struct NamedWeight {
   RuleKind kind;
   const Weight* weight;
-  double share;
+  Rational share;
   bool repeated;
   bool per_sector;  ///< weighs a position in each sector, so that it comes n times
+  /// Of a regular rule its n (0 where it has none) and, of a repeated role, its k.
+  std::optional<int> regular = std::nullopt;
+  std::optional<int> k = std::nullopt;
 };
+
+/// Which weights of the regular rules are names too; the others are 0. Nothing: none is a name, all
+/// are numbers.
+using RegularNames = std::function<bool(const NamedWeight&)>;
 
 inline constexpr int kCenter = -1;  ///< in place of an orbit's number
 
@@ -52,10 +60,11 @@ struct SectorPattern {
 };
 
 /// How many rings control the limit surface on the faces round the centre.
-[[nodiscard]] Result<int> control_rings(const Scheme& scheme, const CenterCases& cases);
+[[nodiscard]] Result<int> control_rings(const Scheme& scheme, const CenterCases& cases,
+                                        const RegularNames& named = {});
 
 /// Fails where the rings are not invariant.
 [[nodiscard]] Result<SectorPattern> sector_pattern(const Scheme& scheme, const CenterCases& cases,
-                                                   int rings);
+                                                   int rings, const RegularNames& named = {});
 
 }  // namespace limn

@@ -4,12 +4,10 @@
 #include <string>
 #include <vector>
 
+#include "limn/number/notation.h"
 #include "limn/scheme/mask.h"
 
 namespace limn {
-
-/// Text as scheme files write expressions ("(1 + c1 + c2 + c3)^2/16"), or LaTeX.
-enum class Notation { text, latex };
 
 /// What the names in the formulas mean, one definition a line. Phases t1, t2 (and t3 = -t1-t2 on
 /// triangles) are per refined edge; c1 = cos t1, …, c12 = cos(t1 - t2), ….

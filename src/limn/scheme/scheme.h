@@ -107,6 +107,11 @@ class Scope {
   Scope(const Scheme& scheme, std::optional<long long> n, std::optional<long long> k)
       : scheme_(scheme), n_(n), k_(k) {}
 
+  /// From now on `name`, whether n, k, a parameter or a let, has this value.
+  void give(const std::string& name, Number value) {
+    given_.insert_or_assign(name, std::move(value));
+  }
+
   /// Value of a formula; an error carries the formula's place.
   [[nodiscard]] Result<Number> operator()(const Formula& formula) {
     located_ = false;
@@ -142,6 +147,7 @@ class Scope {
 
   const Scheme& scheme_;
   std::optional<long long> n_, k_;
+  std::map<std::string, Number> given_;
   std::map<const Formula*, Number> known_;
   std::vector<const Formula*> open_;  // being evaluated, outermost first
   bool located_ = false;
@@ -150,6 +156,7 @@ class Scope {
 template <class Number>
 Result<Number> Scope<Number>::lookup(const std::string& name) {
   using A = Arithmetic<Number>;
+  if (const auto given = given_.find(name); given != given_.end()) return given->second;
   if (name == "n" && n_) return A::from(Rational(*n_));
   if (name == "k" && k_) return A::from(Rational(*k_));
   const Formula* formula = find(name);

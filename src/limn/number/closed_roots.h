@@ -1,0 +1,32 @@
+#pragma once
+/// The roots of a polynomial whose coefficients are polynomials in symbols, as formulas.
+
+#include <string>
+#include <vector>
+
+#include "limn/base/error.h"
+#include "limn/number/polynomial.h"
+
+namespace limn {
+
+/// A formula and how often it counts. `text` can be read by scheme/expression.h.
+struct ClosedRoot {
+  std::string text, latex;
+  int multiplicity = 1;
+};
+
+struct ClosedRoots {
+  std::vector<ClosedRoot> roots;  ///< of the factors of degree 1 and 2; both roots of each of these
+  /// The factors of higher degree, as polynomials in the unknown.
+  struct Left {
+    int degree;
+    ClosedRoot polynomial;
+  };
+  std::vector<Left> left;
+};
+
+/// Factors over the rationals with all symbols independent, then solves what it can. `unknown` has
+/// no negative exponents in a, and a is not 0. Fails where factor() does.
+[[nodiscard]] Result<ClosedRoots> closed_roots(const Polynomial& a, const Symbol& unknown);
+
+}  // namespace limn

@@ -1,0 +1,107 @@
+#pragma once
+/// Laurent polynomials over the rationals in named symbols: what formulas are made of.
+///
+/// A symbol is a free variable, a whole number that is not known yet (n, ω, k), a cosine, or a
+/// square root. Symbols are equal where their names are; nothing else relates them, so an identity
+/// such as that between cos(pi/n) and cos(2*pi/n) holds only where both are written by one symbol.
+
+#include <functional>
+#include <map>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "limn/base/rational.h"
+
+namespace limn {
+
+class Polynomial;
+
+enum class SymbolKind { whole, variable, cosine, root };
+
+struct SymbolData {
+  SymbolKind kind = SymbolKind::variable;
+  std::string name;   ///< as scheme files write it: "n", "cos(2*pi/n)", "sqrt(2)"
+  std::string latex;  ///< the same as LaTeX
+  /// Of a cosine the angle over π, of a square root the radicand; of others nothing.
+  std::shared_ptr<const Polynomial> argument;
+  /// Of a whole number: called with every bound that a decision supposed it to exceed.
+  std::function<void(const Polynomial& supposed_positive)> suppose;
+};
+using Symbol = std::shared_ptr<const SymbolData>;
+
+struct SymbolLess {
+  bool operator()(const Symbol& a, const Symbol& b) const;
+};
+
+/// The exponents of the symbols that occur, in the order of SymbolLess; none is 0.
+using Monomial = std::vector<std::pair<Symbol, int>>;
+struct MonomialLess {
+  bool operator()(const Monomial& a, const Monomial& b) const;
+};
+[[nodiscard]] Monomial product(const Monomial& a, const Monomial& b);
+[[nodiscard]] Monomial power(Monomial a, int exponent);
+
+/// A sum of monomials with coefficients other than 0. Exponents may be negative.
+class Polynomial {
+ public:
+  using Terms = std::map<Monomial, Rational, MonomialLess>;
+
+  Polynomial() = default;
+  Polynomial(int value) : Polynomial(Rational(value)) {}
+  Polynomial(const Rational& value) { add({}, value); }
+  Polynomial(const Symbol& symbol) { add({{symbol, 1}}, 1); }
+  Polynomial(const Monomial& monomial, const Rational& coefficient) { add(monomial, coefficient); }
+
+  [[nodiscard]] const Terms& terms() const { return terms_; }
+  [[nodiscard]] bool is_zero() const { return terms_.empty(); }
+  [[nodiscard]] bool is_rational() const;
+  /// Precondition: is_rational().
+  [[nodiscard]] Rational rational() const;
+  /// The symbols that occur, in the order of SymbolLess; not those within cosines and roots.
+  [[nodiscard]] std::vector<Symbol> symbols() const;
+  /// Whether a symbol of this name occurs, within cosines and roots too.
+  [[nodiscard]] bool hangs_on(const std::string& name) const;
+  /// a as the sum of coefficients[i] · symbolⁱ.
+  [[nodiscard]] std::map<int, Polynomial> powers_of(const Symbol& symbol) const;
+  /// The largest monomial that divides every term; negative exponents where those occur.
+  [[nodiscard]] Monomial common_monomial() const;
+
+  Polynomial& operator+=(const Polynomial& b);
+  Polynomial& operator-=(const Polynomial& b);
+  Polynomial& operator*=(const Rational& factor);
+  friend Polynomial operator+(Polynomial a, const Polynomial& b) { return a += b; }
+  friend Polynomial operator-(Polynomial a, const Polynomial& b) { return a -= b; }
+  friend Polynomial operator-(Polynomial a) { return a *= Rational(-1); }
+  /// Cost: the product of the numbers of terms.
+  friend Polynomial operator*(const Polynomial& a, const Polynomial& b);
+  friend bool operator==(const Polynomial& a, const Polynomial& b);
+
+ private:
+  void add(const Monomial& monomial, const Rational& coefficient);
+
+  Terms terms_;
+};
+
+/// exponent ≥ 0
+[[nodiscard]] Polynomial power(const Polynomial& a, int exponent);
+
+/// T_|j|(x): the polynomial with cos(jα) = T_j(cos α).
+[[nodiscard]] Polynomial chebyshev(int j, const Polynomial& x);
+/// U_{j-1}(x) for j ≥ 1, 0 for j = 0: sin(jα) = sin α · U_{j-1}(cos α); odd in j.
+[[nodiscard]] Polynomial chebyshev_of_sine(int j, const Polynomial& x);
+
+/// Coefficients a_j with a(x) = Σ a_j T_j(x) in the symbol x, whose exponents are not negative.
+[[nodiscard]] std::map<int, Polynomial> chebyshev_coefficients(const Polynomial& a,
+                                                               const Symbol& x);
+
+/// With `value` in place of a symbol whose exponents are not negative.
+[[nodiscard]] Polynomial substituted(const Polynomial& a, const Symbol& symbol,
+                                     const Polynomial& value);
+
+/// The value where `lookup` gives that of each variable and whole number by name.
+[[nodiscard]] double approx(const Polynomial& a,
+                            const std::function<double(const std::string&)>& lookup);
+
+}  // namespace limn
