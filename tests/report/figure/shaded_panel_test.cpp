@@ -146,25 +146,6 @@ TEST_F(Pictures, AreTheSameForAnyNumberOfThreads) {
   }
 }
 
-/// A wedge that turns away from the viewer at y = 100.5/512, where rays of a picture of 64 pixels
-/// run along its edge and meet its front and its back alike.
-TEST_F(Pictures, AreTheSameForAnyOrderOfTriangles) {
-  SurfaceScene scene = {.azimuth = 0, .elevation = 0, .frame = SpaceBox{{-1, -1, -1}, {1, 1, 1}}};
-  constexpr double edge = 100.5 / 512;
-  SmoothSurface& wedge = scene.surfaces.emplace_back();
-  wedge.vertices = {{0.5, -1, -1}, {0.5, -1, 1},   {0, edge, -1},  {0, edge, 1}, {-0.5, -1, -1},
-                    {-0.5, -1, 1}, {-0.5, 1, 0.9}, {-0.5, 0.9, 1}, {-0.5, 1, 1}};
-  wedge.normals = {{1, 0, 0},  {1, 0, 0}, {0, 1, 0}, {0, 1, 0}, {-1, 0, 0},
-                   {-1, 0, 0}, {1, 0, 0}, {1, 0, 0}, {1, 0, 0}};
-  wedge.triangles = {{0, 2, 1}, {1, 2, 3}, {4, 5, 2}, {5, 3, 2}, {6, 7, 8}};
-  const ShadedPanel panel{.scene = scene, .resolution = 23.04};
-  std::reverse(scene.surfaces[0].triangles.begin(), scene.surfaces[0].triangles.end());
-  const ShadedPanel reversed{.scene = scene, .resolution = 23.04};
-  const Canvas one = drawn(panel), other = drawn(reversed);
-  ASSERT_EQ(image_of(one).image.width, 64);
-  EXPECT_EQ(image_of(one).image.rgba, image_of(other).image.rgba);
-}
-
 /// Of a plate whose sides cut pixels anywhere, the pixels hold its area and its middle.
 TEST_F(Pictures, CoverPixelsByTheirShares) {
   SurfaceScene scene = {.azimuth = 0, .elevation = 0, .frame = SpaceBox{{-1, -1, -1}, {1, 1, 1}}};

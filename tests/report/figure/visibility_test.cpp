@@ -106,6 +106,27 @@ TEST_F(Rays, LeaveNoGaps) {
   }
 }
 
+/// Rays through vertices, which several triangles hold alike, find the same one in any order.
+TEST_F(Rays, DoNotDependOnTheOrderOfTriangles) {
+  const SeenSurface surface = seen_surface(torus(60, 0.4), ParallelView(0, 90));
+  SeenSurface shuffled = surface;
+  std::mt19937 random(4);
+  std::shuffle(shuffled.triangles.begin(), shuffled.triangles.end(), random);
+  const RayCaster rays = RayCaster::over({surface}).value();
+  const RayCaster others = RayCaster::over({shuffled}).value();
+  int met = 0, different = 0;
+  for (const SpaceVector& vertex : surface.vertices) {
+    const auto hit = rays.first_hit(vertex[0], vertex[1]);
+    const auto other = others.first_hit(vertex[0], vertex[1]);
+    ASSERT_EQ(hit.has_value(), other.has_value());
+    if (!hit) continue;
+    ++met;
+    if (surface.triangles[hit->triangle] != shuffled.triangles[other->triangle]) ++different;
+  }
+  EXPECT_GT(met, 7000);
+  EXPECT_EQ(different, 0);
+}
+
 TEST_F(Rays, ShowTheEarlierOfEqualSurfaces) {
   const SmoothSurface surface = saddle(10);
   SmoothSurface nearer = surface;

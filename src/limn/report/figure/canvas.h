@@ -1,6 +1,6 @@
 #pragma once
-/// A page to draw on: filled and stroked paths, text, images, clipping, in points (1/72 inch) from the
-/// top left corner, y downward. A canvas only remembers what was drawn; `write` makes the file.
+/// A page to draw on: filled and stroked paths, text, images, clipping, in points (1/72 inch) from
+/// the top left corner, y downward. A canvas only remembers what was drawn; `write` makes the file.
 ///
 ///     Canvas canvas(200, 100);
 ///     canvas.fill(Path::rectangle({10, 10, 80, 40}), {0.9, 0.9, 0.2});

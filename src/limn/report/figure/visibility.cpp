@@ -17,6 +17,8 @@ namespace {
 
 constexpr double kBeside = 0.51;  // from the centre of the cube of side 1; only so far rays meet it
 
+constexpr int kMoves = 4;  // of a ray that meets an edge
+
 struct Release {
   void operator()(RTCDevice device) const { rtcReleaseDevice(device); }
   void operator()(RTCScene scene) const { rtcReleaseScene(scene); }
@@ -135,7 +137,12 @@ std::optional<RayHit> RayCaster::first_hit(double x, double y) const {
   std::optional<RayHit> first;
   for (std::size_t s = 0; s < surfaces_.size(); ++s) {
     std::optional<RayHit> hit = hit_of(s, x, y);
-    if (hit && on_edge(*hit, x, y)) hit = hit_of(s, x + 0.8e-6 * size_, y + 0.6e-6 * size_);
+    double right = x, up = y;
+    for (int moves = 0; moves < kMoves && hit && on_edge(*hit, right, up); ++moves) {
+      right += 0.8e-6 * size_;
+      up += 0.6e-6 * size_;
+      hit = hit_of(s, right, up);
+    }
     if (hit && (!first || hit->depth > first->depth + kOnSurface * size_)) first = hit;
   }
   return first;

@@ -1,8 +1,8 @@
 #pragma once
 /// What is in front: rays cast at surfaces in the viewer's coordinates, along the line of sight.
 /// Embree finds the triangle; place and depth on it are computed in double precision. A ray that
-/// meets an edge, where two triangles are met alike, is moved aside by a millionth of the scene's
-/// size: nothing depends on the number of threads.
+/// meets an edge, where two triangles are met alike, is moved aside by some millionths of the
+/// scene's size: nothing depends on the number of threads.
 ///
 ///     Result<RayCaster> rays = RayCaster::over(seen_surfaces(scene));
 ///     if (const auto hit = rays->first_hit(x, y)) …
