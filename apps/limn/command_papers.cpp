@@ -6,6 +6,7 @@
 #include "command.h"
 #include "limn/base/progress.h"
 #include "limn/report/papers/augsdorfer.h"
+#include "limn/report/papers/barthe.h"
 
 namespace limn::app {
 namespace {
@@ -20,6 +21,9 @@ struct Paper {
 constexpr Paper kPapers[] = {
     {"augsdorfer", "Artifact analysis on triangular box-spline and subdivision meshes",
      write_augsdorfer},
+    {"barthe",
+     "Simple computation of the eigencomponents of a subdivision matrix in the Fourier domain",
+     write_barthe},
 };
 
 struct PapersOptions {
@@ -74,10 +78,11 @@ void declare_papers(CLI::App& parser, Action& action) {
   CLI::App* command = parser.add_subcommand(
       "papers", "the figures and tables of the papers that limn implements, made anew");
   const auto options = std::make_shared<PapersOptions>();
-  command->add_option("PAPER", options->papers, "which; without it all of them: augsdorfer");
+  command->add_option("PAPER", options->papers,
+                      "which; without it all of them: augsdorfer, barthe");
   command->add_option("-o,--output", options->output, "the folder they go to")->required();
   command->add_flag("--json", options->json, "print one JSON object");
-  command->footer("Example: limn papers augsdorfer -o augsdorfer");
+  command->footer("Example: limn papers -o papers\n         limn papers barthe -o barthe");
   command->callback([&action, options] { action = [options] { return make_papers(*options); }; });
 }
 

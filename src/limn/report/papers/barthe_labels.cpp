@@ -55,7 +55,8 @@ Result<NetPanel> label_panel(const std::string& name, const std::string& title) 
       const char upper = orbit < 0 ? 'A' : letter(blocks->orbits[static_cast<std::size_t>(orbit)]);
       const char shown = net == 0 ? upper : static_cast<char>(upper - 'A' + 'a');
       std::string text = fmt::format("/{{{}}}", shown);
-      if (orbit >= 0) text += fmt::format("_{{{}}}", index_text(places[v].angle + sectors));
+      if (orbit >= 0)
+        text += fmt::format("_{{{}}}", index_text(std::fmod(places[v].angle + sectors, kValence)));
       const PagePoint shift = net == 0 ? PagePoint{7, 6} : PagePoint{6, -6};
       panel.labels.push_back({at, text, shift, net == 0 ? Colour{} : fine});
     }

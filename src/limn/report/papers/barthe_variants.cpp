@@ -38,7 +38,7 @@ std::vector<Point3> control_points(double height) {
 
 /// The refined plane, seen from above with its edges.
 Result<SurfacePanel> plane_panel(const Scheme& scheme, const Mesh& control) {
-  const auto fine = refine(scheme, control, control_points(0), 3);
+  const auto fine = refine(scheme, control, control_points(0), 2);
   if (!fine) return fine.error();
   SurfacePanel panel;
   panel.azimuth = -90;
@@ -92,10 +92,11 @@ Status add_variants(PaperPage& page) {
     scene.surfaces.push_back(std::move(*surface));
     scene.azimuth = -62;
     scene.elevation = 42;
-    const LightLines lights{.count = 72};
+    const LightLines lights{.count = 44};
     shaded.add(*plane, fmt::format("{}: spectrum {}", variant.scheme, variant.spectrum));
-    shaded.add(ShadedPanel{.scene = scene}, "the saddle's limit surface");
-    shaded.add(ShadedPanel{.scene = scene, .stripes = lights}, "reflection lines");
+    shaded.add(ShadedPanel{.scene = scene, .resolution = 200}, "the saddle's limit surface");
+    shaded.add(ShadedPanel{.scene = scene, .stripes = lights, .resolution = 200},
+               "reflection lines");
     lines.add(ReflectionLinePanel{.scene = scene, .lights = lights},
               fmt::format("{}, spectrum {}", variant.scheme, variant.spectrum));
     std::vector<double> row = spectrum_row(found);
