@@ -137,6 +137,8 @@ TEST(Solve, TellsStretchesFromPoints) {
   ASSERT_EQ(found.throughout.size(), 1U);
   EXPECT_NEAR(found.throughout.front().low, -1 / 8. - 9 / 64., 1e-9);
   EXPECT_NEAR(found.throughout.front().high, 1 / 8. - 9 / 64., 1e-9);
+  // at n = 6 other eigenvalues of frequency 2 equal the cup all along; that is no solution
+  EXPECT_EQ(solved(shipped("laplacian-loop"), "a", "saddle = cup", 6).solutions.size(), 1U);
   const ValenceSolutions all = solved(shipped("loop"), "beta", "tangent = 3/8 + cos(2*pi/n)/4", 5);
   ASSERT_EQ(all.throughout.size(), 1U);
   EXPECT_EQ(all.throughout.front().low, -4);
