@@ -11,7 +11,7 @@ namespace limn {
 namespace {
 
 constexpr int kDeepest = 40;         // halvings towards a place where branches come or go
-constexpr int kMostHalvings = 4000;  // in all: rounding may have a defective one come and go often
+constexpr int kMostHalvings = 1000;  // in all: rounding may have a defective one come and go often
 
 /// A difference that eigenvalues left apart, though rounding split them, may have in place of 0.
 constexpr double kSplitNearZero = 1e-6;
