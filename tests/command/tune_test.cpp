@@ -84,6 +84,23 @@ TEST(TuneCommand, KeepsWhatOptionsSet) {
   EXPECT_NEAR(json.at("cup"), std::pow(json.at("tangent").get<double>(), 2), 1e-14);
 }
 
+TEST(TuneCommand, ExitsWith3WhereRoundingHidesAnAnswer) {
+  const Folder folder;
+  // the butterfly at an irrational value of g, where the cup is defective
+  folder.write("hidden.toml",
+               "split = \"triangle-dyadic\"\nextends = \"butterfly\"\n[let]\ns = \"g*sqrt(2)\"\n"
+               "[parameter.g]\ndefault = \"1/32\"\nrange = [\"0\", \"1/8\"]\n"
+               "[edge]\nend = \"1/2\"\nwing = \"2*s\"\nouter = \"-s\"\n");
+  const Outcome outcome =
+      folder.limn("tune hidden.toml --free g --require 'cup = tangent^2' --valence 6 --json");
+  EXPECT_EQ(outcome.code, 3) << outcome.err;
+  const nlohmann::json json = nlohmann::json::parse(outcome.out);
+  const nlohmann::json& solution = json.at("valences")[0].at("solutions")[0];
+  EXPECT_TRUE(solution.at("holds").is_null());
+  EXPECT_NEAR(solution.at("value"), std::sqrt(2) / 32, 1e-7);
+  EXPECT_NE(solution.at("reason").get<std::string>().find("rounding hides it"), std::string::npos);
+}
+
 TEST(TuneCommand, RefusesWhatItCannotSolve) {
   const Folder folder;
   const auto refused = [&](const std::string& arguments, const std::string& part) {
@@ -106,6 +123,7 @@ TEST(TuneCommand, RefusesWhatItCannotSolve) {
   refused("butterfly --free w --require 'cup = 1/4' --valence 5..6 -o x.toml", "one number");
   refused(loop + "--require c1 --range -o x.toml", "not ranges");
   refused(loop + "--require 'cup = 1/5' --valence 5 -o no/x.toml", "cannot write");
+  refused(loop + "--require 'cup = 1/(n - n)'", "requirement 'cup = 1/(n - n)': division by zero");
   refused(loop, "--require");
   refused("loop --require c1", "--free");
   refused("box-spline-triangle --free i --require c1 --range", "nothing that can be freed");

@@ -76,7 +76,7 @@ TEST(Range, OfBoundedCurvatureClosesAtItsEnds) {
 TEST(Range, SeesNarrowPartsAndGaps) {
   // cup - tangent² = 1e-8 - (g - 1/3)², positive on 2e-4 alone
   const Scheme family =
-      loop_with("(5/8 - lambda^2 + (g - 1/3)^2 - 1/100000000)/n", "[\"0\", \"2/3\"]");
+      loop_with("(5/8 - lambda^2 + (g - 1/3)^2 - 1/100000000)/n", "[\"0\", \"1\"]");
   const ValenceRange part = ranged(family, "g", "cup > tangent^2", 7);
   ASSERT_EQ(part.parts.size(), 1U);
   EXPECT_NEAR(part.parts[0].low.value, 1 / 3. - 1e-4, 1e-11);

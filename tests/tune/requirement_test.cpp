@@ -83,6 +83,24 @@ void expect_margins_agree(FreedScheme& freed, const Scheme& scheme, int n, doubl
   }
 }
 
+TEST(Requirement, MarginOfC1SeesThatTheTangentIsLessThan1) {
+  const Scheme scheme = parse_scheme(
+                            "split = \"triangle-dyadic\"\nextends = \"loop\"\n[parameter.g]\n"
+                            "default = \"3/8\"\n[edge]\nend = \"g\"\nwing = \"1/2 - g\"\n",
+                            "edge.toml")
+                            .value();
+  FreedScheme freed = FreedScheme::make(scheme, "g").value();
+  const Requirement c1 = Requirement::parse("c1", scheme).value();
+  const auto margin_at = [&](double g) {  // the tangent at n = 3 is an end less a wing
+    const Eigencomponents found = approx_eigencomponents(freed.blocks(3, g).value());
+    EXPECT_NEAR(*found.tangent, 2 * g - 0.5, 1e-14);
+    EXPECT_EQ(found.verdict.c1_necessary, g < 0.75 ? Truth::yes : Truth::no) << g;
+    return margin(c1, freed, g, found).value();
+  };
+  EXPECT_GT(margin_at(0.5), 0);
+  EXPECT_NEAR(margin_at(0.8), -0.1, 1e-14);
+}
+
 RC_GTEST_PROP(Requirement, MarginsAgreeWithTheVerdicts, ()) {
   const auto [scheme, name] =
       *rc::gen::element(std::pair("loop", "beta"), std::pair("sqrt3", "alpha"),

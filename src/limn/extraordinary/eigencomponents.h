@@ -74,8 +74,8 @@ inline constexpr double kEqualBelow = 1e-10;
 inline constexpr double kUndecidedBelow = 1e-8;
 
 /// What becomes of eigenvalues closer than about 1e-6, which may be one defective eigenvalue that
-/// rounding split: `joined` gives them their mean, exact if they are one; `apart` leaves them, exact
-/// if they are several.
+/// rounding split: `joined` gives them their mean, exact if they are one; `apart` leaves them,
+/// exact if they are several.
 enum class Near { joined, apart };
 
 /// The spectrum of one block, 0 ≤ ω ≤ ⌊n/2⌋, in double precision.

@@ -14,9 +14,6 @@ namespace {
 constexpr double kDefaultReach = 4;         // of a search without a stated range: [-4, 4]
 constexpr std::size_t kMostInstances = 96;  // kept at a time
 
-/// A value at which no weight of a sane scheme vanishes: it shows how many rings there are.
-constexpr double kGenericValue = 0.03718281828;
-
 using Names = std::set<std::string, std::less<>>;
 
 /// The formula of a let or a parameter; nullptr: there is none of that name.
@@ -147,7 +144,6 @@ struct FreedScheme::Instance {
   Scheme scheme;
   Formula* free = nullptr;  ///< what holds x in `scheme`
   std::unique_ptr<FrequencyAnalysis> analysis;
-  int rings = 0;  ///< 0: as many as control the surface
 };
 
 FreedScheme::FreedScheme(const Scheme& scheme, std::string name, bool everywhere)
@@ -169,7 +165,7 @@ Result<FreedScheme> FreedScheme::make(const Scheme& scheme, const std::string& n
 }
 
 /// A copy of the scheme with a let for x, to which the freed name refers.
-Result<std::unique_ptr<FreedScheme::Instance>> FreedScheme::build(int n, int rings) const {
+Result<std::unique_ptr<FreedScheme::Instance>> FreedScheme::build(int n) const {
   auto instance = std::make_unique<Instance>(*original_);
   Scheme& scheme = instance->scheme;
   const std::string x = unused_name(scheme);
@@ -182,14 +178,14 @@ Result<std::unique_ptr<FreedScheme::Instance>> FreedScheme::build(int n, int rin
   formula.expression = std::move(*expression);
   scheme.lets.emplace_back(x, Formula{Expression::constant(0), {}});
   instance->free = &scheme.lets.back().second;
-  instance->analysis = std::make_unique<FrequencyAnalysis>(scheme, rings);
+  instance->analysis = std::make_unique<FrequencyAnalysis>(scheme);
   return instance;
 }
 
 Result<FreedScheme::Instance*> FreedScheme::named_at(int n, double x) {
   std::unique_ptr<Instance>& instance = named_[n];
   if (!instance) {
-    Result<std::unique_ptr<Instance>> built = build(n, 0);
+    Result<std::unique_ptr<Instance>> built = build(n);
     if (!built) return built.error();
     instance = std::move(built.value());
   }
@@ -199,21 +195,14 @@ Result<FreedScheme::Instance*> FreedScheme::named_at(int n, double x) {
 
 Result<FreedScheme::Instance*> FreedScheme::fixed_at(int n, double x) {
   if (fixed_.size() >= kMostInstances) fixed_.clear();
-  const auto at = [&](double value, int rings) -> Result<Instance*> {
-    std::unique_ptr<Instance>& instance = fixed_[{rings, value}];
-    if (!instance) {
-      Result<std::unique_ptr<Instance>> built = build(n, rings);
-      if (!built) return built.error();
-      instance = std::move(built.value());
-      instance->free->expression = Expression::constant(Rational(value));
-    }
-    return instance.get();
-  };
-  // weights that vanish at x must not change the number of rings
-  const Result<Instance*> generic = at(kGenericValue, 0);
-  if (!generic) return generic.error();
-  const Result<FrequencyBlocks> blocks = (*generic)->analysis->blocks(n);
-  return at(x, blocks ? blocks->rings : 0);
+  std::unique_ptr<Instance>& instance = fixed_[x];
+  if (!instance) {
+    Result<std::unique_ptr<Instance>> built = build(n);
+    if (!built) return built.error();
+    instance = std::move(built.value());
+    instance->free->expression = Expression::constant(Rational(x));
+  }
+  return instance.get();
 }
 
 Result<FrequencyBlocks> FreedScheme::blocks(int n, double x) {

@@ -72,7 +72,7 @@ class FreedScheme {
   struct Instance;  // a copy of the scheme with x in it, and its analysis
 
   FreedScheme(const Scheme& scheme, std::string name, bool everywhere);
-  Result<std::unique_ptr<Instance>> build(int n, int rings) const;
+  Result<std::unique_ptr<Instance>> build(int n) const;
   Result<Instance*> named_at(int n, double x);
   Result<Instance*> fixed_at(int n, double x);
 
@@ -82,8 +82,8 @@ class FreedScheme {
   int regular_;
   /// By valence; x is put in at each use. Refined only where x changes no neighbour.
   std::map<int, std::unique_ptr<Instance>> named_;
-  /// By rings (0: as many as control the surface) and x, which the neighbours have as well.
-  std::map<std::pair<int, double>, std::unique_ptr<Instance>> fixed_;
+  /// By x, which the neighbours have as well; the same for all valences.
+  std::map<double, std::unique_ptr<Instance>> fixed_;
 };
 
 }  // namespace limn

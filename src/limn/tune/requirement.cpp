@@ -192,11 +192,13 @@ Result<double> difference(const Requirement& requirement, FreedScheme& scheme, i
           0};
     beside.emplace_back(component.name, *values[i]);
   }
-  Result<double> left = scheme.evaluate(*requirement.left, n, x, beside);
-  if (!left) return left;
-  Result<double> right = scheme.evaluate(*requirement.right, n, x, beside);
-  if (!right) return right;
-  return *left - *right;
+  const Result<double> left = scheme.evaluate(*requirement.left, n, x, beside);
+  const Result<double> right = scheme.evaluate(*requirement.right, n, x, beside);
+  if (left && right) return *left - *right;
+  Error error = left ? right.error() : left.error();
+  error.message = fmt::format("requirement '{}': {}", requirement.text, error.message);
+  error.column = 0;  // of one side
+  return error;
 }
 
 Result<double> margin(const Requirement& requirement, FreedScheme& scheme, double x,

@@ -10,7 +10,8 @@
 namespace limn {
 namespace {
 
-constexpr int kDeepest = 40;  // halvings towards a place where branches come or go
+constexpr int kDeepest = 40;         // halvings towards a place where branches come or go
+constexpr int kMostHalvings = 1000;  // in all: rounding may have a defective one come and go often
 
 /// A difference that eigenvalues left apart, though rounding split them, may have in place of 0.
 constexpr double kSplitNearZero = 1e-6;
@@ -66,7 +67,7 @@ class RootSearch {
   void cell(const BranchSample& a, const BranchSample& b, int depth) {
     if (!a.defined && !b.defined) return;
     if (!same_rings(a, b)) {
-      if (depth == 0) return;
+      if (depth == 0 || ++halvings_ > kMostHalvings) return;
       const BranchSample middle = at(a.x / 2 + b.x / 2);
       cell(a, middle, depth - 1);
       cell(middle, b, depth - 1);
@@ -108,9 +109,11 @@ class RootSearch {
       const double right = b.branches[i].difference;
       if (is_zero(middle) && !is_zero(left) && !is_zero(right) && crosses(left, right))
         bisect(i, a, b, kDeepest);
+      const double rise = std::max(std::abs(left), std::abs(right)) - std::abs(middle);
+      // a smooth branch sinks below its lowest sample by less than the others rise above it
       const bool dips = !crosses(left, right) && (is_zero(middle) || !crosses(left, middle)) &&
-                        std::abs(middle) <= std::abs(left) && std::abs(middle) <= std::abs(right) &&
-                        std::max(std::abs(left), std::abs(right)) > std::abs(middle) + kSolved;
+                        std::abs(middle) <= std::min(std::abs(left), std::abs(right)) &&
+                        rise > kSolved && std::abs(middle) <= 4 * rise;
       if (dips && !(is_zero(middle) && (is_zero(left) || is_zero(right)))) dip(i, a, b);
     }
   }
@@ -166,7 +169,8 @@ class RootSearch {
     const BranchSample& beside = samples_[k == 0 ? 1 : k - 1];
     if (!same_rings(end, beside)) return;
     for (std::size_t i = 0; i < end.branches.size(); ++i)
-      if (is_zero(end.branches[i].difference) && !is_zero(beside.branches[i].difference))
+      if (std::abs(end.branches[i].difference) <= kUndecidedResidual &&
+          !is_zero(beside.branches[i].difference))
         result_.roots.push_back({end.x, end.branches[i].eigenvalue, false});
   }
 
@@ -201,6 +205,7 @@ class RootSearch {
   FreedScheme& scheme_;
   const BlockCurve& curve_;
   std::vector<BranchSample> samples_;
+  int halvings_ = 0;
   RootsFound result_;
 };
 
