@@ -174,6 +174,7 @@ Result<RepeatedWeight> SymbolicWeights::of_every_valence(const NamedWeight& name
     if (!rest) return rest.error();
     result.first.emplace(j, *rest);
   }
+  // comparisons at k = n-j suppose n so large that these and the first ones lie apart
   for (int j = 1; j <= apart.last; ++j) {
     const Result<Symbolic> position = Symbolic::add(n_, -j);
     if (!position) return position.error();
@@ -182,7 +183,6 @@ Result<RepeatedWeight> SymbolicWeights::of_every_valence(const NamedWeight& name
     result.last.emplace(j, *rest);
   }
   hold_from(2 * highest);  // of omega ≤ n/2 only omega = m then meets cos(2πmk/n)
-  hold_from(apart.first + apart.last - 1);
   return result;
 }
 

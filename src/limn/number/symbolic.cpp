@@ -195,6 +195,10 @@ Result<Symbolic> cosine_of_fraction(const Integer& d) {
   if (d == 2) return Symbolic(0);
   if (d == 3) return Symbolic(Polynomial(Rational(1, 2)));
   if (d == 4) return Symbolic::sqrt(Polynomial(Rational(1, 2)));
+  if (d == 5) {
+    const Result<Symbolic> root = Symbolic::sqrt(Polynomial(Rational(5, 16)));
+    return root ? Symbolic::add(*root, Polynomial(Rational(1, 4))) : root;
+  }
   if (d == 6) return Symbolic::sqrt(Polynomial(Rational(3, 4)));
   return Symbolic(Polynomial(cosine_symbol(Rational(Integer(1), d), {})));
 }
@@ -202,7 +206,19 @@ Result<Symbolic> cosine_of_fraction(const Integer& d) {
 Result<CosineAndSine> of_one_angle(const Rational& q, const Monomial& monomial) {
   const Integer d = boost::multiprecision::denominator(q);
   Integer turns = boost::multiprecision::numerator(q);
-  if (monomial.empty()) turns = ((turns % (2 * d)) + 2 * d) % (2 * d);
+  int cosine_sign = 1;
+  int sine_sign = 1;
+  if (monomial.empty()) {  // to the first quadrant, so that equal cosines are written alike
+    turns = ((turns % (2 * d)) + 2 * d) % (2 * d);
+    if (turns > d) {
+      turns = 2 * d - turns;
+      sine_sign = -1;
+    }
+    if (2 * turns > d) {
+      turns = d - turns;
+      cosine_sign = -1;
+    }
+  }
   if (abs(turns) > kMostTurns) return fault("the multiple of the angle is too high");
   const Rational unit(Integer(1), d);
   Result<Symbolic> base = monomial.empty()
@@ -210,13 +226,15 @@ Result<CosineAndSine> of_one_angle(const Rational& q, const Monomial& monomial) 
                               : Result<Symbolic>(Polynomial(cosine_symbol(unit, monomial)));
   if (!base) return base.error();
   const int j = turns.convert_to<int>();
-  const Result<Polynomial> cosine = without_squares(chebyshev(j, base->numerator()));
+  const Result<Polynomial> cosine =
+      without_squares(chebyshev(j, base->numerator()) * Polynomial(cosine_sign));
   if (!cosine) return cosine.error();
   CosineAndSine result{*cosine, fault("the sine of such an angle may have either sign")};
   if (!in_upper_half(unit, monomial)) return result;
   result.sine = complement(*base);
   if (!result.sine) return result;
-  const Result<Polynomial> factor = without_squares(chebyshev_of_sine(j, base->numerator()));
+  const Result<Polynomial> factor =
+      without_squares(chebyshev_of_sine(j, base->numerator()) * Polynomial(sine_sign));
   if (!factor) return factor.error();
   result.sine = Symbolic::multiply(*factor, *result.sine);
   return result;

@@ -107,7 +107,8 @@ class Scope {
   Scope(const Scheme& scheme, std::optional<long long> n, std::optional<long long> k)
       : scheme_(scheme), n_(n), k_(k) {}
 
-  /// From now on `name`, whether n, k, a parameter or a let, has this value.
+  /// From now on `name` has this value: n or k that the constructor left out, a parameter or a let
+  /// in place of its definition, or any other name.
   void give(const std::string& name, Number value) {
     given_.insert_or_assign(name, std::move(value));
   }
@@ -156,9 +157,9 @@ class Scope {
 template <class Number>
 Result<Number> Scope<Number>::lookup(const std::string& name) {
   using A = Arithmetic<Number>;
-  if (const auto given = given_.find(name); given != given_.end()) return given->second;
   if (name == "n" && n_) return A::from(Rational(*n_));
   if (name == "k" && k_) return A::from(Rational(*k_));
+  if (const auto given = given_.find(name); given != given_.end()) return given->second;
   const Formula* formula = find(name);
   if (formula == nullptr) {
     if (name == "n" || name == "k")
