@@ -26,6 +26,7 @@ using Declare = void (*)(CLI::App& parser, Action& action);
 void declare_schemes(CLI::App& parser, Action& action);
 void declare_show(CLI::App& parser, Action& action);
 void declare_refine(CLI::App& parser, Action& action);
+void declare_draw(CLI::App& parser, Action& action);
 void declare_artifacts(CLI::App& parser, Action& action);
 void declare_eigen(CLI::App& parser, Action& action);
 void declare_prescribe(CLI::App& parser, Action& action);

@@ -138,30 +138,5 @@ TEST(ArtifactsCommand, RefusesASchemeWithoutLimitButShowsItsSteps) {
   EXPECT_EQ(folder.limn(scheme + "--steps 2").code, 0);
 }
 
-TEST(PapersCommand, MakesAugsdoerfersFiguresAndTables) {
-  const Folder folder;
-  const Outcome outcome = folder.limn("papers augsdorfer -o ads --json");
-  ASSERT_EQ(outcome.code, 0) << outcome.err;
-  const std::string index = folder.read("ads/index.html");
-  for (const char* stem : {"fig01", "fig03", "fig04", "fig05", "fig06", "fig07", "fig08", "fig09",
-                           "fig10", "fig11", "fig12"}) {
-    EXPECT_NE(index.find(std::string("src=\"") + stem + ".svg\""), std::string::npos) << stem;
-    for (const char* extension : {".pdf", ".svg", ".csv", ".json"})
-      EXPECT_GT(folder.read("ads/" + std::string(stem) + extension).size(), 100U) << stem;
-  }
-  for (const char* stem : {"table1", "table2", "table3"})
-    for (const char* extension : {".tex", ".csv", ".json"})
-      EXPECT_GT(folder.read("ads/" + std::string(stem) + extension).size(), 100U) << stem;
-  EXPECT_NE(index.find("Misprints"), std::string::npos);
-}
-
-TEST(PapersCommand, RefusesUnknownPapersAndFolders) {
-  const Folder folder;
-  expect_refused(folder.limn("papers nobody -o x"), "augsdorfer");
-  expect_refused(folder.limn("papers augsdorfer"), "--output");
-  folder.write("file", "x");
-  expect_refused(folder.limn("papers augsdorfer -o file/x"), "file/x");
-}
-
 }  // namespace
 }  // namespace limn::test

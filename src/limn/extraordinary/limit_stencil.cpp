@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include <fmt/core.h>
 
@@ -168,6 +169,16 @@ std::optional<FanVectors> leading_pair(const FanMatrix& matrix,
   return pair;
 }
 
+/// What is rounding becomes 0, so that an interpolating scheme leaves its points where they are.
+void clean(LimitStencil& stencil) {
+  for (std::vector<double>* weights :
+       {&stencil.position, &stencil.first_tangent, &stencil.second_tangent})
+    for (double& weight : *weights)
+      if (std::abs(weight) < 1e-14) weight = 0;
+  const double sum = std::accumulate(stencil.position.begin(), stencil.position.end(), 0.0);
+  for (double& weight : stencil.position) weight /= sum;
+}
+
 }  // namespace
 
 Result<LimitStencil> approx_limit_stencil(FrequencyAnalysis& analysis, int n) {
@@ -196,6 +207,7 @@ Result<LimitStencil> approx_limit_stencil(FrequencyAnalysis& analysis, int n) {
   for (std::vector<double>* weights :
        {&stencil.position, &stencil.first_tangent, &stencil.second_tangent})
     if (!weights->empty()) weights->resize(size);
+  clean(stencil);
   return stencil;
 }
 
@@ -216,6 +228,7 @@ Result<LimitStencil> approx_boundary_limit_stencil(const Scheme& scheme, int fac
   while (fan_size(lattice, faces, stencil.rings) < part) ++stencil.rings;
   const Index size = fan_size(lattice, faces, stencil.rings);
   stencil.position = padded(position->left.col(0) / position->left.col(0).sum(), size);
+  clean(stencil);
   if (!tangents) return stencil;
   const double area =
       swept_area(tangents->right.col(0), tangents->right.col(1), fan_size(lattice, faces, 1));

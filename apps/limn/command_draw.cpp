@@ -1,0 +1,132 @@
+#include <memory>
+
+#include <fmt/core.h>
+#include <nlohmann/json.hpp>
+
+#include "command.h"
+#include "limn/base/progress.h"
+#include "limn/mesh/io/mesh_file.h"
+#include "limn/report/figure/figure.h"
+#include "limn/report/figure/visibility.h"
+#include "limn/report/surface_scenes.h"
+
+namespace limn::app {
+namespace {
+
+struct DrawOptions {
+  std::string mesh;
+  SchemeOptions scheme;
+  int levels = 4;
+  std::string output;
+  bool stripes = false;
+  bool lines = false;
+  int lights = 32;
+  bool net = false;
+  double azimuth = -50;
+  double elevation = 30;
+  bool triangulate = false;
+  bool json = false;
+};
+
+Result<SurfaceScene> scene_of(const DrawOptions& options, const Scheme& scheme) {
+  Result<Polygons> polygons = read_mesh(options.mesh);
+  if (!polygons) return polygons.error();
+  if (options.triangulate) polygons = triangulated(*polygons);
+  Warnings warnings;
+  Result<Mesh> mesh = Mesh::build(*polygons, &warnings);
+  for (Error& warning : warnings) warning.file = options.mesh;
+  report_warnings(warnings);
+  Result<SmoothSurface> surface =
+      mesh ? limit_surface(scheme, *mesh, polygons->positions, options.levels) : mesh.error();
+  if (!surface) {
+    if (surface.error().file.empty()) surface.error().file = options.mesh;
+    return surface.error();
+  }
+  SurfaceScene scene;
+  scene.surfaces.push_back(std::move(*surface));
+  scene.azimuth = options.azimuth;
+  scene.elevation = options.elevation;
+  if (options.net) scene.net = control_net(*mesh, polygons->positions);
+  return scene;
+}
+
+int draw(const DrawOptions& options) {
+  if (!figures_available() || !rays_available())
+    return report({"this limn draws no surfaces", "build it with cairo and Embree", {}, 0, 0});
+  if (Status status = check_readable(options.mesh); !status) return report(status.error());
+  if (const Result<FigureFormat> format = figure_format(options.output); !format)
+    return report(format.error());
+  const Result<Scheme> scheme = options.scheme.load();
+  if (!scheme) return report(scheme.error());
+  ProgressLine line;
+  line.show("finding limit points");
+  const Result<SurfaceScene> scene = scene_of(options, *scheme);
+  if (!scene) return report(scene.error());
+  line.show("drawing " + options.output);
+  const LightLines lights{.count = options.lights};
+  Figure figure(1);
+  if (options.lines)
+    figure.add(ReflectionLinePanel{.scene = *scene, .lights = lights});
+  else if (options.stripes)
+    figure.add(ShadedPanel{.scene = *scene, .stripes = lights});
+  else
+    figure.add(ShadedPanel{.scene = *scene});
+  if (Status status = figure.write(options.output); !status) return report(status.error());
+  const std::size_t vertices = scene->surfaces.front().vertices.size();
+  if (options.json)
+    fmt::print("{}\n", nlohmann::ordered_json{{"output", options.output},
+                                              {"scheme", scheme->name},
+                                              {"levels", options.levels},
+                                              {"vertices", vertices}}
+                           .dump());
+  else
+    fmt::print("{}: the limit surface of {} at {} points\n", options.output, scheme->name,
+               vertices);
+  return kDone;
+}
+
+void declare_look(CLI::App& command, DrawOptions& options) {
+  CLI::Option* const stripes =
+      command.add_flag("--stripes", options.stripes, "as a mirror of parallel lights, in pixels");
+  command.add_flag("--reflection-lines", options.lines, "reflection lines and outlines as curves")
+      ->excludes(stripes);
+  command.add_option("--lights", options.lights, "light lines all round")
+      ->capture_default_str()
+      ->check(CLI::Range(1, 10000));
+  command.add_flag("--net", options.net, "the control net too, dashed where hidden");
+  command
+      .add_option("--azimuth", options.azimuth, "of the viewer about the z axis, in degrees from x")
+      ->capture_default_str()
+      ->check(CLI::Range(-360.0, 360.0));
+  command
+      .add_option("--elevation", options.elevation, "of the viewer over the xy plane, in degrees")
+      ->capture_default_str()
+      ->check(CLI::Range(-90.0, 90.0));
+}
+
+}  // namespace
+
+void declare_draw(CLI::App& parser, Action& action) {
+  CLI::App* command = parser.add_subcommand(
+      "draw", "a picture of a mesh's limit surface: shaded, or with reflection lines");
+  const auto options = std::make_shared<DrawOptions>();
+  command->add_option("MESH", options->mesh, "control mesh: .obj, .off, .ply or .stl")->required();
+  command->add_option("-s,--scheme", options->scheme.name, "a shipped scheme, or a scheme file")
+      ->required();
+  command->add_option("-n,--levels", options->levels, "refinement steps before the limit is taken")
+      ->capture_default_str()
+      ->check(CLI::Range(0, 64));
+  command->add_option("-o,--output", options->output, "the picture: .pdf, .svg or .png")
+      ->required();
+  options->scheme.declare_parameters(*command);
+  declare_look(*command, *options);
+  command->add_flag("--triangulate", options->triangulate,
+                    "cut polygons into triangles first, each from its first corner");
+  command->add_flag("--json", options->json, "print one JSON object");
+  command->footer(
+      "Example: limn draw mesh.obj -s loop -o surface.png\n"
+      "         limn draw mesh.obj -s catmull-clark --reflection-lines --net -o lines.pdf");
+  command->callback([&action, options] { action = [options] { return draw(*options); }; });
+}
+
+}  // namespace limn::app

@@ -1,0 +1,64 @@
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "run_command.h"
+
+namespace limn::test {
+namespace {
+
+const std::string kBracket = LIMN_EXAMPLES "/bracket.obj";
+const std::string kQuads = LIMN_EXAMPLES "/bracket-quads.obj";
+
+TEST(DrawCommand, MakesPicturesOfLimitSurfaces) {
+  const Folder folder;
+  const Outcome shaded = folder.limn("draw " + kBracket + " -s loop -n 2 -o a.png --json");
+  if (shaded.code == 2 && shaded.err.find("Embree") != std::string::npos) GTEST_SKIP();
+  ASSERT_EQ(shaded.code, 0) << shaded.err;
+  EXPECT_EQ(nlohmann::json::parse(shaded.out).at("scheme"), "loop");
+  EXPECT_EQ(folder.read("a.png").substr(1, 3), "PNG");
+  const Outcome lines =
+      folder.limn("draw " + kQuads + " -s catmull-clark -n 2 --reflection-lines --net -o b.svg");
+  ASSERT_EQ(lines.code, 0) << lines.err;
+  EXPECT_NE(folder.read("b.svg").find("<path"), std::string::npos);
+  EXPECT_EQ(folder.read("b.svg").find("<image"), std::string::npos);  // all of it curves
+  const Outcome again =
+      folder.limn("draw " + kQuads + " -s catmull-clark -n 2 --reflection-lines --net -o c.svg");
+  EXPECT_EQ(folder.read("b.svg"), folder.read("c.svg"));
+}
+
+TEST(DrawCommand, RefusesBadInput) {
+  const Folder folder;
+  const auto refused = [&](const std::string& arguments, const std::string& part) {
+    const Outcome outcome = folder.limn("draw " + arguments);
+    EXPECT_EQ(outcome.code, 2) << arguments;
+    EXPECT_NE(outcome.err.find(part), std::string::npos) << outcome.err;
+  };
+  refused("none.obj -s loop -o a.png", "none.obj");
+  refused(kBracket + " -s loop -o a.txt", ".svg");
+  refused(kBracket + " -s nosuch -o a.png", "nosuch");
+  refused(kQuads + " -s loop -o a.png", "--triangulate");
+  refused(kBracket + " -s loop --stripes --reflection-lines -o a.png", "--reflection-lines");
+  refused(kBracket + " -s loop --elevation 91 -o a.png", "--elevation");
+  refused(kBracket + " -s loop --lights 0 -o a.png", "--lights");
+  EXPECT_EQ(folder.count(), 0);
+}
+
+TEST(RefineCommand, MovesPointsToTheLimitAndWritesNormals) {
+  const Folder folder;
+  const Outcome outcome =
+      folder.limn("refine " + kBracket + " -s loop -n 1 --limit --normals -o a.obj");
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  const std::string moved = folder.read("a.obj");
+  EXPECT_NE(moved.find("\nvn "), std::string::npos);
+  EXPECT_EQ(folder.limn("refine " + kBracket + " -s loop -n 1 -o b.obj").code, 0);
+  EXPECT_NE(moved.substr(0, 200), folder.read("b.obj").substr(0, 200));
+  // interpolating: the control points are limit points
+  EXPECT_EQ(folder.limn("refine " + kBracket + " -s butterfly-modified -n 1 --limit -o c.obj").code,
+            0);
+  EXPECT_EQ(folder.limn("refine " + kBracket + " -s butterfly-modified -n 1 -o d.obj").code, 0);
+  EXPECT_EQ(folder.read("c.obj"), folder.read("d.obj"));
+}
+
+}  // namespace
+}  // namespace limn::test
