@@ -9,6 +9,7 @@
 #include "limn/extraordinary/limit_points.h"
 #include "limn/mesh/io/mesh_file.h"
 #include "limn/refine/refine.h"
+#include "limn/report/data_table.h"
 
 namespace limn::app {
 namespace {
@@ -20,6 +21,7 @@ struct RefineOptions {
   std::string output;
   bool limit = false;
   bool normals = false;
+  std::string curvatures;
   bool triangulate = false;
   bool json = false;
 };
@@ -56,12 +58,24 @@ void print_result(const RefineOptions& options, const Scheme& scheme, const Mesh
              scheme.name, seconds);
 }
 
+/// A row for each vertex of the refined mesh; empty numbers where there is no curvature.
+Status write_curvatures(const std::string& path, const LimitPoints& limit) {
+  DataTable table{{"vertex", "x", "y", "z", "largest", "smallest"}, {}};
+  for (std::size_t v = 0; v < limit.positions.size(); ++v) {
+    const Point3& p = limit.positions[v];
+    const LimitPoints::Curvatures& k = limit.curvatures[v];
+    table.rows.push_back({static_cast<double>(v), p.x, p.y, p.z, k.largest, k.smallest});
+  }
+  return write_table(path, table);
+}
+
 /// Moves the points to the limit surface and finds normals there, as the options ask.
 Status take_to_limit(const RefineOptions& options, const Scheme& scheme, Refined<Point3>& refined,
                      WriteOptions& extras, ProgressLine& line) {
-  if (!options.limit && !options.normals) return Done{};
+  if (!options.limit && !options.normals && options.curvatures.empty()) return Done{};
   LimitOptions limit_options;
   limit_options.steps_made = options.levels;
+  limit_options.curvatures = !options.curvatures.empty();
   limit_options.progress = [&](int left) {
     line.show(fmt::format("limit points: {} vertices left, near irregular ones", left));
   };
@@ -71,6 +85,8 @@ Status take_to_limit(const RefineOptions& options, const Scheme& scheme, Refined
     if (limit.error().file.empty()) limit.error().file = options.mesh;
     return limit.error();
   }
+  if (!options.curvatures.empty())
+    if (Status status = write_curvatures(options.curvatures, *limit); !status) return status;
   if (options.limit) refined.values = std::move(limit->positions);
   if (options.normals) extras.normals = std::move(limit->normals);
   return Done{};
@@ -80,6 +96,12 @@ int refine_mesh(const RefineOptions& options) {
   // what can be refused at once is refused before any work
   if (Status status = check_readable(options.mesh); !status) return report(status.error());
   if (Status status = check_writable(options.output); !status) return report(status.error());
+  if (!options.curvatures.empty() && !is_table_path(options.curvatures))
+    return report({fmt::format("--curvatures: '{}' is no table", options.curvatures),
+                   "it ends in .csv or .json",
+                   {},
+                   0,
+                   0});
   const Result<Scheme> scheme = options.scheme.load();
   if (!scheme) return report(scheme.error());
   Result<Polygons> polygons = read_control_mesh(options);
@@ -131,6 +153,9 @@ void declare_refine(CLI::App& parser, Action& action) {
   command->add_flag("--limit", options->limit, "move the refined vertices to the limit surface");
   command->add_flag("--normals", options->normals,
                     "write the limit surface's normals (.obj, .off, .ply, .glb)");
+  command->add_option("--curvatures", options->curvatures,
+                      "write the limit surface's principal curvatures to this .csv or .json, "
+                      "where they are bounded");
   command->add_flag("--triangulate", options->triangulate,
                     "cut polygons into triangles first, each from its first corner");
   command->add_flag("--json", options->json, "print one JSON object");

@@ -60,5 +60,21 @@ TEST(RefineCommand, MovesPointsToTheLimitAndWritesNormals) {
   EXPECT_EQ(folder.read("c.obj"), folder.read("d.obj"));
 }
 
+TEST(RefineCommand, WritesCurvaturesWhereTheyAreBounded) {
+  const Folder folder;
+  const Outcome outcome =
+      folder.limn("refine " + kQuads + " -s catmull-clark -n 1 -o a.obj --curvatures k.json");
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  const auto rows = nlohmann::json::parse(folder.read("k.json")).at("rows");
+  int bounded = 0;
+  for (const auto& row : rows) bounded += row[4].is_null() ? 0 : 1;
+  EXPECT_GT(bounded, 0);
+  EXPECT_LT(bounded, static_cast<int>(rows.size()));  // not at the boundary
+  const Outcome refused =
+      folder.limn("refine " + kQuads + " -s catmull-clark -n 1 -o b.obj --curvatures k.txt");
+  EXPECT_EQ(refused.code, 2);
+  EXPECT_NE(refused.err.find(".csv"), std::string::npos) << refused.err;
+}
+
 }  // namespace
 }  // namespace limn::test

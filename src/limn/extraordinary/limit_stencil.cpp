@@ -235,6 +235,7 @@ Result<LimitStencil> approx_boundary_limit_stencil(const Scheme& scheme, int fac
   if (std::abs(area) < 1e-9) return stencil;
   stencil.first_tangent = padded(tangents->left.col(0), size);
   stencil.second_tangent = padded((area > 0 ? 1 : -1) * tangents->left.col(1), size);
+  clean(stencil);
   return stencil;
 }
 
