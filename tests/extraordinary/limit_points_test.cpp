@@ -51,9 +51,6 @@ Patch cut(const Patch& patch) {
   return {Mesh::build(part).value(), part.positions, name[patch.vertex]};
 }
 
-Point3 cross(const Point3& a, const Point3& b) {
-  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-}
 double length(const Point3& a) { return std::sqrt(a.x * a.x + a.y * a.y + a.z * a.z); }
 
 /// The plane through the centre that fits the sum of its faces.

@@ -3,6 +3,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "limn/extraordinary/null_space.h"
+
 namespace limn {
 namespace {
 
@@ -13,25 +15,15 @@ Eigen::Index rows_within(const FrequencyBlocks& blocks, Eigen::Index shift, int 
   return rows;
 }
 
-/// A basis of the vectors x with matrix·x = 0: entries are of order 1, λ is exact to about 1e-13.
-template <class Matrix>
-Matrix null_space(const Matrix& matrix) {
-  constexpr double kVanishes = 1e-9;
-  const Eigen::JacobiSVD<Matrix> svd(matrix, Eigen::ComputeFullV);
-  Eigen::Index nullity = (svd.singularValues().array() < kVanishes).count();
-  nullity = std::max<Eigen::Index>(nullity, 1);
-  return svd.matrixV().rightCols(nullity);
-}
-
 /// Right and left null vectors of block - λ; the left ones within the leading `part` rows.
 template <class Matrix>
 void solve(const Matrix& block, typename Matrix::Scalar lambda, Eigen::Index part,
            Eigenvectors& vectors) {
   const Eigen::Index size = block.rows();
-  vectors.right = null_space<Matrix>(block - lambda * Matrix::Identity(size, size))
+  vectors.right = null_space<Matrix>(block - lambda * Matrix::Identity(size, size), 1)
                       .template cast<std::complex<double>>();
   const Matrix inner = block.topLeftCorner(part, part) - lambda * Matrix::Identity(part, part);
-  const Matrix left = null_space<Matrix>(inner.transpose());
+  const Matrix left = null_space<Matrix>(inner.transpose(), 1);
   vectors.left = Eigen::MatrixXcd::Zero(left.cols(), size);
   vectors.left.leftCols(part) = left.transpose().template cast<std::complex<double>>();
 }

@@ -20,11 +20,6 @@ constexpr int kMostSteps = 12;  // until a neighbourhood is regular; each halves
 constexpr int kMargin = 3;      // rings round a neighbourhood, so that a cut does not reach it
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
-Point3 cross(const Point3& a, const Point3& b) {
-  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-}
-double dot(const Point3& a, const Point3& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
-
 Point3 normalized(const Point3& a) {
   const double length = std::sqrt(dot(a, a));
   return length > 0 ? (1 / length) * a : Point3{};

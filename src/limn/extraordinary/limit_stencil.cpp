@@ -6,6 +6,7 @@
 
 #include <fmt/core.h>
 
+#include "limn/extraordinary/null_space.h"
 #include "limn/mesh/lattice.h"
 #include "limn/refine/linear_form.h"
 #include "limn/refine/refine_values.h"
@@ -98,22 +99,17 @@ struct FanVectors {
   Eigen::MatrixXd left, right;
 };
 
-Eigen::MatrixXd null_space(const Eigen::MatrixXd& matrix) {
-  const Eigen::JacobiSVD<Eigen::MatrixXd> svd(matrix, Eigen::ComputeFullV);
-  return svd.matrixV().rightCols((svd.singularValues().array() < 1e-9).count());
-}
-
 /// Nothing where λ is defective.
 std::optional<FanVectors> fan_vectors(const FanMatrix& matrix, double lambda) {
   FanVectors found;
   for (const Eigen::Index part : matrix.invariant) {
     const Eigen::MatrixXd shifted =
         matrix.entries.topLeftCorner(part, part) - lambda * Eigen::MatrixXd::Identity(part, part);
-    const Eigen::MatrixXd left = null_space(shifted.transpose());
+    const Eigen::MatrixXd left = null_space<Eigen::MatrixXd>(shifted.transpose());
     if (left.cols() <= found.left.cols()) continue;
     found = {left, null_space(shifted)};
   }
-  if (found.left.cols() == 0) return std::nullopt;
+  if (found.left.cols() == 0 || found.right.cols() != found.left.cols()) return std::nullopt;
   const Eigen::MatrixXd products = found.left.transpose() * found.right;
   const Eigen::FullPivLU<Eigen::MatrixXd> lu(products);
   if (std::abs(lu.determinant()) < kTie) return std::nullopt;

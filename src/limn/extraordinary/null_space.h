@@ -1,0 +1,19 @@
+#pragma once
+/// Null vectors of small matrices. Private to eigenvectors and limit_stencil.
+
+#include <Eigen/Dense>
+#include <algorithm>
+
+namespace limn {
+
+/// An orthonormal basis, as columns, of the vectors x with matrix·x = 0, where entries are of order
+/// 1 and exact to about 1e-13; of at least so many columns.
+template <class Matrix>
+[[nodiscard]] Matrix null_space(const Matrix& matrix, Eigen::Index least = 0) {
+  constexpr double kVanishes = 1e-9;
+  const Eigen::JacobiSVD<Matrix> svd(matrix, Eigen::ComputeFullV);
+  const Eigen::Index nullity = (svd.singularValues().array() < kVanishes).count();
+  return svd.matrixV().rightCols(std::max(nullity, least));
+}
+
+}  // namespace limn
