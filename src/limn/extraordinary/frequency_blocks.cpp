@@ -22,6 +22,7 @@ using Weights = std::vector<std::vector<double>>;
 Result<Weights> evaluated(const Scheme& scheme, const SectorPattern& pattern, int n) {
   Weights weights(pattern.names.size());
   std::vector<double> shares;
+  shares.reserve(pattern.names.size());
   for (const NamedWeight& name : pattern.names) shares.push_back(to_double(name.share));
   // each scope evaluates a let that several weights use once
   const auto evaluate = [&](Scope<double> scope, bool repeated) -> Status {
