@@ -10,7 +10,7 @@
 
 namespace {
 
-void blocks(benchmark::State& state, const char* name) {
+void blocks(benchmark::State& state, const std::string& name) {
   const limn::Scheme scheme = limn::find_scheme(name).value();
   for (auto _ : state) {
     limn::FrequencyAnalysis analysis(scheme);
@@ -20,7 +20,7 @@ void blocks(benchmark::State& state, const char* name) {
 }
 
 /// The plain way: the matrix of all vertices of as many rings, all its eigenvalues at once.
-void dense(benchmark::State& state, const char* name) {
+void dense(benchmark::State& state, const std::string& name) {
   const limn::Scheme scheme = limn::find_scheme(name).value();
   const int rings = limn::FrequencyAnalysis(scheme).blocks(5).value().rings;
   for (auto _ : state)
@@ -33,16 +33,21 @@ void dense(benchmark::State& state, const char* name) {
     }
 }
 
-#define LIMN_ROWS(name, title)                                                              \
-  BENCHMARK_CAPTURE(blocks, name, title)->Arg(24)->Arg(200)->Unit(benchmark::kMillisecond); \
-  BENCHMARK_CAPTURE(dense, name, title)->Arg(12)->Arg(24)->Unit(benchmark::kMillisecond)
-
-LIMN_ROWS(loop, "loop");
-LIMN_ROWS(sqrt3, "sqrt3");
-LIMN_ROWS(catmull_clark, "catmull-clark");
-LIMN_ROWS(doo_sabin, "doo-sabin");
-LIMN_ROWS(butterfly, "butterfly");
-LIMN_ROWS(butterfly_modified, "butterfly-modified");
-LIMN_ROWS(laplacian_butterfly, "laplacian-butterfly");
+/// Rows for every shipped scheme that has rules.
+[[maybe_unused]] const bool kRows = [] {
+  for (const std::string& name : limn::shipped_schemes()) {
+    const limn::Scheme scheme = limn::find_scheme(name).value();
+    if (scheme.mask || scheme.factors) continue;
+    benchmark::RegisterBenchmark(("blocks/" + name).c_str(), blocks, name)
+        ->Arg(24)
+        ->Arg(200)
+        ->Unit(benchmark::kMillisecond);
+    benchmark::RegisterBenchmark(("dense/" + name).c_str(), dense, name)
+        ->Arg(12)
+        ->Arg(24)
+        ->Unit(benchmark::kMillisecond);
+  }
+  return true;
+}();
 
 }  // namespace

@@ -3,31 +3,15 @@
 /// what they say about the surface.
 
 #include <array>
-#include <complex>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "limn/base/truth.h"
-#include "limn/extraordinary/frequency_blocks.h"
+#include "limn/extraordinary/block_spectrum.h"
 
 namespace limn {
-
-struct Eigenvalue {
-  std::complex<double> value;
-  int frequency = 0;
-  /// The least number of rings that are invariant by themselves and have it.
-  int ring = 0;
-  int multiplicity = 1;  ///< algebraic, within its frequency's block
-  int jordan = 1;        ///< size of its largest Jordan block there
-};
-
-/// The eigenvalues of one block, largest modulus first, repeated by multiplicity.
-struct BlockSpectrum {
-  int frequency = 0;
-  std::vector<Eigenvalue> eigenvalues;
-};
 
 /// A label: eigenvalue number `index` (largest first) of a frequency's block.
 struct Component {
@@ -68,19 +52,6 @@ struct Eigencomponents {
   std::optional<double> position, tangent, cup, saddle;
   Verdict verdict;
 };
-
-/// Eigenvalues closer than this are called equal; between it and kUndecidedBelow nothing is said.
-inline constexpr double kEqualBelow = 1e-10;
-inline constexpr double kUndecidedBelow = 1e-8;
-
-/// What becomes of eigenvalues closer than about 1e-6, which may be one defective eigenvalue that
-/// rounding split: `joined` gives them their mean, exact if they are one; `apart` leaves them,
-/// exact if they are several.
-enum class Near { joined, apart };
-
-/// The spectrum of one block, 0 ≤ ω ≤ ⌊n/2⌋, in double precision.
-[[nodiscard]] BlockSpectrum approx_spectrum(const FrequencyBlocks& blocks, int omega,
-                                            Near near = Near::joined);
 
 /// In double precision: an "approximate" reading; certificates are another matter. Cost: one small
 /// eigenvalue problem for each frequency.

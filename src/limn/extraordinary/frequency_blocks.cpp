@@ -4,6 +4,7 @@
 #include <cmath>
 #include <complex>
 #include <numbers>
+#include <numeric>
 
 #include <fmt/core.h>
 
@@ -21,6 +22,7 @@ using Weights = std::vector<std::vector<double>>;
 Result<Weights> evaluated(const Scheme& scheme, const SectorPattern& pattern, int n) {
   Weights weights(pattern.names.size());
   std::vector<double> shares;
+  shares.reserve(pattern.names.size());
   for (const NamedWeight& name : pattern.names) shares.push_back(to_double(name.share));
   // each scope evaluates a let that several weights use once
   const auto evaluate = [&](Scope<double> scope, bool repeated) -> Status {
@@ -69,6 +71,9 @@ class TermsAt {
       steps_.push_back(phase(term.angle));
     }
     phases_.resize(pattern.terms.size());
+    sums_.resize(weights.size());
+    for (const std::vector<double>& values : weights)
+      totals_.push_back(std::accumulate(values.begin(), values.end(), 0.0));
   }
 
   /// The block of frequency ω; called for ω = 0, 1, 2, … in this order.
@@ -78,10 +83,12 @@ class TermsAt {
     const int shift = with_center ? 1 : 0;  // the centre, -1, comes first
     const auto size = static_cast<Eigen::Index>(pattern_.orbits.size()) + shift;
     Eigen::MatrixXcd block = Eigen::MatrixXcd::Zero(size, size);
+    for (std::size_t name = 0; name < sums_.size(); ++name)
+      if (pattern_.names[name].repeated) sums_[name] = transformed(weights_[name], omega);
     for (std::size_t i = 0; i < pattern_.terms.size(); ++i) {
       const SectorTerm& term = pattern_.terms[i];
-      phases_[i] = omega % kResync == 0 ? phase(term.angle * omega) : phases_[i] * steps_[i];
       if (!with_center && (term.row == kCenter || term.column == kCenter)) continue;
+      phases_[i] = omega % kResync == 0 ? phase(term.angle * omega) : phases_[i] * steps_[i];
       block(term.row + shift, term.column + shift) += factors_[i] * along(term, omega, phases_[i]);
     }
     return block;
@@ -92,24 +99,36 @@ class TermsAt {
     return std::polar(1.0, kTwoPi * sectors / n_);
   }
 
+  /// The sum of w_k e^{2πiωk/n}.
+  [[nodiscard]] std::complex<double> transformed(const std::vector<double>& values,
+                                                 int omega) const {
+    std::complex<double> sum = 0;
+    std::size_t at = 0;
+    for (const double value : values) {
+      sum += value * roots_[at];
+      at += static_cast<std::size_t>(omega);
+      if (at >= roots_.size()) at -= roots_.size();
+    }
+    return sum;
+  }
+
   /// What the positions of a term sum to, without its factor.
   [[nodiscard]] std::complex<double> along(const SectorTerm& term, int omega,
                                            std::complex<double> first) const {
     if (term.every_sector) return omega == 0 ? n_ : 0.0;
     if (term.repeated < 0) return first;
-    std::complex<double> sum = 0;
-    const std::vector<double>& values = weights_[static_cast<std::size_t>(term.repeated)];
-    const int turn = ((term.slope * omega) % n_ + n_) % n_;
-    for (int k = 0, at = 0; k < n_; ++k, at = at + turn < n_ ? at + turn : at + turn - n_)
-      sum += values[static_cast<std::size_t>(k)] * roots_[static_cast<std::size_t>(at)];
-    return first * sum;
+    const auto name = static_cast<std::size_t>(term.repeated);
+    if (term.slope == 0) return first * totals_[name];
+    return first * (term.slope > 0 ? sums_[name] : std::conj(sums_[name]));
   }
 
   const SectorPattern& pattern_;
   const Weights& weights_;
   int n_;
   std::vector<std::complex<double>> roots_, steps_, phases_;
+  std::vector<std::complex<double>> sums_;  // of each repeated name's weights, transformed at ω
   std::vector<double> factors_;
+  std::vector<double> totals_;  // of each name's weights
 };
 
 }  // namespace
@@ -143,6 +162,7 @@ Result<FrequencyBlocks> FrequencyAnalysis::blocks(int n) {
   if (!weights) return weights.error();
   FrequencyBlocks result{n, p.rings, p.has_center, p.orbits, {}};
   TermsAt terms(p, *weights, n);
+  result.blocks.reserve(static_cast<std::size_t>(n / 2 + 1));
   for (int omega = 0; omega <= n / 2; ++omega) result.blocks.push_back(terms.block(omega));
   if (Status status = check_sums(*scheme_, result); !status) return status.error();
   return result;

@@ -176,6 +176,7 @@ template <class Number, class Lookup>
 Result<Number> Expression::evaluate(Lookup&& lookup) const {
   using A = Arithmetic<Number>;
   std::vector<Number> stack;
+  stack.reserve(program_.size());
   for (const Instruction& step : program_) {
     Result<Number> value = [&]() -> Result<Number> {
       switch (step.op) {
