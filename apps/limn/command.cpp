@@ -1,6 +1,10 @@
 #include "command.h"
 
+#include <algorithm>
 #include <cstdio>
+#include <filesystem>
+
+#include <fmt/core.h>
 
 namespace limn::app {
 
@@ -27,6 +31,18 @@ Result<Scheme> SchemeOptions::load() const {
   if (!scheme) return scheme;
   if (Status status = set_parameters(*scheme, parameters); !status) return status.error();
   return scheme;
+}
+
+Status check_scheme_path(const std::string& path) {
+  if (std::filesystem::path(path).extension() == ".toml") return Done{};
+  return Error{fmt::format("'{}' is no scheme file's name", path), "it ends in .toml", {}, 0, 0};
+}
+
+std::string extends_name(const std::string& scheme, const std::string& path) {
+  namespace fs = std::filesystem;
+  const std::vector<std::string> shipped = shipped_schemes();
+  if (std::find(shipped.begin(), shipped.end(), scheme) != shipped.end()) return scheme;
+  return fs::proximate(scheme, fs::absolute(path).parent_path()).string();
 }
 
 }  // namespace limn::app

@@ -46,4 +46,11 @@ struct SchemeOptions {
   [[nodiscard]] Result<Scheme> load() const;
 };
 
+/// Whether a scheme file can have this name: NAME.toml.
+[[nodiscard]] Status check_scheme_path(const std::string& path);
+
+/// What a scheme file at `path` says after "extends" to mean the SCHEME of a command line: a
+/// shipped name, or a path from its folder.
+[[nodiscard]] std::string extends_name(const std::string& scheme, const std::string& path);
+
 }  // namespace limn::app

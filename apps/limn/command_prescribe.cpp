@@ -1,4 +1,3 @@
-#include <filesystem>
 #include <memory>
 
 #include <fmt/core.h>
@@ -21,28 +20,15 @@ struct PrescribeOptions {
   bool json = false;
 };
 
-/// What the file is to say after "extends": a shipped name, or a path that holds everywhere.
-std::string name_in_file(const std::string& name) {
-  const std::vector<std::string> shipped = shipped_schemes();
-  if (std::find(shipped.begin(), shipped.end(), name) != shipped.end()) return name;
-  return std::filesystem::absolute(name).lexically_normal().string();
-}
-
 int prescribe(const PrescribeOptions& options) {
   const Result<Scheme> base = find_scheme(options.scheme);
   if (!base) return report(base.error());
-  const std::filesystem::path path(options.output);
-  if (path.extension() != ".toml")
-    return report({fmt::format("'{}' is no scheme file's name", options.output),
-                   "it ends in .toml",
-                   {},
-                   0,
-                   0});
+  if (Status status = check_scheme_path(options.output); !status) return report(status.error());
   const Prescription prescription{options.valence,
                                   options.eigenvalues.front(),
                                   {options.eigenvalues.begin() + 1, options.eigenvalues.end()}};
-  const Result<std::string> text =
-      prescribed_scheme(*base, name_in_file(options.scheme), path.stem().string(), prescription);
+  const Result<std::string> text = prescribed_scheme(
+      *base, extends_name(options.scheme, options.output), options.output, prescription);
   if (!text) return report(text.error());
   const Result<Scheme> made = parse_scheme(*text, options.output);
   if (!made) return report(made.error());

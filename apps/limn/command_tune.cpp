@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <filesystem>
 #include <memory>
 
 #include <fmt/core.h>
@@ -61,6 +60,8 @@ Result<Task> read_task(const TuneOptions& options) {
                  {},
                  0,
                  0};
+  if (!options.output.empty())
+    if (Status status = check_scheme_path(options.output); !status) return status.error();
   if (options.range && !options.output.empty())
     return Error{"-o writes solutions, not ranges", "leave out -o or --range", {}, 0, 0};
   std::optional<SearchRange> between;
@@ -83,13 +84,8 @@ nlohmann::ordered_json heading_json(const Task& task, const nlohmann::ordered_js
 /// Writes the solutions as a scheme file, if it reads back.
 Status write_tuned(const Task& task, const std::vector<ValenceSolutions>& solutions,
                    const TuneOptions& options) {
-  namespace fs = std::filesystem;
-  const std::vector<std::string> shipped = shipped_schemes();
-  std::string extends = options.scheme.name;
-  if (std::find(shipped.begin(), shipped.end(), extends) == shipped.end())
-    extends = fs::proximate(extends, fs::absolute(options.output).parent_path()).string();
-  const Result<std::string> text =
-      tuned_scheme_text(task.freed, task.requirement, solutions, extends);
+  const Result<std::string> text = tuned_scheme_text(
+      task.freed, task.requirement, solutions, extends_name(options.scheme.name, options.output));
   if (!text) return text.error();
   if (const Result<Scheme> back = parse_scheme(*text, options.output); !back) return back.error();
   return write_file(options.output, *text);

@@ -148,6 +148,16 @@ INSTANTIATE_TEST_SUITE_P(Shipped, LimitPointsOf,
                                          "laplacian-butterfly"),
                          [](const auto& info) { return test_name(info.param); });
 
+// Its matrix is dense: beyond a size it would take hours, and all memory.
+TEST(LimitPoints, OfHugeFansAreRefusedAtOnce) {
+  for (const char* name : {"loop", "catmull-clark", "sqrt3"})
+    for (const int faces : {1100, 1'000'000'000}) {
+      const Result<LimitStencil> found = approx_boundary_limit_stencil(shipped(name), faces);
+      ASSERT_FALSE(found);
+      EXPECT_NE(found.error().text().find("too large for limit points"), std::string::npos);
+    }
+}
+
 // The corners born round a vertex of a closed mesh have the limit as their mean.
 TEST(LimitPoints, OfDooSabinAreCentroidsOfTheFirstStepsFaces) {
   const Scheme& scheme = shipped("doo-sabin");

@@ -190,5 +190,21 @@ TEST_F(Factors, OfDegreeOneAndTwoGiveRoots) {
             Texts{"left: (x - 1)*lambda^3 - (x + 1)*lambda - 1"});
 }
 
+// FLINT would not end: numbers of 60000 bits in two variables take it minutes.
+TEST_F(Factors, OfCoefficientsThatAreTooLongAreRefused) {
+  const Polynomial x(kX);
+  const Rational large(Integer(1) << 30'000);
+  const Polynomial longest = x * x * Polynomial(large * large + 1) - x * Polynomial(large + 3) + 1;
+  EXPECT_FALSE(factor(longest));
+  EXPECT_FALSE(without_common_divisor(longest, x + 1));
+  EXPECT_FALSE(without_common_divisor(x + 1, longest));
+  // short above and below, but over one denominator they are long
+  Polynomial fractions;
+  for (int i = 0; i < 500; ++i)
+    fractions += power(x, i) * Polynomial(Rational(Integer(1), (Integer(1) << 100) + i));
+  EXPECT_FALSE(factor(fractions));
+  EXPECT_TRUE(factor(x * x * Polynomial(Rational(Integer(1) << 5'000)) - 1));
+}
+
 }  // namespace
 }  // namespace limn::test

@@ -15,7 +15,8 @@
 namespace limn {
 namespace {
 
-constexpr int kMostRings = 7;  // of a fan, and one more than may control it
+constexpr int kMostRings = 7;        // of a fan, and one more than may control it
+constexpr Index kLargestFan = 1000;  // vertices of a dense matrix, which takes some seconds
 constexpr double kTie = 1e-6;  // rounding splits a defective pair of eigenvalues by about 1e-8
 
 Error no_limit(const std::string& where, const std::string& reason) {
@@ -58,8 +59,19 @@ Result<std::vector<LinearForm<double>>> refined_forms(const Scheme& scheme, cons
   return forms;
 }
 
+/// That the rings of a fan are not too large for a dense matrix.
+Status check_size(Lattice lattice, int faces, int rings) {
+  if (faces <= kLargestFan && fan_size(lattice, faces, rings) <= kLargestFan) return Done{};
+  return Error{fmt::format("a boundary vertex of {} faces is too large for limit points", faces),
+               fmt::format("up to {} vertices round it are analysed", kLargestFan),
+               {},
+               0,
+               0};
+}
+
 Result<FanMatrix> fan_matrix(const Scheme& scheme, int faces) {
   const Lattice lattice = scheme.split->lattice;
+  if (Status status = check_size(lattice, faces, 1); !status) return status.error();
   const FanStep step = fan_step(*scheme.split, faces, kMostRings);
   const Result<std::vector<LinearForm<double>>> forms = refined_forms(scheme, step);
   if (!forms) return forms.error();
@@ -79,6 +91,7 @@ Result<FanMatrix> fan_matrix(const Scheme& scheme, int faces) {
                  scheme.file,
                  0,
                  0};
+  if (Status status = check_size(lattice, faces, rings); !status) return status.error();
   const Eigen::Index size = fan_size(lattice, faces, rings);
   FanMatrix matrix{Eigen::MatrixXd::Zero(size, size), {}};
   for (Index i = 0; i < size; ++i)

@@ -29,7 +29,8 @@ struct LimitStencil {
 [[nodiscard]] Result<LimitStencil> approx_limit_stencil(FrequencyAnalysis& analysis, int n);
 
 /// At a boundary vertex of so many faces, from the dense matrix of its fan. Fails where the scheme
-/// has no boundary rules or does not converge there. For splits that keep the old vertices.
+/// has no boundary rules or does not converge there, and where more than 1000 vertices control the
+/// surface. For splits that keep the old vertices. Cost: the cube of their number.
 [[nodiscard]] Result<LimitStencil> approx_boundary_limit_stencil(const Scheme& scheme, int faces);
 
 }  // namespace limn

@@ -64,9 +64,9 @@ struct Surd {
 void take_squares_out(Surd& surd) {
   Integer above = boost::multiprecision::numerator(surd.inside.content);
   Rational root = 1;
-  for (int p = 2; p < 1000 && Integer(p) * p <= abs(above); ++p)
-    while (above % (Integer(p) * p) == 0) {
-      above /= Integer(p) * p;
+  for (int p = 2; p < 1000 && p * p <= abs(above); ++p)
+    while (above % (p * p) == 0) {
+      above /= p * p;
       root *= p;
     }
   surd.inside.content = above;

@@ -6,6 +6,7 @@
 #endif
 
 #include <algorithm>
+#include <set>
 
 namespace limn {
 
@@ -22,6 +23,25 @@ Rational content(const Polynomial& a) {
 
 #if LIMN_HAS_FLINT
 namespace {
+
+/// FLINT cannot be stopped, and its time grows without bound with the integers that it works on:
+/// at this size it takes about a second.
+Status check_size(const Polynomial& a) {
+  constexpr std::size_t kMostBits = 10'000;  // of one coefficient; shipped schemes have some 20
+  constexpr std::size_t kMostBitsOfAll = 4'000'000;
+  if (a.is_zero()) return Done{};
+  const auto bits = [](const Integer& of) { return std::size_t{msb(Integer(abs(of)))} + 1; };
+  const Rational scale = content(a);
+  std::size_t longest = bits(boost::multiprecision::denominator(scale));
+  std::size_t sum = 0;
+  for (auto term = a.terms().begin(); term != a.terms().end() && longest <= kMostBits; ++term) {
+    const std::size_t here = bits(boost::multiprecision::numerator(Rational(term->second / scale)));
+    longest = std::max(longest, here);
+    sum += here;
+  }
+  if (longest <= kMostBits && sum <= kMostBitsOfAll) return Done{};
+  return Error{"a polynomial's coefficients are too long for it to be factored", {}, {}, 0, 0};
+}
 
 /// FLINT's polynomials in some symbols, and the way there and back.
 class Ring {
@@ -102,6 +122,7 @@ struct Value {
 }  // namespace
 
 Result<PolynomialFactors> factor(const Polynomial& a) {
+  if (Status status = check_size(a); !status) return status.error();
   PolynomialFactors result;
   const Monomial common = a.common_monomial();
   for (const auto& [symbol, exponent] : common) result.factors.emplace_back(symbol, exponent);
@@ -129,7 +150,12 @@ Result<PolynomialFactors> factor(const Polynomial& a) {
 }
 
 Result<Coprime> without_common_divisor(const Polynomial& a, const Polynomial& b) {
-  const Ring ring((a * b).is_zero() ? b.symbols() : (a * b).symbols());
+  for (const Polynomial* one : {&a, &b})
+    if (Status status = check_size(*one); !status) return status.error();
+  std::set<Symbol, SymbolLess> symbols;
+  for (const Polynomial* one : {&a, &b})
+    for (Symbol& symbol : one->symbols()) symbols.insert(std::move(symbol));
+  const Ring ring({symbols.begin(), symbols.end()});
   const Value left(ring, a);
   const Value right(ring, b);
   Value divisor(ring);

@@ -18,6 +18,7 @@ struct PolynomialFactors {
 };
 
 /// Of a polynomial other than 0. Cost: multivariate factorisation; small for what schemes give.
+/// Fails where the coefficients are so long that it might not end (millions of bits together).
 [[nodiscard]] Result<PolynomialFactors> factor(const Polynomial& a);
 
 /// a and b over their greatest common divisor, exactly.
@@ -25,7 +26,7 @@ struct Coprime {
   Polynomial a, b;
   Polynomial divisor;
 };
-/// b other than 0; neither with negative exponents.
+/// b other than 0; neither with negative exponents. Fails as `factor` does.
 [[nodiscard]] Result<Coprime> without_common_divisor(const Polynomial& a, const Polynomial& b);
 
 /// The largest q with (a/q) of coprime integer coefficients, signed like the coefficient of the

@@ -89,9 +89,9 @@ Rational square_part(const Rational& q) {
   const auto part = [](Integer left) {
     Integer root = 1;
     if (Integer whole = boost::multiprecision::sqrt(left); whole * whole == left) return whole;
-    for (int p = 2; p < 1000 && Integer(p) * p <= left; ++p)
-      while (left % (Integer(p) * p) == 0) {
-        left /= Integer(p) * p;
+    for (int p = 2; p < 1000 && p * p <= left; ++p)
+      while (left % (p * p) == 0) {
+        left /= p * p;
         root *= p;
       }
     return root;

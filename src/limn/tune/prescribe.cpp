@@ -1,6 +1,7 @@
 #include "limn/tune/prescribe.h"
 
 #include <algorithm>
+#include <filesystem>
 
 #include <fmt/core.h>
 
@@ -109,7 +110,8 @@ std::string facts(const Prescription& prescription) {
 }  // namespace
 
 Result<std::string> prescribed_scheme(const Scheme& base, const std::string& base_name,
-                                      const std::string& name, const Prescription& prescription) {
+                                      const std::string& path, const Prescription& prescription) {
+  const std::string name = std::filesystem::path(path).stem().string();
   if (Status status = check(prescription, name); !status) return status.error();
   const Result<std::string> end = regular_end(base);
   if (!end) return end.error();
@@ -126,7 +128,7 @@ Result<std::string> prescribed_scheme(const Scheme& base, const std::string& bas
                   n, *end, *end, wave_sum(prescription));
   text += rule_cases(base, RuleKind::edge_end, "edge-end");
   text += facts(prescription);
-  if (const Result<Scheme> read = parse_scheme(text, name + ".toml"); !read)
+  if (const Result<Scheme> read = parse_scheme(text, path); !read)
     return refusal("the prescribed rules are no scheme: " + read.error().text());
   return text;
 }

@@ -50,6 +50,11 @@ class Axis {
 /// In points; that of the widest.
 [[nodiscard]] double width_of_numbers(const Ticks& ticks);
 
+/// What a title, or none, takes above a panel's plot.
+[[nodiscard]] inline double title_height(const std::string& title) {
+  return title.empty() ? 4 : kTitleHeight;
+}
+
 /// The title, centred over [left, right] with its top at `y`; nothing if it is empty.
 void draw_title(Canvas& canvas, const std::string& title, double left, double right, double y);
 

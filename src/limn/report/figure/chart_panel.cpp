@@ -15,8 +15,6 @@ constexpr double kMarker = 1.5;  // radius
 constexpr double kLegendSize = 7.5;
 constexpr double kPadding = 0.04;  // of a linear axis, beyond the data
 
-double title_height(const std::string& title) { return title.empty() ? 4 : kTitleHeight; }
-
 int style_of(const ChartPanel& panel, std::size_t index) {
   return std::max(0, panel.series[index].style.value_or(static_cast<int>(index)));
 }

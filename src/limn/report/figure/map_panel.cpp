@@ -14,8 +14,6 @@ constexpr double kBarGap = 8;
 constexpr Stroke kOutline = {0.6, {}};
 constexpr Stroke kContour = {0.35, {}};
 
-double title_height(const std::string& title) { return title.empty() ? 4 : kTitleHeight; }
-
 ColourScale scale_of(const MapPanel& panel) {
   const Range data = range_of(panel.values);
   const Range range = {panel.low.value_or(data.low), panel.high.value_or(data.high)};

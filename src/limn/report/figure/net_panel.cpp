@@ -17,17 +17,15 @@ ViewFrame frame(const NetPanel& panel) {
   return frame_of(points);
 }
 
-double top_of(const NetPanel& panel) { return panel.title.empty() ? 4 : kTitleHeight; }
-
 }  // namespace
 
 double NetPanel::height(double width) const {
   const double inner = std::max(width - 2 * kMargin, 1.0) * frame(*this).aspect();
-  return top_of(*this) + std::min(inner, 1.3 * width) + 2 * kMargin;
+  return title_height(title) + std::min(inner, 1.3 * width) + 2 * kMargin;
 }
 
 void NetPanel::draw(Canvas& canvas, const Box& box) const {
-  const double top = top_of(*this);
+  const double top = title_height(title);
   const FramePlacement place(
       frame(*this), {box.x + kMargin, box.y + top + kMargin, std::max(box.width - 2 * kMargin, 1.0),
                      std::max(box.height - top - 2 * kMargin, 1.0)});

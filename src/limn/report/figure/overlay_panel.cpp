@@ -15,8 +15,6 @@ constexpr double kLegendGap = 5;
 constexpr double kSwatchWidth = 22, kSwatchHeight = 6;
 constexpr double kTotalAlpha = 0.62;  // of all fills of a layer, one upon the other
 
-double title_height(const std::string& title) { return title.empty() ? 4 : kTitleHeight; }
-
 /// Red, green and blue that the colour-blind tell apart too.
 Colour layer_colour(const OverlayPanel::Layer& layer, std::size_t index) {
   static constexpr Colour colours[] = {{0.84, 0.15, 0.08}, {0.0, 0.60, 0.30}, {0.05, 0.32, 0.80}};

@@ -14,8 +14,6 @@ using Vector = SpaceVector;
 
 constexpr double kMargin = 3;
 
-double title_height(const std::string& title) { return title.empty() ? 0 : kTitleHeight; }
-
 /// The points in the viewer's coordinates, heights stretched.
 std::vector<Vector> all_seen(const SurfacePanel& panel, const std::vector<Vector>& points) {
   const ParallelView view(panel.azimuth, panel.elevation);

@@ -11,8 +11,6 @@ namespace {
 constexpr double kMargin = 3;
 constexpr double kLargest = 1e100;  // so that products of coordinates stay finite
 
-double title_height(const std::string& title) { return title.empty() ? 0 : kTitleHeight; }
-
 }  // namespace
 
 bool placeable(const SpaceVector& a) {
