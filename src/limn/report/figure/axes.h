@@ -50,9 +50,9 @@ class Axis {
 /// In points; that of the widest.
 [[nodiscard]] double width_of_numbers(const Ticks& ticks);
 
-/// What a title, or none, takes above a panel's plot.
-[[nodiscard]] inline double title_height(const std::string& title) {
-  return title.empty() ? 4 : kTitleHeight;
+/// What a title takes above a panel's plot, or what is left there without one.
+[[nodiscard]] inline double title_height(const std::string& title, double without = 4) {
+  return title.empty() ? without : kTitleHeight;
 }
 
 /// The title, centred over [left, right] with its top at `y`; nothing if it is empty.

@@ -98,11 +98,11 @@ void draw_net(Canvas& canvas, const SurfacePanel& panel, const FramePlacement& p
 
 double SurfacePanel::height(double width) const {
   const double inner = std::max(width - 2 * kMargin, 1.0) * frame(*this).aspect();
-  return title_height(title) + std::min(inner, 1.3 * width) + 2 * kMargin;
+  return title_height(title, 0) + std::min(inner, 1.3 * width) + 2 * kMargin;
 }
 
 void SurfacePanel::draw(Canvas& canvas, const Box& box) const {
-  const double top = title_height(title);
+  const double top = title_height(title, 0);
   const FramePlacement place(
       frame(*this), {box.x + kMargin, box.y + top + kMargin, std::max(box.width - 2 * kMargin, 1.0),
                      std::max(box.height - top - 2 * kMargin, 1.0)});

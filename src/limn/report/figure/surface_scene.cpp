@@ -65,12 +65,12 @@ ViewFrame frame_of(const SurfaceScene& scene) {
 
 double scene_height(const SurfaceScene& scene, const std::string& title, double width) {
   const double inner = std::max(width - 2 * kMargin, 1.0) * frame_of(scene).aspect();
-  return title_height(title) + std::min(inner, 1.3 * width) + 2 * kMargin;
+  return title_height(title, 0) + std::min(inner, 1.3 * width) + 2 * kMargin;
 }
 
 FramePlacement scene_placement(const SurfaceScene& scene, const std::string& title,
                                const Box& box) {
-  const double top = title_height(title);
+  const double top = title_height(title, 0);
   return {frame_of(scene),
           {box.x + kMargin, box.y + top + kMargin, std::max(box.width - 2 * kMargin, 1.0),
            std::max(box.height - top - 2 * kMargin, 1.0)}};
