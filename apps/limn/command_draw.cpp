@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "command.h"
+#include "control_mesh.h"
 #include "limn/base/progress.h"
 #include "limn/mesh/io/mesh_file.h"
 #include "limn/report/figure/figure.h"
@@ -29,15 +30,10 @@ struct DrawOptions {
 };
 
 Result<SurfaceScene> scene_of(const DrawOptions& options, const Scheme& scheme) {
-  Result<Polygons> polygons = read_mesh(options.mesh);
-  if (!polygons) return polygons.error();
-  if (options.triangulate) polygons = triangulated(*polygons);
-  Warnings warnings;
-  Result<Mesh> mesh = Mesh::build(*polygons, &warnings);
-  for (Error& warning : warnings) warning.file = options.mesh;
-  report_warnings(warnings);
+  const Result<ControlMesh> control = load_control_mesh(options.mesh, options.triangulate);
+  if (!control) return control.error();
   Result<SmoothSurface> surface =
-      mesh ? limit_surface(scheme, *mesh, polygons->positions, options.levels) : mesh.error();
+      limit_surface(scheme, control->mesh, control->points, options.levels);
   if (!surface) {
     if (surface.error().file.empty()) surface.error().file = options.mesh;
     return surface.error();
@@ -46,7 +42,7 @@ Result<SurfaceScene> scene_of(const DrawOptions& options, const Scheme& scheme) 
   scene.surfaces.push_back(std::move(*surface));
   scene.azimuth = options.azimuth;
   scene.elevation = options.elevation;
-  if (options.net) scene.net = control_net(*mesh, polygons->positions);
+  if (options.net) scene.net = control_net(control->mesh, control->points);
   return scene;
 }
 

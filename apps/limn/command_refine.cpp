@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "command.h"
+#include "control_mesh.h"
 #include "limn/base/progress.h"
 #include "limn/extraordinary/limit_points.h"
 #include "limn/mesh/io/mesh_file.h"
@@ -25,23 +26,6 @@ struct RefineOptions {
   bool triangulate = false;
   bool json = false;
 };
-
-Result<Polygons> read_control_mesh(const RefineOptions& options) {
-  Warnings warnings;
-  Result<Polygons> polygons = read_mesh(options.mesh, &warnings);
-  report_warnings(warnings);
-  if (polygons && options.triangulate) return triangulated(*polygons);
-  return polygons;
-}
-
-Result<Mesh> build_control_mesh(const RefineOptions& options, const Polygons& polygons) {
-  Warnings warnings;
-  Result<Mesh> mesh = Mesh::build(polygons, &warnings);
-  for (Error& warning : warnings) warning.file = options.mesh;
-  report_warnings(warnings);
-  if (!mesh) mesh.error().file = options.mesh;
-  return mesh;
-}
 
 void print_result(const RefineOptions& options, const Scheme& scheme, const Mesh& mesh,
                   double seconds) {
@@ -104,15 +88,13 @@ int refine_mesh(const RefineOptions& options) {
                    0});
   const Result<Scheme> scheme = options.scheme.load();
   if (!scheme) return report(scheme.error());
-  Result<Polygons> polygons = read_control_mesh(options);
-  if (!polygons) return report(polygons.error());
-  Result<Mesh> mesh = build_control_mesh(options, *polygons);
-  if (!mesh) return report(mesh.error());
+  Result<ControlMesh> control = load_control_mesh(options.mesh, options.triangulate);
+  if (!control) return report(control.error());
 
   ProgressLine line;
   const auto start = std::chrono::steady_clock::now();
   Result<Refined<Point3>> refined =
-      refine(*scheme, std::move(*mesh), std::move(polygons->positions), options.levels,
+      refine(*scheme, std::move(control->mesh), std::move(control->points), options.levels,
              [&](int done, int levels, const Mesh& fine) {
                line.show(fmt::format("refining: {} of {} levels, {} vertices", done, levels,
                                      fine.vertex_count()));
