@@ -14,13 +14,6 @@ nlohmann::json parsed(const Outcome& outcome) {
   return nlohmann::json::parse(outcome.out);
 }
 
-void expect_refused(const Outcome& outcome, const std::string& part) {
-  EXPECT_EQ(outcome.code, 2) << outcome.err;
-  EXPECT_EQ(outcome.out, "");
-  EXPECT_EQ(outcome.err.substr(0, 6), "limn: ");
-  EXPECT_NE(outcome.err.find(part), std::string::npos) << part << " not in: " << outcome.err;
-}
-
 TEST(ArtifactsCommand, GivesTheContractsJson) {
   const Folder folder;
   // θ = (.3π, .2π, -.5π): fx = .3, fy = (.2 + .15)/(√3/2)

@@ -21,15 +21,6 @@ nlohmann::json parsed(const Outcome& outcome) {
   return nlohmann::json::parse(outcome.out);
 }
 
-/// Bad input: exit 2, the reason on standard error, nothing on standard output.
-void expect_refused(const Outcome& outcome, const std::vector<std::string>& parts) {
-  EXPECT_EQ(outcome.code, 2) << outcome.err;
-  EXPECT_EQ(outcome.out, "");
-  EXPECT_EQ(outcome.err.substr(0, 6), "limn: ");
-  for (const std::string& part : parts)
-    EXPECT_NE(outcome.err.find(part), std::string::npos) << part << " not in: " << outcome.err;
-}
-
 TEST(Command, ListsTheShippedSchemes) {
   const Folder folder;
   const nlohmann::json json = parsed(folder.limn("schemes --json"));

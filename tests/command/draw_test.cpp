@@ -30,10 +30,9 @@ TEST(DrawCommand, MakesPicturesOfLimitSurfaces) {
 TEST(DrawCommand, RefusesBadInput) {
   const Folder folder;
   const auto refused = [&](const std::string& arguments, const std::string& part) {
-    const Outcome outcome = folder.limn("draw " + arguments);
-    EXPECT_EQ(outcome.code, 2) << arguments;
-    EXPECT_NE(outcome.err.find(part), std::string::npos) << outcome.err;
+    expect_refused(folder.limn("draw " + arguments), part);
   };
+
   refused("none.obj -s loop -o a.png", "none.obj");
   refused(kBracket + " -s loop -o a.txt", ".svg");
   refused(kBracket + " -s nosuch -o a.png", "nosuch");

@@ -66,11 +66,9 @@ TEST(EigenCommand, DrawsCharacteristicMaps) {
 TEST(EigenCommand, RefusesBadValencesAndSchemes) {
   const Folder folder;
   const auto refused = [&](const std::string& arguments, const std::string& part) {
-    const Outcome outcome = folder.limn("eigen " + arguments);
-    EXPECT_EQ(outcome.code, 2) << arguments;
-    EXPECT_EQ(outcome.out, "");
-    EXPECT_NE(outcome.err.find(part), std::string::npos) << outcome.err;
+    expect_refused(folder.limn("eigen " + arguments), part);
   };
+
   refused("loop --valence 2", "2 is not between 3 and");
   refused("loop --valence 7..3", "the range 7..3 is empty");
   for (const char* text : {"''", "x", "3..", "..7", "3...7", "3.5", "99999999999", "-4"})

@@ -52,14 +52,10 @@ TEST(PapersCommand, MakesBarthesFiguresAndTables) {
 
 TEST(PapersCommand, RefusesUnknownPapersAndFolders) {
   const Folder folder;
-  const auto refused = [](const Outcome& outcome, const std::string& part) {
-    EXPECT_EQ(outcome.code, 2);
-    EXPECT_NE(outcome.err.find(part), std::string::npos) << outcome.err;
-  };
-  refused(folder.limn("papers nobody -o x"), "augsdorfer");
-  refused(folder.limn("papers augsdorfer"), "--output");
+  expect_refused(folder.limn("papers nobody -o x"), "augsdorfer");
+  expect_refused(folder.limn("papers augsdorfer"), "--output");
   folder.write("file", "x");
-  refused(folder.limn("papers augsdorfer -o file/x"), "file/x");
+  expect_refused(folder.limn("papers augsdorfer -o file/x"), "file/x");
 }
 
 }  // namespace

@@ -28,11 +28,10 @@ TEST(PrescribeCommand, WritesASchemeFileThatOtherCommandsRead) {
 TEST(PrescribeCommand, RefusesWhatItCannotPrescribe) {
   const Folder folder;
   const auto refused = [&](const std::string& arguments, const std::string& part) {
-    const Outcome outcome = folder.limn("prescribe " + arguments);
-    EXPECT_EQ(outcome.code, 2) << arguments;
-    EXPECT_NE(outcome.err.find(part), std::string::npos) << outcome.err;
+    expect_refused(folder.limn("prescribe " + arguments), part);
     EXPECT_EQ(folder.count(), 0);
   };
+
   refused("loop --valence 7 --eigenvalues 1/4 -o x.toml", "frequencies 1 to 3");
   refused("loop --valence 7 --eigenvalues 1/4,1/2,1/4,0.1 -o x.toml", "0.1");
   refused("loop --valence 7 --eigenvalues 1/4,1/2,1/4,1/8 -o x.json", ".toml");

@@ -1,7 +1,9 @@
 #pragma once
 /// Runs the built command as a user would, in a folder of its own.
 
+#include <concepts>
 #include <string>
+#include <vector>
 
 namespace limn::test {
 
@@ -31,5 +33,12 @@ class Folder {
  private:
   std::string path_;
 };
+
+/// Bad input: exit 2, the reason on standard error with these parts, nothing on standard output.
+void expect_refused(const Outcome& outcome, const std::vector<std::string>& parts);
+template <std::convertible_to<std::string> Part>
+void expect_refused(const Outcome& outcome, const Part& part) {
+  expect_refused(outcome, std::vector<std::string>{part});
+}
 
 }  // namespace limn::test

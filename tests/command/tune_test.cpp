@@ -104,11 +104,9 @@ TEST(TuneCommand, ExitsWith3WhereRoundingHidesAnAnswer) {
 TEST(TuneCommand, RefusesWhatItCannotSolve) {
   const Folder folder;
   const auto refused = [&](const std::string& arguments, const std::string& part) {
-    const Outcome outcome = folder.limn("tune " + arguments);
-    EXPECT_EQ(outcome.code, 2) << arguments;
-    EXPECT_EQ(outcome.out, "");
-    EXPECT_NE(outcome.err.find(part), std::string::npos) << outcome.err;
+    expect_refused(folder.limn("tune " + arguments), part);
   };
+
   const std::string loop = "loop --free beta ";
   refused("catmull-clark --free a --require c1 --range", "nothing that can be freed");
   refused("loop --free gamma --require c1 --range", "can be freed: lambda, beta");

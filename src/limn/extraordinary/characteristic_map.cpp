@@ -6,7 +6,7 @@
 #include <fmt/core.h>
 
 #include "limn/extraordinary/eigenvectors.h"
-#include "limn/mesh/lattice.h"
+#include "limn/refine/star_step.h"
 
 namespace limn {
 namespace {
@@ -111,8 +111,7 @@ Result<CharacteristicMap> approx_characteristic_map(const Scheme& scheme, int n,
   CharacteristicMap map;
   map.valence = n;
   map.eigenvalue = *components.tangent;
-  const bool dual = !near->has_center;
-  map.net = dual ? face_star(n, near->rings) : star(scheme.split->lattice, n, near->rings);
+  map.net = split_star(*scheme.split, n, near->rings);
   map.net_points = plane_points(*near, approx_eigenvectors(*near, leader));
   Result<StarSurface> image = approx_star_surface(
       scheme, n, rings, plane_points(*wide, approx_eigenvectors(*wide, leader)), steps);

@@ -4,7 +4,7 @@
 #include <numeric>
 
 #include "limn/extraordinary/limit_points.h"
-#include "limn/mesh/lattice.h"
+#include "limn/refine/star_step.h"
 
 namespace limn {
 namespace {
@@ -53,26 +53,21 @@ std::optional<std::vector<Eigenvalue>> quadratic(const Eigencomponents& componen
   return list;
 }
 
-/// Limits at ring 1 of up to three functions.
+/// Limits at ring 1 of three functions.
 Result<std::vector<Point3>> ring_limits(const Scheme& scheme, const FrequencyBlocks& blocks,
-                                        const std::vector<const std::vector<double>*>& functions) {
-  const Lattice lattice = scheme.split->lattice;
-  const Mesh mesh = blocks.has_center ? star(lattice, blocks.valence, blocks.rings)
-                                      : face_star(blocks.valence, blocks.rings);
-  std::vector<Point3> values(static_cast<std::size_t>(mesh.vertex_count()));
-  for (std::size_t v = 0; v < values.size(); ++v) {
-    values[v].x = (*functions[0])[v];
-    if (functions.size() > 1) values[v].y = (*functions[1])[v];
-    if (functions.size() > 2) values[v].z = (*functions[2])[v];
-  }
+                                        const Function& x, const Function& y, const Function& z) {
+  const Split& split = *scheme.split;
+  std::vector<Point3> values;
+  for (std::size_t v = 0; v < x.values.size(); ++v)
+    values.push_back({x.values[v], y.values[v], z.values[v]});
   LimitOptions options;
   options.boundary = false;
   const Index first = blocks.has_center ? 1 : 0;
-  const Index last =
-      blocks.has_center ? star_size(lattice, blocks.valence, 1) : face_star_size(blocks.valence, 1);
+  const Index last = split_star_size(split, blocks.valence, 1);
   options.vertices.resize(static_cast<std::size_t>(last - first));
   std::iota(options.vertices.begin(), options.vertices.end(), first);
-  Result<LimitPoints> limit = approx_limit_points(scheme, mesh, values, options);
+  Result<LimitPoints> limit =
+      approx_limit_points(scheme, split_star(split, blocks.valence, blocks.rings), values, options);
   if (!limit) return limit.error();
   return std::vector<Point3>(limit->positions.begin() + first, limit->positions.begin() + last);
 }
@@ -96,8 +91,7 @@ Result<std::optional<CurvatureStencil>> approx_curvature_stencil(const Scheme& s
   stencil.cup = stencil.first_saddle = stencil.second_saddle = std::vector<double>(size, 0.0);
   for (const Eigenvalue& eigenvalue : *eigenvalues)
     for (const Function& function : functions(*wide, eigenvalue)) {
-      const auto at =
-          ring_limits(scheme, *wide, {&tangents[0].values, &tangents[1].values, &function.values});
+      const auto at = ring_limits(scheme, *wide, tangents[0], tangents[1], function);
       if (!at) return at.error();
       Eigen::MatrixXd quadratics(static_cast<Eigen::Index>(at->size()), 3);
       Eigen::VectorXd heights(quadratics.rows());

@@ -12,6 +12,7 @@
 #include "limn/extraordinary/limit_sites.h"
 #include "limn/mesh/lattice.h"
 #include "limn/refine/refine_values.h"
+#include "limn/refine/star_step.h"
 
 namespace limn {
 namespace {
@@ -169,11 +170,11 @@ class Evaluator {
     rings_ = std::max(rings_, rings);
     // What is inside must be regular: rules that look from an edge's end see one ring farther.
     const int shape = rings + (scheme_.rule(RuleKind::edge_end) ? 1 : 0);
-    const Lattice lattice = scheme_.split->lattice;
+    const Split& split = *scheme_.split;
     Pattern pattern =
-        boundary ? Pattern(fan(lattice, size, shape), fan_size(lattice, size, shape - 1))
-        : dual_  ? Pattern(face_star(size, shape), face_star_size(size, shape - 1))
-                 : Pattern(star(lattice, size, shape), star_size(lattice, size, shape - 1));
+        boundary
+            ? Pattern(fan(split.lattice, size, shape), fan_size(split.lattice, size, shape - 1))
+            : Pattern(split_star(split, size, shape), split_star_size(split, size, shape - 1));
     return Kind{std::move(*limit), std::move(curvature), std::move(pattern)};
   }
 

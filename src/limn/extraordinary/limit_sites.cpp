@@ -1,6 +1,6 @@
 #include "limn/extraordinary/limit_sites.h"
 
-#include "limn/refine/refine_values.h"
+#include "limn/refine/refine.h"
 
 namespace limn {
 namespace {
@@ -8,10 +8,9 @@ namespace {
 Result<LimitPatch> refined(const Scheme& scheme, const Mesh& mesh,
                            const std::vector<Point3>& values, int step,
                            RuleTables<double>& tables) {
-  SplitResult fine = scheme.split->apply(mesh, step);
-  if (Status status = tables.prepare(mesh, fine.births); !status) return status.error();
-  std::vector<Point3> fine_values = refine_values(scheme, mesh, fine.births, tables, values);
-  return LimitPatch{std::move(fine.mesh), std::move(fine_values), {}};
+  Result<Refined<Point3>> fine = refine_once(scheme, mesh, values, step, tables);
+  if (!fine) return fine.error();
+  return LimitPatch{std::move(fine->mesh), std::move(fine->values), {}};
 }
 
 /// Faces of a mesh as one of their own. Where they meet in a vertex only, each fan gets a copy of

@@ -40,7 +40,9 @@ class Seats {
   Seats(const Split& split, int rings) : center_(!split.births_corners) {
     for (int ring = 1; ring <= rings; ++ring) {
       first_orbit_.push_back(static_cast<int>(orbits_.size()));
-      const int size = (vertices(split, ring) - vertices(split, ring - 1)) / kSectors;
+      const int size =
+          (split_star_size(split, kSectors, ring) - split_star_size(split, kSectors, ring - 1)) /
+          kSectors;
       const double middle = center_ ? 0 : ring - 1;  // dual: the corner's diagonal
       for (int k = 0; k < size; ++k) orbits_.push_back({ring, (k - middle) / size});
     }
@@ -61,11 +63,6 @@ class Seats {
   }
 
  private:
-  static Index vertices(const Split& split, Index rings) {
-    return split.births_corners ? face_star_size(kSectors, rings)
-                                : star_size(split.lattice, kSectors, rings);
-  }
-
   bool center_;
   std::vector<Orbit> orbits_;
   std::vector<int> first_orbit_;  // of each ring

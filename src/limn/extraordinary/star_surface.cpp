@@ -3,8 +3,8 @@
 #include <cmath>
 
 #include "limn/extraordinary/limit_points.h"
-#include "limn/mesh/lattice.h"
-#include "limn/refine/refine_values.h"
+#include "limn/refine/refine.h"
+#include "limn/refine/star_step.h"
 
 namespace limn {
 namespace {
@@ -70,25 +70,23 @@ Result<StarSurface> approx_star_surface(const Scheme& scheme, int n, int rings,
   const Split& split = *scheme.split;
   const bool dual = split.births_corners;
   const int step_count = split.trisects_boundary ? 2 * (steps / 2) : steps;
-  Mesh mesh = dual ? face_star(n, rings) : star(split.lattice, n, rings);
-  std::vector<Point3> points = values;
+  Refined<Point3> fine{split_star(split, n, rings), values};
   RuleTables<double> tables(scheme, Boundary::left_out);
   for (int step = 0; step < step_count; ++step) {
-    SplitResult fine = split.apply(mesh, step);
-    if (Status status = tables.prepare(mesh, fine.births); !status) return status.error();
-    points = refine_values(scheme, mesh, fine.births, tables, points);
-    mesh = std::move(fine.mesh);
+    Result<Refined<Point3>> next = refine_once(scheme, fine.mesh, fine.values, step, tables);
+    if (!next) return next.error();
+    fine = std::move(*next);
   }
   const double growth = std::pow(split.dilation.growth(), step_count / 2.0);
-  const std::vector<bool> kept = within(mesh, dual, static_cast<int>(std::lround(growth)));
+  const std::vector<bool> kept = within(fine.mesh, dual, static_cast<int>(std::lround(growth)));
   LimitOptions options;
   options.steps_made = step_count;
   options.boundary = false;
-  for (Index v = 0; v < mesh.vertex_count(); ++v)
+  for (Index v = 0; v < fine.mesh.vertex_count(); ++v)
     if (kept[v]) options.vertices.push_back(v);
-  const Result<LimitPoints> limit = approx_limit_points(scheme, mesh, points, options);
+  const Result<LimitPoints> limit = approx_limit_points(scheme, fine.mesh, fine.values, options);
   if (!limit) return limit.error();
-  return kept_part(mesh, kept, options.vertices, *limit);
+  return kept_part(fine.mesh, kept, options.vertices, *limit);
 }
 
 }  // namespace limn

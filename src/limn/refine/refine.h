@@ -34,6 +34,17 @@ struct Refined {
   std::vector<Value> values;
 };
 
+/// One step, its number `step`. Fails as `tables.prepare` does.
+template <class Value, class Number>
+[[nodiscard]] Result<Refined<Value>> refine_once(const Scheme& scheme, const Mesh& mesh,
+                                                 const std::vector<Value>& values, int step,
+                                                 RuleTables<Number>& tables) {
+  SplitResult split = scheme.split->apply(mesh, step);
+  if (Status status = tables.prepare(mesh, split.births); !status) return status.error();
+  std::vector<Value> fine = refine_values(scheme, mesh, split.births, tables, values);
+  return Refined<Value>{std::move(split.mesh), std::move(fine)};
+}
+
 /// `levels` ≥ 0 steps from the control mesh. Fails as `check_refinable` and
 /// `RuleTables::prepare` do. `Number` is the type of the weights.
 template <class Value, class Number = double>
@@ -45,10 +56,9 @@ template <class Value, class Number = double>
   RuleTables<Number> tables(scheme);
   Refined<Value> result{std::move(mesh), std::move(values)};
   for (int step = 0; step < levels; ++step) {
-    SplitResult split = scheme.split->apply(result.mesh, step);
-    if (Status status = tables.prepare(result.mesh, split.births); !status) return status.error();
-    result.values = refine_values(scheme, result.mesh, split.births, tables, result.values);
-    result.mesh = std::move(split.mesh);
+    Result<Refined<Value>> next = refine_once(scheme, result.mesh, result.values, step, tables);
+    if (!next) return next.error();
+    result = std::move(*next);
     if (progress) progress(step + 1, levels, result.mesh);
   }
   return result;

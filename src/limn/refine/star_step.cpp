@@ -10,10 +10,6 @@ namespace {
 
 constexpr int kMargin = 4;  // rings round the neighbourhood, so that no row meets the rim
 
-Mesh make_star(const Split& split, int n, int rings) {
-  return split.births_corners ? face_star(n, rings) : star(split.lattice, n, rings);
-}
-
 /// The half-edge of the refined mesh that plays the part of half-edge 0 of the star.
 Index refined_start(const Split& split, const Mesh& coarse, const SplitResult& fine) {
   if (split.births_corners) return 0;  // the face's first half-edge keeps its number
@@ -27,10 +23,18 @@ Index refined_start(const Split& split, const Mesh& coarse, const SplitResult& f
 
 }  // namespace
 
+Mesh split_star(const Split& split, Index n, Index rings) {
+  return split.births_corners ? face_star(n, rings) : star(split.lattice, n, rings);
+}
+
+Index split_star_size(const Split& split, Index n, Index rings) {
+  return split.births_corners ? face_star_size(n, rings) : star_size(split.lattice, n, rings);
+}
+
 StarStep star_step(const Split& split, int n, int rings) {
-  const Mesh inner = make_star(split, n, rings);
+  const Mesh inner = split_star(split, n, rings);
   StarStep step;
-  step.coarse = make_star(split, n, rings + kMargin);
+  step.coarse = split_star(split, n, rings + kMargin);
   step.fine = split.apply(step.coarse, 0);
   step.size = inner.vertex_count();
   const bool found = Pattern(inner, 0).match(

@@ -7,6 +7,10 @@
 
 namespace limn {
 
+/// The star round a vertex, or of a dual split the face star (mesh/lattice.h), and its size.
+[[nodiscard]] Mesh split_star(const Split& split, Index n, Index rings);
+[[nodiscard]] Index split_star_size(const Split& split, Index n, Index rings);
+
 struct StarStep {
   Mesh coarse;  ///< the star (dual splits: face star) with a margin of rings round it
   SplitResult fine;

@@ -31,15 +31,12 @@ PagePoint turned(const Point3& p, double angle, double scale) {
 
 /// A step multiplies the characteristic map's net by the tangent's eigenvalue; √3 turns it too, by
 /// half a sector.
-Result<NetPanel> label_panel(const std::string& name, const std::string& title) {
-  const Result<Scheme> scheme = find_scheme(name);
-  if (!scheme) return scheme.error();
-  const Result<FrequencyBlocks> blocks = FrequencyAnalysis(*scheme, 2).blocks(kValence);
-  if (!blocks) return blocks.error();
-  const Result<CharacteristicMap> map = approx_characteristic_map(*scheme, kValence, 1);
+Result<NetPanel> label_panel(const Scheme& scheme, const FrequencyBlocks& blocks,
+                             const std::string& title) {
+  const Result<CharacteristicMap> map = approx_characteristic_map(scheme, kValence, 1);
   if (!map) return map.error();
-  const std::vector<StarPlace> places = star_places(*blocks);
-  const double turn = scheme->split->dilation.rows[0][1] == 0 ? 0 : 0.5;
+  const std::vector<StarPlace> places = star_places(blocks);
+  const double turn = scheme.split->dilation.rows[0][1] == 0 ? 0 : 0.5;
   const Colour fine{0.75, 0.1, 0.1, 1};
   NetPanel panel;
   panel.title = title;
@@ -52,7 +49,7 @@ Result<NetPanel> label_panel(const std::string& name, const std::string& title) 
       const PagePoint at = turned(map->net_points[v], angle, net == 0 ? 1 : map->eigenvalue);
       panel.nets[static_cast<std::size_t>(net)].vertices.push_back(at);
       const int orbit = places[v].row - 1;
-      const char upper = orbit < 0 ? 'A' : letter(blocks->orbits[static_cast<std::size_t>(orbit)]);
+      const char upper = orbit < 0 ? 'A' : letter(blocks.orbits[static_cast<std::size_t>(orbit)]);
       const char shown = net == 0 ? upper : static_cast<char>(upper - 'A' + 'a');
       std::string text = fmt::format("/{{{}}}", shown);
       if (orbit >= 0)
@@ -78,13 +75,13 @@ Status add_labels(PaperPage& page) {
   DataTable numbers{{"scheme", "ring", "angle_in_sectors"}, {}};
   double which = 0;
   for (const auto& [name, title] : {std::pair{"loop", "dyadic"}, {"sqrt3", "√3"}}) {
-    const Result<NetPanel> panel = label_panel(name, title);
-    if (!panel) return panel.error();
-    figure.add(*panel);
     const Result<Scheme> scheme = find_scheme(name);
     if (!scheme) return scheme.error();
     const Result<FrequencyBlocks> blocks = FrequencyAnalysis(*scheme, 2).blocks(kValence);
     if (!blocks) return blocks.error();
+    const Result<NetPanel> panel = label_panel(*scheme, *blocks, title);
+    if (!panel) return panel.error();
+    figure.add(*panel);
     for (const Orbit& orbit : blocks->orbits)
       numbers.rows.push_back({which, static_cast<double>(orbit.ring), orbit.angle});
     which += 1;
