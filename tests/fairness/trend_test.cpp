@@ -40,6 +40,13 @@ TEST(Trend, OfUnevenChangesLooksAtTheLargerOnes) {
   EXPECT_LT(trend.ratio, .3);
 }
 
+TEST(Trend, IsNotDeceivedByLargeFirstChanges) {
+  // a series that converges and, below it, one that doubles
+  const Trend trend = trend_of({107.1, 173.4, 221.0, 254.8, 292.4});
+  EXPECT_EQ(trend.converges, Truth::undecided);
+  EXPECT_TRUE(std::isnan(trend.limit));
+}
+
 TEST(Trend, OfConstantsIsTheConstant) {
   const Trend constant = trend_of({3, 3, 3, 3});
   EXPECT_EQ(constant.converges, Truth::yes);

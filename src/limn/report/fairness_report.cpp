@@ -136,8 +136,8 @@ std::string record_text(const FairnessRecord& record) {
   orders.erase(orders.find_last_not_of(' ') + 1);
   text += limits + orders + '\n';
   if (const Index left_out = record.last().energies.left_out; left_out > 0)
-    text += fmt::format("  {} faces of the last level are degenerate: left out but for area\n",
-                        left_out);
+    text += fmt::format("  {} of {} faces bend too sharply, or are degenerate: in the area alone\n",
+                        left_out, record.last().faces);
   return text;
 }
 
