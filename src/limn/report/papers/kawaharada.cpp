@@ -21,6 +21,7 @@ Status write_kawaharada(const std::string& directory, const PaperProgress& progr
   if (Status status = ks::add_surfaces(page, studio); !status) return status;
   if (Status status = ks::add_stencils(page, studio.members); !status) return status;
   if (Status status = ks::add_differences(page, studio.members); !status) return status;
+  if (Status status = ks::add_claims(page, studio); !status) return status;
   return page.write_index();
 }
 
