@@ -41,6 +41,7 @@ Result<FairnessLevel> measured(const Scheme& scheme, const Refined<Point3>& fine
 template <class Value>
 Trend trend_over(const FairnessRecord& record, Value value, double negligible) {
   std::vector<double> values;
+  values.reserve(record.levels.size());
   for (const FairnessLevel& level : record.levels) values.push_back(value(level));
   return trend_of(values, negligible);
 }
