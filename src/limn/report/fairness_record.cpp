@@ -4,12 +4,15 @@
 
 #include "limn/extraordinary/limit_points.h"
 #include "limn/fairness/laplacian.h"
+#include "limn/fairness/second_form.h"
 #include "limn/refine/refine.h"
 
 namespace limn {
 namespace {
 
 constexpr int kMostLevels = 12;  // of meshes that hardly grow
+// refined and limit points, normals, and what is fitted
+constexpr std::size_t kBytesPerVertex = 3 * sizeof(Point3) + sizeof(SecondForm);
 
 int default_levels(const Scheme& scheme, const Mesh& control) {
   int levels = 1;
@@ -69,7 +72,7 @@ Result<FairnessRecord> approx_fairness(const std::string& label, const Scheme& s
                                        const FairnessOptions& options) {
   const int levels = options.levels > 0 ? options.levels : default_levels(scheme, control);
   const Status refinable =
-      check_refinable(scheme, control, levels, sizeof(Point3), available_memory());
+      check_refinable(scheme, control, levels, kBytesPerVertex, available_memory());
   if (!refinable) return refinable.error();
   FairnessRecord record;
   record.scheme = label;
