@@ -25,7 +25,7 @@ struct Trend {
 /// is a logarithm: as much more at every level). Between: undecided; so are fewer than four values.
 /// Changes below 1e-9 of the value, or below `negligible`, are no changes: then the last value is
 /// the limit.
-inline constexpr double kConvergent = 0.85;
+inline constexpr double kConvergent = 0.75;
 inline constexpr double kDivergent = 0.95;
 [[nodiscard]] Trend trend_of(const std::vector<double>& values, double negligible = 0);
 
