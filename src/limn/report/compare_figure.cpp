@@ -70,6 +70,7 @@ Result<std::vector<PairDistance>> approx_distances(
     const std::vector<NamedSurface>& surfaces,
     const std::function<void(const std::string& first, const std::string& second)>& progress) {
   std::vector<Polygons> polygons;
+  polygons.reserve(surfaces.size());
   for (const NamedSurface& named : surfaces) polygons.push_back(polygons_of(named.surface));
   std::vector<PairDistance> distances;
   for (std::size_t i = 0; i < surfaces.size(); ++i)
