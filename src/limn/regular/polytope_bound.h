@@ -1,0 +1,24 @@
+#pragma once
+/// An upper bound of a joint spectral radius by a polytope that the matrices map into a multiple
+/// of itself [GuglielmiProtasov2013].
+
+#include <Eigen/Dense>
+#include <vector>
+
+namespace limn {
+
+struct PolytopeBound {
+  double upper = 0;  ///< of the joint spectral radius, proved; infinite where it was not reached
+  int vertices = 0;  ///< that were made
+};
+
+/// Grows the hull of `start`, its negatives and their images under matrices/level until images
+/// add nothing. It ends for every level above the joint spectral radius ρ, and often at ρ itself
+/// if `start` is the leading eigenvector of a product that has it; then upper is level times
+/// 1 + 10⁻⁹ or less. Gives up at so many vertices. Each entry of the matrices may be off by one
+/// rounding. Cost: vertices times the number of matrices linear programs.
+[[nodiscard]] PolytopeBound polytope_bound(const std::vector<Eigen::MatrixXd>& matrices,
+                                           double level, const std::vector<Eigen::VectorXd>& start,
+                                           int most_vertices);
+
+}  // namespace limn

@@ -1,0 +1,59 @@
+#pragma once
+/// The norm whose unit ball is the convex hull of given points and their negatives:
+/// ‖u‖ = min Σ|c_i| over u = Σ c_i v_i. Found by the simplex method; every basis is feasible once
+/// the signs are chosen, so there is no search for a start.
+
+#include <Eigen/Dense>
+#include <limits>
+#include <vector>
+
+namespace limn {
+
+class SymmetricHull {
+ public:
+  explicit SymmetricHull(Eigen::Index dimension);
+
+  /// Adds v and -v. The first points that are linearly independent become the basis.
+  void add(const Eigen::VectorXd& v);
+  [[nodiscard]] bool spans() const {
+    return static_cast<Eigen::Index>(basis_.size()) == dimension_;
+  }
+  [[nodiscard]] Eigen::Index count() const { return count_; }
+  [[nodiscard]] auto points() const { return points_.leftCols(count_); }
+  /// Whether v leaves the span of the points so far, to a part in a million of its length.
+  [[nodiscard]] bool leaves_span(const Eigen::VectorXd& v) const;
+
+  struct Combination {
+    double norm = 0;  ///< Σ|c|, in double precision: no less than the least but for rounding
+    bool outside = false;               ///< the norm was found to exceed 1, and the search ended
+    std::vector<Eigen::Index> points;   ///< those that take part, one for each coordinate
+    Eigen::VectorXd coefficients;       ///< of these points
+  };
+  /// u as a combination of least Σ|c|. The search ends early where that is ≤ enough, or where it
+  /// is seen to exceed `too_much`. Precondition: spans(). Begins at the basis where the last
+  /// search ended.
+  Combination least_combination(const Eigen::VectorXd& u, double enough,
+                                double too_much = std::numeric_limits<double>::infinity());
+
+  /// For each axis e_i an upper bound of ‖e_i‖, proved; infinite where the first basis is too bad.
+  [[nodiscard]] Eigen::VectorXd axis_norms() const;
+
+  /// What Σ_i c_i v_i differs from u by, at most, coordinate by coordinate, proved; `slack` is the
+  /// uncertainty of u itself.
+  [[nodiscard]] Eigen::VectorXd residual_bound(const Eigen::VectorXd& u,
+                                               const Eigen::VectorXd& slack,
+                                               const Combination& combination) const;
+
+ private:
+  void factorise();
+
+  Eigen::Index dimension_;
+  Eigen::Index count_ = 0;
+  Eigen::MatrixXd points_;    // columns; the first count_ are used
+  Eigen::MatrixXd directions_;  // an orthonormal basis of the span of the first points
+  std::vector<Eigen::Index> first_basis_;
+  std::vector<Eigen::Index> basis_;
+  Eigen::MatrixXd inverse_;  // of the matrix of the basis points
+};
+
+}  // namespace limn
