@@ -56,3 +56,13 @@ if(LIMN_FORMULAS)
     message(STATUS "FLINT not found: no formulas for eigenvalues")
   endif()
 endif()
+
+set(LIMN_HAS_SPECTRA OFF)
+if(LIMN_SPECTRA)
+  find_path(LIMN_SPECTRA_INCLUDE_DIR Spectra/SymEigsSolver.h)  # headers only
+  if(LIMN_SPECTRA_INCLUDE_DIR)
+    set(LIMN_HAS_SPECTRA ON)
+  else()
+    message(STATUS "Spectra not found: no modes of large meshes")
+  endif()
+endif()

@@ -31,6 +31,7 @@ void declare_artifacts(CLI::App& parser, Action& action);
 void declare_eigen(CLI::App& parser, Action& action);
 void declare_prescribe(CLI::App& parser, Action& action);
 void declare_tune(CLI::App& parser, Action& action);
+void declare_fairness(CLI::App& parser, Action& action);
 void declare_papers(CLI::App& parser, Action& action);
 
 /// Prints "limn: …" on standard error; returns kBadInput.

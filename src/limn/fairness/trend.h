@@ -11,9 +11,10 @@ struct Trend {
   /// Whether the values tend to a limit, judged by how the last changes follow each other. Samples
   /// prove nothing: "no" means that the changes do not shrink, as far as levels go.
   Truth converges = Truth::undecided;
-  /// |change| / |change before|, as the geometric mean of the last two such ratios, so that
-  /// alternation (of the boundary under sqrt3) cancels. NaN with fewer than four values, or where
-  /// changes vanish.
+  /// |change| / |change before|. Taken over two levels (the larger of the last two changes against
+  /// that of the two before, if there are so many), so that changes which alternate, as those of
+  /// the boundary under sqrt3, do not upset it. NaN with fewer than four values, or where changes
+  /// vanish.
   double ratio;
   /// Where they converge: what a geometric series of changes comes to. Else NaN.
   double limit;

@@ -1,0 +1,59 @@
+#include "limn/fairness/laplacian.h"
+
+#include <cmath>
+
+namespace limn {
+namespace {
+
+/// Entry (v, w) of the matrix is −weight(valence(v), valence(w)) for neighbours.
+template <class Weight>
+Eigen::SparseMatrix<double> matrix_of(const Mesh& mesh, Weight weight) {
+  const Index count = mesh.vertex_count();
+  std::vector<Index> valence(static_cast<std::size_t>(count));
+  parallel_for_each(count, [&](Index v) {
+    valence[static_cast<std::size_t>(v)] = mesh.is_isolated(v) ? 0 : mesh.valence(v);
+  });
+  std::vector<Eigen::Triplet<double, Index>> entries;
+  for (Index v = 0; v < count; ++v) {
+    if (mesh.is_isolated(v)) continue;
+    entries.emplace_back(v, v, 1.0);
+    visit_neighbours(mesh, v, [&](Index w) {
+      entries.emplace_back(
+          v, w,
+          -weight(valence[static_cast<std::size_t>(v)], valence[static_cast<std::size_t>(w)]));
+    });
+  }
+  Eigen::SparseMatrix<double> matrix(count, count);
+  matrix.setFromTriplets(entries.begin(), entries.end());
+  return matrix;
+}
+
+}  // namespace
+
+double laplacian_energy(const Mesh& mesh, const std::vector<Point3>& positions) {
+  const std::vector<Point3> moved = laplacian(mesh, positions);
+  // one slot a chunk, so that the sum hangs on no thread
+  std::vector<double> sums(static_cast<std::size_t>(mesh.vertex_count() / kDefaultGrain + 1));
+  parallel_for(Index{0}, mesh.vertex_count(), [&](Index first, Index last) {
+    double sum = 0;
+    for (Index v = first; v < last; ++v)
+      if (!mesh.is_boundary_vertex(v))
+        sum += dot(moved[static_cast<std::size_t>(v)], moved[static_cast<std::size_t>(v)]);
+    sums[static_cast<std::size_t>(first / kDefaultGrain)] = sum;
+  });
+  double total = 0;
+  for (const double sum : sums) total += sum;
+  return total;
+}
+
+Eigen::SparseMatrix<double> laplacian_matrix(const Mesh& mesh) {
+  return matrix_of(mesh, [](Index own, Index) { return 1.0 / own; });
+}
+
+Eigen::SparseMatrix<double> symmetric_laplacian_matrix(const Mesh& mesh) {
+  return matrix_of(mesh, [](Index own, Index other) {
+    return 1 / std::sqrt(static_cast<double>(own) * static_cast<double>(other));
+  });
+}
+
+}  // namespace limn

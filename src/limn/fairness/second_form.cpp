@@ -1,0 +1,170 @@
+#include "limn/fairness/second_form.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <Eigen/Cholesky>
+#include <Eigen/Geometry>
+#include <Eigen/LU>
+
+#include "limn/base/parallel.h"
+
+namespace limn {
+namespace {
+
+using Eigen::Matrix;
+using Eigen::Matrix2d;
+using Eigen::Vector2d;
+using Eigen::Vector3d;
+
+// a quadratic surface through the vertex: two slopes, three second derivatives
+constexpr int kUnknowns = 5;
+// of the least pivot to the largest; a ring that is a square of neighbours has 0, a good one 0.1
+constexpr double kWorstPivots = 1e-3;
+constexpr double kWorstWidths = 1e-6;  // a ring that is a line, but for rounding
+
+Vector3d vector_of(const Point3& p) { return {p.x, p.y, p.z}; }
+
+/// visit(h) for every half-edge out of v.
+template <class Visit>
+void visit_spokes(const Mesh& mesh, Index v, Visit visit) {
+  const Index first = mesh.halfedge_of_vertex(v);
+  for (Index h = first; h != kNone;) {
+    visit(h);
+    h = mesh.rotate(h);
+    if (h == first) break;
+  }
+}
+
+/// Appends the other corners of v's faces.
+void append_ring(const Mesh& mesh, Index v, std::vector<Index>& ring) {
+  visit_spokes(mesh, v, [&](Index h) {
+    // the last corner of a face is the first of the next, if there is one
+    const Index end = mesh.rotate(h) == kNone ? h : mesh.prev(h);
+    for (Index corner = mesh.next(h); corner != end; corner = mesh.next(corner))
+      ring.push_back(mesh.origin(corner));
+  });
+}
+
+/// Adds the rings of the ring, each vertex once and none of them v.
+void widen(const Mesh& mesh, Index v, std::vector<Index>& ring) {
+  const std::vector<Index> inner = ring;
+  for (const Index w : inner) append_ring(mesh, w, ring);
+  std::sort(ring.begin(), ring.end());
+  ring.erase(std::unique(ring.begin(), ring.end()), ring.end());
+  ring.erase(std::remove(ring.begin(), ring.end(), v), ring.end());
+}
+
+/// The sum of the faces' normals, weighted by what each face turns about v.
+Vector3d normal_at(const Mesh& mesh, const std::vector<Point3>& positions, Index v) {
+  const auto at = [&](Index w) { return vector_of(positions[static_cast<std::size_t>(w)]); };
+  Vector3d sum = Vector3d::Zero();
+  const Vector3d centre = at(v);
+  visit_spokes(mesh, v, [&](Index h) {
+    const Vector3d a = at(mesh.target(h)) - centre;
+    const Vector3d b = at(mesh.origin(mesh.prev(h))) - centre;
+    sum += a.cross(b);
+  });
+  return sum;
+}
+
+/// The tensor of a graph over the plane at the origin, from its slopes and second derivatives
+/// there; the orthonormal frame has the normal of the plane in its last column.
+SecondForm form_of_graph(const Eigen::Matrix3d& frame, const Vector2d& slopes,
+                         const Matrix2d& second) {
+  const Matrix<double, 3, 2> tangents = frame.leftCols<2>() + frame.col(2) * slopes.transpose();
+  const Vector3d normal = frame.col(2) - frame.leftCols<2>() * slopes;
+  const double length = normal.norm();
+  const Matrix<double, 3, 2> dual = tangents * (tangents.transpose() * tangents).inverse();
+  return {dual * (second / length) * dual.transpose(), normal / length, true};
+}
+
+class Fit {
+ public:
+  Fit(const Mesh& mesh, const std::vector<Point3>& positions)
+      : mesh_(mesh), positions_(positions) {}
+
+  SecondForm at(Index v) {
+    if (mesh_.is_isolated(v)) return {};
+    const Vector3d normal = normal_at(mesh_, positions_, v);
+    const double length = normal.norm();
+    if (!(length > 0) || !std::isfinite(length)) return {};
+    frame_.col(2) = normal / length;
+    frame_.col(0) = frame_.col(2).unitOrthogonal();
+    frame_.col(1) = frame_.col(2).cross(frame_.col(0));
+    ring_.clear();
+    append_ring(mesh_, v, ring_);
+    SecondForm form = of_ring(v);
+    if (form.known) return form;
+    widen(mesh_, v, ring_);
+    return of_ring(v);
+  }
+
+ private:
+  [[nodiscard]] Vector3d offset(Index v, Index w) const {
+    return frame_.transpose() * vector_of(positions_[static_cast<std::size_t>(w)] -
+                                          positions_[static_cast<std::size_t>(v)]);
+  }
+
+  /// The root of the ring's covariance in the tangent plane: in its inverse's coordinates the ring
+  /// is as wide as it is long, so that stretched meshes are fitted as well as others.
+  [[nodiscard]] Matrix2d width_of_ring(Index v) const {
+    Matrix2d covariance = Matrix2d::Zero();
+    for (const Index w : ring_) {
+      const Vector2d p = offset(v, w).head<2>();
+      covariance += p * p.transpose() / static_cast<double>(ring_.size());
+    }
+    return covariance.llt().matrixL();
+  }
+
+  [[nodiscard]] SecondForm of_ring(Index v) const {
+    if (ring_.size() < kUnknowns) return {};
+    const Matrix2d width = width_of_ring(v);
+    if (!(width.diagonal().minCoeff() > kWorstWidths * width.diagonal().maxCoeff())) return {};
+    const auto narrow = width.triangularView<Eigen::Lower>();
+    Matrix<double, kUnknowns, kUnknowns> normal_matrix;
+    normal_matrix.setZero();
+    Matrix<double, kUnknowns, 1> right;
+    right.setZero();
+    for (const Index w : ring_) {
+      const Vector3d p = offset(v, w);
+      const Vector2d q = narrow.solve(p.head<2>());
+      Matrix<double, kUnknowns, 1> row;
+      row << q.x(), q.y(), q.x() * q.x() / 2, q.x() * q.y(), q.y() * q.y() / 2;
+      normal_matrix += row * row.transpose();
+      right += p.z() * row;
+    }
+    const Eigen::LDLT<Matrix<double, kUnknowns, kUnknowns>> solver(normal_matrix);
+    const auto pivots = solver.vectorD();
+    if (!(pivots.minCoeff() > kWorstPivots * pivots.maxCoeff())) return {};
+    const Matrix<double, kUnknowns, 1> c = solver.solve(right);
+    if (!c.allFinite()) return {};
+    const Matrix2d back = width.inverse();
+    Matrix2d second;
+    second << c[2], c[3], c[3], c[4];
+    return form_of_graph(frame_, back.transpose() * c.head<2>(), back.transpose() * second * back);
+  }
+
+  const Mesh& mesh_;
+  const std::vector<Point3>& positions_;
+  Eigen::Matrix3d frame_;
+  std::vector<Index> ring_;
+};
+
+}  // namespace
+
+std::vector<SecondForm> approx_second_forms(const Mesh& mesh,
+                                            const std::vector<Point3>& positions) {
+  std::vector<SecondForm> forms(positions.size());
+  constexpr std::ptrdiff_t kGrain = 512;
+  parallel_for(
+      Index{0}, mesh.vertex_count(),
+      [&](Index first, Index last) {
+        Fit fit(mesh, positions);
+        for (Index v = first; v < last; ++v) forms[static_cast<std::size_t>(v)] = fit.at(v);
+      },
+      kGrain);
+  return forms;
+}
+
+}  // namespace limn

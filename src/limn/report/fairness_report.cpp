@@ -1,0 +1,217 @@
+#include "limn/report/fairness_report.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+
+#include <fmt/core.h>
+#include <nlohmann/json.hpp>
+
+namespace limn {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// One column of the tables: what it is called, its values and what they tend to.
+struct Quantity {
+  const char* key;
+  const char* title;  ///< nullptr: the one before, scaled
+  double (*value)(const FairnessLevel&);
+  Trend FairnessRecord::*trend;  ///< or none
+};
+constexpr Quantity kArea{"area", "area",
+                         [](const FairnessLevel& level) { return level.energies.area; },
+                         &FairnessRecord::area};
+constexpr Quantity kLaplacian{"laplacian_energy", "sum |Lp|^2",
+                              [](const FairnessLevel& level) { return level.laplacian_energy; },
+                              nullptr};
+constexpr Quantity kScaledLaplacian{
+    "scaled_laplacian", nullptr, [](const FairnessLevel& level) { return level.scaled_laplacian; },
+    &FairnessRecord::scaled_laplacian};
+constexpr Quantity kThinPlate{"thin_plate", "thin plate",
+                              [](const FairnessLevel& level) { return level.energies.thin_plate; },
+                              &FairnessRecord::thin_plate};
+constexpr Quantity kVariation{
+    "curvature_variation", "curv. variation",
+    [](const FairnessLevel& level) { return level.energies.curvature_variation; },
+    &FairnessRecord::curvature_variation};
+
+constexpr std::array kQuantities{kArea, kLaplacian, kScaledLaplacian, kThinPlate, kVariation};
+constexpr std::array kEnergies{kLaplacian, kThinPlate, kVariation};
+
+/// In the mesh width, which shrinks by sqrt(growth).
+double order_of(const Trend& trend, int growth) {
+  return -2 * std::log(trend.ratio) / std::log(growth);
+}
+
+Truth convergence(const FairnessRecord& record, const Quantity& quantity) {
+  return quantity.trend == nullptr ? Truth::undecided : (record.*quantity.trend).converges;
+}
+
+/// Whether the values without a trend, which depend on the sampling, compare.
+bool same_sampling(const std::vector<FairnessRecord>& records) {
+  return std::all_of(records.begin(), records.end(), [&](const FairnessRecord& record) {
+    return record.split == records.front().split &&
+           record.levels.size() == records.front().levels.size();
+  });
+}
+
+/// The record with the least of an energy; none of fewer than two, or where they do not compare.
+std::optional<std::size_t> fairest(const std::vector<FairnessRecord>& records,
+                                   const Quantity& quantity) {
+  if (records.size() < 2 || (quantity.trend == nullptr && !same_sampling(records))) return {};
+  std::optional<std::size_t> best;
+  for (std::size_t i = 0; i < records.size(); ++i) {
+    const double value = quantity.value(records[i].last());
+    if (!std::isfinite(value) || convergence(records[i], quantity) == Truth::no) continue;
+    if (!best || value < quantity.value(records[*best].last())) best = i;
+  }
+  return best;
+}
+
+Json finite(double value) { return std::isfinite(value) ? Json(value) : Json(); }
+
+Json record_json(const FairnessRecord& record) {
+  Json json{{"scheme", record.scheme},
+            {"split", record.split},
+            {"level", record.last().level},
+            {"vertices", record.last().vertices}};
+  for (const Quantity& quantity : kQuantities)
+    json[quantity.key] = finite(quantity.value(record.last()));
+  for (const Quantity& quantity : kQuantities) {
+    if (quantity.trend == nullptr) continue;
+    const Trend& trend = record.*quantity.trend;
+    json["trends"][quantity.key] = {{"converges", to_string(trend.converges)},
+                                    {"order", finite(order_of(trend, record.growth))},
+                                    {"limit", finite(trend.limit)}};
+  }
+  json["levels"] = Json::array();
+  for (const FairnessLevel& level : record.levels) {
+    Json row{{"level", level.level},
+             {"vertices", level.vertices},
+             {"faces", level.faces},
+             {"left_out", level.energies.left_out}};
+    for (const Quantity& quantity : kQuantities) row[quantity.key] = finite(quantity.value(level));
+    json["levels"].push_back(row);
+  }
+  return json;
+}
+
+std::string cell(const std::string& text) { return fmt::format("  {:>15}", text); }
+
+std::string number(double value) { return fmt::format("{:.7g}", value); }
+
+std::string limit_text(const Trend& trend) {
+  switch (trend.converges) {
+    case Truth::yes: return number(trend.limit);
+    case Truth::no: return "grows";
+    case Truth::undecided: break;
+  }
+  return "undecided";
+}
+
+std::string record_text(const FairnessRecord& record) {
+  std::string text = fmt::format("\n{}\n  level  vertices", record.scheme);
+  for (const Quantity& quantity : kQuantities)
+    text +=
+        cell(quantity.title != nullptr ? quantity.title : fmt::format("x {}^level", record.growth));
+  for (const FairnessLevel& level : record.levels) {
+    text += fmt::format("\n  {:>5}  {:>8}", level.level, level.vertices);
+    for (const Quantity& quantity : kQuantities) text += cell(number(quantity.value(level)));
+  }
+  std::string limits = fmt::format("\n  {:<15}", "tends to");
+  std::string orders = fmt::format("\n  {:<15}", "order of change");
+  for (const Quantity& quantity : kQuantities) {
+    if (quantity.trend == nullptr) {
+      limits += cell("0");
+      orders += cell("");
+      continue;
+    }
+    const Trend& trend = record.*quantity.trend;
+    const double order = order_of(trend, record.growth);
+    limits += cell(limit_text(trend));
+    orders += cell(std::isfinite(order) ? fmt::format("{:.2f}", order) : "");
+  }
+  orders.erase(orders.find_last_not_of(' ') + 1);
+  text += limits + orders + '\n';
+  if (const Index left_out = record.last().energies.left_out; left_out > 0)
+    text += fmt::format("  {} faces of the last level are degenerate: left out but for area\n",
+                        left_out);
+  return text;
+}
+
+/// All schemes at their last levels.
+std::string comparison_text(const std::vector<FairnessRecord>& records) {
+  std::size_t width = 6;
+  for (const FairnessRecord& record : records) width = std::max(width, record.scheme.size());
+  std::string text = fmt::format("\n{:<{}}  level", "scheme", width);
+  for (const Quantity& quantity : {kArea, kLaplacian, kThinPlate, kVariation})
+    text += cell(quantity.title) + " ";
+  text.erase(text.find_last_not_of(' ') + 1);
+  bool grows = false;
+  for (std::size_t i = 0; i < records.size(); ++i) {
+    const FairnessRecord& record = records[i];
+    text += fmt::format("\n{:<{}}  {:>5}{} ", record.scheme, width, record.last().level,
+                        cell(number(record.last().energies.area)));
+    for (const Quantity& energy : kEnergies) {
+      const bool without_bound = convergence(record, energy) == Truth::no;
+      grows = grows || without_bound;
+      text += cell(number(energy.value(record.last())));
+      text += fairest(records, energy) == i ? '*' : without_bound ? '^' : ' ';
+    }
+    text.erase(text.find_last_not_of(' ') + 1);
+  }
+  text += '\n';
+  if (records.size() > 1) text += "* fairest\n";
+  if (grows)
+    text += "^ grows with the level, as far as these levels show: the limit may be infinite\n";
+  if (!same_sampling(records))
+    text += "sum |Lp|^2 depends on the sampling: it does not compare between splits and levels\n";
+  return text;
+}
+
+}  // namespace
+
+nlohmann::ordered_json fairness_json(const std::string& mesh,
+                                     const std::vector<FairnessRecord>& records) {
+  Json json{{"mesh", mesh}, {"schemes", Json::array()}, {"fairest", Json::object()}};
+  for (const FairnessRecord& record : records) json["schemes"].push_back(record_json(record));
+  for (const Quantity& energy : kEnergies)
+    if (const auto best = fairest(records, energy))
+      json["fairest"][energy.key] = records[*best].scheme;
+  return json;
+}
+
+std::string fairness_text(const std::string& mesh, const std::vector<FairnessRecord>& records) {
+  std::string text = fmt::format("limit surfaces of {}\n", mesh);
+  for (const FairnessRecord& record : records) text += record_text(record);
+  return text + comparison_text(records);
+}
+
+Figure fairness_figure(const std::string& mesh, const std::vector<FairnessRecord>& records) {
+  Figure figure(3);
+  figure.title(fmt::format("Energies of limit surfaces of {}, by level", mesh));
+  for (const auto& [quantity, title] :
+       {std::pair{kScaledLaplacian, "Σ|Lp|², scaled"}, std::pair{kThinPlate, "thin plate"},
+        std::pair{kVariation, "curvature variation"}}) {
+    ChartPanel panel;
+    panel.title = title;
+    panel.x_label = "level";
+    panel.log_y = true;
+    for (const FairnessRecord& record : records) {
+      ChartPanel::Series series;
+      series.name = record.scheme;
+      series.markers = true;
+      for (const FairnessLevel& level : record.levels) {
+        series.x.push_back(level.level);
+        series.y.push_back(quantity.value(level));
+      }
+      panel.series.push_back(std::move(series));
+    }
+    figure.add(std::move(panel));
+  }
+  return figure;
+}
+
+}  // namespace limn
