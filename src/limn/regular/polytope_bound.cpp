@@ -1,7 +1,10 @@
 #include "limn/regular/polytope_bound.h"
 
-#include <deque>
+#include <algorithm>
 #include <limits>
+#include <set>
+
+#include "limn/base/parallel.h"
 
 #include "limn/regular/rounding.h"
 #include "limn/regular/symmetric_hull.h"
@@ -10,6 +13,7 @@ namespace limn {
 namespace {
 
 constexpr double kInside = 1e-10;  // images may leave the polytope by this part
+constexpr std::ptrdiff_t kGrain = 8;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 class Growth {
@@ -21,15 +25,17 @@ class Growth {
         hull_(matrices.front().rows()) {}
 
   PolytopeBound run(const std::vector<Eigen::VectorXd>& start) {
-    for (const Eigen::VectorXd& v : start) add(v);
+    for (const Eigen::VectorXd& v : start) hull_.add(v);
     span();
-    // what was put off until the hull spans, then images of images
-    const std::vector<Image> waiting = std::move(waiting_);
-    for (const Image& image : waiting)
-      if (!accept(image)) return {kInfinity, made()};
-    while (next_ < hull_.count())
-      for (const Image& image : images_of(next_++))
-        if (!accept(image)) return {kInfinity, made()};
+    if (!axis_norms_.allFinite()) return {kInfinity, made()};
+    std::vector<Image> images = std::move(waiting_);
+    for (Eigen::Index done = next_; !images.empty() || done < hull_.count();) {
+      for (; done < hull_.count(); ++done)
+        for (Image& image : images_of(done)) images.push_back(std::move(image));
+      take_in(images);
+      if (made() > most_vertices_) return {kInfinity, made()};
+      images.clear();
+    }
     return {inflated(level_ * greatest_), made()};
   }
 
@@ -37,10 +43,12 @@ class Growth {
   struct Image {
     Eigen::VectorXd value;
     Eigen::VectorXd slack;  // bound of its rounding error
+    SymmetricHull::Combination found;
+    double norm = 0;        // proved bound, where it lies inside
+    [[nodiscard]] bool inside() const { return !found.outside && found.norm <= 1 + kInside; }
   };
 
   [[nodiscard]] int made() const { return static_cast<int>(hull_.count()); }
-  void add(const Eigen::VectorXd& v) { hull_.add(v); }
 
   std::vector<Image> images_of(Eigen::Index vertex) const {
     const Eigen::VectorXd v = hull_.points().col(vertex);
@@ -48,7 +56,7 @@ class Growth {
     for (const Eigen::MatrixXd& matrix : matrices_) {
       Eigen::VectorXd slack = matrix.cwiseAbs() * v.cwiseAbs() / level_;
       slack *= rounding_error(matrix.rows() + 4);
-      images.push_back({matrix * v / level_, std::move(slack)});
+      images.push_back({matrix * v / level_, std::move(slack), {}, 0});
     }
     return images;
   }
@@ -70,25 +78,46 @@ class Growth {
       if (hull_.leaves_span(axis)) hull_.add(axis);
     }
     axis_norms_ = hull_.axis_norms();
-    for (const Image& image : exact_) count(1, image.slack);
+    for (const Image& image : exact_) count_vertex(image);
+    basis_ = hull_.first_basis();
   }
 
-  void count(double norm, const Eigen::VectorXd& residual) {
-    greatest_ = std::max(greatest_, inflated(norm + residual.dot(axis_norms_)));
+  void count_vertex(const Image& image) {
+    greatest_ = std::max(greatest_, inflated(1 + image.slack.dot(axis_norms_)));
   }
 
-  /// False where there are too many vertices.
-  bool accept(const Image& image) {
-    const SymmetricHull::Combination found =
-        hull_.least_combination(image.value, 1 + kInside / 2, 1 + kInside);
-    if (!found.outside && found.norm <= 1 + kInside) {
-      const Eigen::VectorXd rest = hull_.residual_bound(image.value, image.slack, found);
-      count(found.norm, rest);
-      return true;
+  void measure(Image& image, const SymmetricHull::Basis& begin, double too_much) const {
+    image.found = hull_.least_combination(image.value, begin, 1 + kInside / 2, too_much);
+    if (!image.inside()) return;
+    const Eigen::VectorXd rest = hull_.residual_bound(image.value, image.slack, image.found);
+    image.norm = inflated(image.found.norm + rest.dot(axis_norms_));
+  }
+
+  /// One generation. What lies farthest outside is added first, so that less of the rest does.
+  void take_in(std::vector<Image>& images) {
+    parallel_for(
+        std::size_t{0}, images.size(),
+        [&](std::size_t first, std::size_t last) {
+          for (std::size_t i = first; i < last; ++i) measure(images[i], basis_, kInfinity);
+        },
+        kGrain);
+    std::stable_sort(images.begin(), images.end(), [](const Image& a, const Image& b) {
+      return a.found.norm > b.found.norm;
+    });
+    std::set<Eigen::Index> used;
+    for (const Image& image : images) used.insert(image.found.points.begin(), image.found.points.end());
+    hull_.prefer({used.begin(), used.end()});
+    for (Image& image : images) {
+      if (!image.inside()) measure(image, image.found.points, 1 + kInside);
+      if (image.inside()) {
+        greatest_ = std::max(greatest_, image.norm);
+        continue;
+      }
+      count_vertex(image);
+      hull_.add(image.value);
+      if (made() > most_vertices_) return;
     }
-    hull_.add(image.value);
-    count(1, image.slack);
-    return made() <= most_vertices_;
+    basis_ = images.front().found.points;
   }
 
   const std::vector<Eigen::MatrixXd>& matrices_;
@@ -99,6 +128,7 @@ class Growth {
   std::vector<Image> waiting_;     // images within the span of a hull that was still flat
   std::vector<Image> exact_;       // images that were made vertices meanwhile
   Eigen::VectorXd axis_norms_;
+  SymmetricHull::Basis basis_;     // where searches begin
   double greatest_ = 1;            // norm of an image
 };
 

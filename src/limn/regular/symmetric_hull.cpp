@@ -9,6 +9,7 @@ namespace {
 
 constexpr double kIndependent = 1e-6;
 constexpr double kOptimal = 1e-11;  // of the greatest |y·v| beyond 1
+constexpr double kPivot = 1e-10;
 constexpr int kRefactor = 40;       // updates of the inverse before it is made anew
 
 double sign(double x) { return x < 0 ? -1 : 1; }
@@ -33,43 +34,69 @@ void SymmetricHull::add(const Eigen::VectorXd& v) {
     directions_.conservativeResize(Eigen::NoChange, directions_.cols() + 1);
     directions_.rightCols(1) = rest.normalized();
     basis_.push_back(count_);
-    first_basis_ = basis_;
   }
   ++count_;
 }
 
-void SymmetricHull::factorise() {
-  Eigen::MatrixXd matrix(dimension_, dimension_);
-  for (Eigen::Index i = 0; i < dimension_; ++i)
-    matrix.col(i) = points_.col(basis_[static_cast<std::size_t>(i)]);
-  inverse_ = matrix.inverse();
+void SymmetricHull::prefer(const std::vector<Eigen::Index>& points) {
+  preferred_ = points;
+  preferred_points_.resize(dimension_, static_cast<Eigen::Index>(points.size()));
+  for (std::size_t i = 0; i < points.size(); ++i)
+    preferred_points_.col(static_cast<Eigen::Index>(i)) = points_.col(points[i]);
 }
 
-SymmetricHull::Combination SymmetricHull::least_combination(const Eigen::VectorXd& u,
-                                                            double enough, double too_much) {
-  const auto most_steps = static_cast<int>(20 * dimension_ + 200);
-  factorise();
-  Eigen::VectorXd c = inverse_ * u;
-  Combination found;
-  for (int step = 1;; ++step) {
-    found.norm = c.lpNorm<1>();
-    if (found.norm <= enough || step == most_steps) break;
-    const Eigen::VectorXd y = inverse_.transpose() * c.unaryExpr(&sign);
-    const Eigen::RowVectorXd heights = y.transpose() * points();
-    Eigen::Index entering = 0;
-    const double highest = heights.cwiseAbs().maxCoeff(&entering);
-    if (found.norm > too_much * highest) {
-      found.outside = true;
-      break;
+/// A basis, the inverse of its matrix, and u in it.
+struct SymmetricHull::Tableau {
+  const SymmetricHull& hull;
+  const Eigen::VectorXd& u;
+  Basis basis;
+  Eigen::MatrixXd inverse;
+  Eigen::VectorXd c;
+  int updates = 0;
+
+  Tableau(const SymmetricHull& of, const Eigen::VectorXd& vector, const Basis& begin)
+      : hull(of), u(vector), basis(begin) {
+    factorise();
+  }
+
+  void factorise() {
+    Eigen::MatrixXd matrix(hull.dimension_, hull.dimension_);
+    for (Eigen::Index i = 0; i < hull.dimension_; ++i)
+      matrix.col(i) = hull.points_.col(basis[static_cast<std::size_t>(i)]);
+    inverse = matrix.inverse();
+    c = inverse * u;
+  }
+
+  /// The point v with the greatest |y·v|, where y·v = ±1 on the signed basis: of the preferred ones if
+  /// that exceeds 1, else of all.
+  struct Farthest {
+    Eigen::Index point;
+    double height;  // signed
+    bool of_all;
+  };
+  [[nodiscard]] Farthest farthest() const {
+    const Eigen::VectorXd y = inverse.transpose() * c.unaryExpr(&sign);
+    Eigen::Index at = 0;
+    if (!hull.preferred_.empty()) {
+      const Eigen::RowVectorXd heights = y.transpose() * hull.preferred_points_;
+      heights.cwiseAbs().maxCoeff(&at);
+      if (std::abs(heights(at)) > 1 + kOptimal)
+        return {hull.preferred_[static_cast<std::size_t>(at)], heights(at), false};
     }
-    if (highest <= 1 + kOptimal) break;
-    const Eigen::VectorXd way = inverse_ * points_.col(entering) * sign(heights(entering));
+    const Eigen::RowVectorXd heights = y.transpose() * hull.points();
+    heights.cwiseAbs().maxCoeff(&at);
+    return {at, heights(at), true};
+  }
+
+  /// Brings a point into the basis; false where nothing would leave.
+  bool exchange(Eigen::Index point, double height) {
+    const Eigen::VectorXd column = inverse * hull.points_.col(point);
     Eigen::Index leaving = -1;
     double length = std::numeric_limits<double>::infinity();
     double pivot = 0;
-    for (Eigen::Index i = 0; i < dimension_; ++i) {
-      const double towards = way(i) * sign(c(i));
-      if (towards < 1e-10) continue;
+    for (Eigen::Index i = 0; i < hull.dimension_; ++i) {
+      const double towards = column(i) * sign(height) * sign(c(i));
+      if (towards < kPivot) continue;
       const double ratio = std::abs(c(i)) / towards;
       if (ratio < length || (ratio == length && towards > pivot)) {
         length = ratio;
@@ -77,27 +104,42 @@ SymmetricHull::Combination SymmetricHull::least_combination(const Eigen::VectorX
         pivot = towards;
       }
     }
-    if (leaving < 0) break;
-    basis_[static_cast<std::size_t>(leaving)] = entering;
-    if (step % kRefactor == 0) {
+    if (leaving < 0) return false;
+    basis[static_cast<std::size_t>(leaving)] = point;
+    if (++updates % kRefactor == 0) {
       factorise();
-    } else {
-      const Eigen::VectorXd column = inverse_ * points_.col(entering);
-      const Eigen::RowVectorXd row = inverse_.row(leaving) / column(leaving);
-      inverse_ -= column * row;
-      inverse_.row(leaving) = row;
+      return true;
     }
-    c = inverse_ * u;
+    const Eigen::RowVectorXd row = inverse.row(leaving) / column(leaving);
+    inverse -= column * row;
+    inverse.row(leaving) = row;
+    c = inverse * u;
+    return true;
   }
-  found.points = basis_;
-  found.coefficients = c;
-  return found;
+};
+
+SymmetricHull::Combination SymmetricHull::least_combination(const Eigen::VectorXd& u,
+                                                            const Basis& begin, double enough,
+                                                            double too_much) const {
+  const auto most_steps = static_cast<int>(20 * dimension_ + 200);
+  Tableau tableau(*this, u, begin);
+  bool outside = false;
+  for (int step = 0; step < most_steps && tableau.c.lpNorm<1>() > enough; ++step) {
+    const Tableau::Farthest next = tableau.farthest();
+    if (next.of_all && tableau.c.lpNorm<1>() > too_much * std::abs(next.height)) {
+      outside = true;
+      break;
+    }
+    if (std::abs(next.height) <= 1 + kOptimal) break;
+    if (!tableau.exchange(next.point, next.height)) break;
+  }
+  return {tableau.c.lpNorm<1>(), outside, std::move(tableau.basis), std::move(tableau.c)};
 }
 
 Eigen::VectorXd SymmetricHull::axis_norms() const {
   Eigen::MatrixXd matrix(dimension_, dimension_);
   for (Eigen::Index i = 0; i < dimension_; ++i)
-    matrix.col(i) = points_.col(first_basis_[static_cast<std::size_t>(i)]);
+    matrix.col(i) = points_.col(basis_[static_cast<std::size_t>(i)]);
   const Eigen::MatrixXd inverse = matrix.inverse();
   const Eigen::MatrixXd identity = Eigen::MatrixXd::Identity(dimension_, dimension_);
   // e_i = matrix · inverse · e_i + rest_i

@@ -13,27 +13,34 @@ class SymmetricHull {
  public:
   explicit SymmetricHull(Eigen::Index dimension);
 
-  /// Adds v and -v. The first points that are linearly independent become the basis.
+  /// Adds v and -v. The first points that are linearly independent become the first basis.
   void add(const Eigen::VectorXd& v);
   [[nodiscard]] bool spans() const {
     return static_cast<Eigen::Index>(basis_.size()) == dimension_;
   }
   [[nodiscard]] Eigen::Index count() const { return count_; }
   [[nodiscard]] auto points() const { return points_.leftCols(count_); }
-  /// Whether v leaves the span of the points so far, to a part in a million of its length.
+  /// Whether v leaves the span of the points so far, by a millionth of its length.
   [[nodiscard]] bool leaves_span(const Eigen::VectorXd& v) const;
 
+  using Basis = std::vector<Eigen::Index>;  ///< numbers of linearly independent points
+  [[nodiscard]] const Basis& first_basis() const { return basis_; }
+
   struct Combination {
-    double norm = 0;  ///< Σ|c|, in double precision: no less than the least but for rounding
-    bool outside = false;               ///< the norm was found to exceed 1, and the search ended
-    std::vector<Eigen::Index> points;   ///< those that take part, one for each coordinate
-    Eigen::VectorXd coefficients;       ///< of these points
+    double norm = 0;       ///< Σ|c| in double precision; not the least if the search ended early
+    bool outside = false;  ///< the least was seen to exceed `too_much`
+    Basis points;          ///< those that take part, one for each coordinate
+    Eigen::VectorXd coefficients;  ///< of these points
   };
-  /// u as a combination of least Σ|c|. The search ends early where that is ≤ enough, or where it
-  /// is seen to exceed `too_much`. Precondition: spans(). Begins at the basis where the last
-  /// search ended.
-  Combination least_combination(const Eigen::VectorXd& u, double enough,
-                                double too_much = std::numeric_limits<double>::infinity());
+  /// u as a combination of least Σ|c|. The search begins at a basis and ends early where the sum is
+  /// ≤ enough, or is seen to exceed `too_much`. Precondition: spans(). Several threads may search
+  /// at once.
+  [[nodiscard]] Combination least_combination(
+      const Eigen::VectorXd& u, const Basis& begin, double enough,
+      double too_much = std::numeric_limits<double>::infinity()) const;
+
+  /// Names points that are tried before all others, for speed alone.
+  void prefer(const std::vector<Eigen::Index>& points);
 
   /// For each axis e_i an upper bound of ‖e_i‖, proved; infinite where the first basis is too bad.
   [[nodiscard]] Eigen::VectorXd axis_norms() const;
@@ -45,15 +52,15 @@ class SymmetricHull {
                                                const Combination& combination) const;
 
  private:
-  void factorise();
+  struct Tableau;
 
   Eigen::Index dimension_;
   Eigen::Index count_ = 0;
-  Eigen::MatrixXd points_;    // columns; the first count_ are used
+  Eigen::MatrixXd points_;      // columns; the first count_ are used
   Eigen::MatrixXd directions_;  // an orthonormal basis of the span of the first points
-  std::vector<Eigen::Index> first_basis_;
-  std::vector<Eigen::Index> basis_;
-  Eigen::MatrixXd inverse_;  // of the matrix of the basis points
+  Basis basis_;
+  std::vector<Eigen::Index> preferred_;
+  Eigen::MatrixXd preferred_points_;
 };
 
 }  // namespace limn

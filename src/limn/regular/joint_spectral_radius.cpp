@@ -1,0 +1,150 @@
+#include "limn/regular/joint_spectral_radius.h"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "limn/regular/approx_matrix.h"
+#include "limn/regular/polytope_bound.h"
+#include "limn/regular/product_search.h"
+#include "limn/regular/rounding.h"
+#include "limn/regular/spectral_radius.h"
+
+namespace limn {
+namespace {
+
+constexpr double kMostProducts = 4e6;  // times size³: what the search for products may cost
+constexpr int kLongestProduct = 8;
+
+/// A diagonal block of more than one row.
+struct Work {
+  std::vector<Eigen::MatrixXd> matrices;
+  Product best;
+};
+
+int product_length(std::size_t matrices, std::size_t size) {
+  const double cost = std::pow(static_cast<double>(size), 3);
+  int length = 1;
+  while (length < kLongestProduct &&
+         std::pow(matrices, length + 1) / (length + 1) * cost < kMostProducts)
+    ++length;
+  return length;
+}
+
+RationalMatrix product_of(const std::vector<RationalMatrix>& matrices,
+                          const std::vector<int>& factors) {
+  RationalMatrix result = matrices[static_cast<std::size_t>(factors.front())];
+  for (std::size_t i = 1; i < factors.size(); ++i)
+    result = product(result, matrices[static_cast<std::size_t>(factors[i])]);
+  return result;
+}
+
+/// ρ ≤ the greatest norm of one matrix: the largest sum of a row.
+double norm_bound(const std::vector<Eigen::MatrixXd>& matrices) {
+  double greatest = 0;
+  for (const Eigen::MatrixXd& matrix : matrices)
+    greatest = std::max(greatest, matrix.cwiseAbs().rowwise().sum().maxCoeff());
+  return inflated(greatest);
+}
+
+class Enclosure {
+ public:
+  Enclosure(const std::vector<RationalMatrix>& matrices, const JointSpectralRadiusOptions& options)
+      : options_(options), blocks_(diagonal_blocks(matrices)) {}
+
+  JointSpectralRadius run() {
+    for (const DiagonalBlock& block : blocks_) look_at(block);
+    for (std::size_t b = 0; b < blocks_.size(); ++b) raise_lower(b);
+    result_.upper = result_.lower;
+    result_.exact = true;
+    for (std::size_t b = 0; b < blocks_.size(); ++b) bound(b);
+    if (result_.exact) {
+      result_.upper = std::nextafter(result_.lower, std::numeric_limits<double>::infinity());
+      result_.upper = std::nextafter(result_.upper, std::numeric_limits<double>::infinity());
+    }
+    if (result_.lower == 0 && result_.exact) result_.upper = 0;
+    return std::move(result_);
+  }
+
+ private:
+  /// The best product of the block, approximately.
+  void look_at(const DiagonalBlock& block) {
+    Work& work = work_.emplace_back();
+    for (const RationalMatrix& matrix : block.matrices)
+      work.matrices.push_back(approx_matrix(matrix));
+    work.best = approx_best_product(
+        work.matrices, block.size() == 1 ? 1 : product_length(block.matrices.size(), block.size()));
+    result_.blocks.push_back({static_cast<int>(block.size()), work.best.growth,
+                              std::numeric_limits<double>::infinity(), 0, block.irreducible});
+  }
+
+  /// Proves the block's lower bound where it would be the greatest yet.
+  void raise_lower(std::size_t b) {
+    const Product& best = work_[b].best;
+    if (!(best.growth > result_.lower * (1 + 1e-12)) || best.factors.empty()) return;
+    const SpectralRadiusBound proved =
+        lower_spectral_radius(product_of(blocks_[b].matrices, best.factors));
+    double root = proved.lower;
+    if (best.factors.size() > 1)  // a root is off by a unit in the last place or two
+      root = std::pow(root, 1.0 / static_cast<double>(best.factors.size())) * (1 - 1e-15);
+    if (root <= result_.lower) return;
+    result_.lower = root;
+    result_.product = best.factors;
+    result_.eigenvalue = proved.eigenvalue;
+  }
+
+  void bound(std::size_t b) {
+    JointSpectralRadius::Block& block = result_.blocks[b];
+    if (block.size == 1) {
+      block.upper = norm_bound(work_[b].matrices);
+      // blocks of one row are compared with the leading eigenvalue exactly
+      if (!is_within_leading(blocks_[b].matrices)) raise_upper(block.upper);
+      return;
+    }
+    const double wanted = result_.lower * (1 + options_.tolerance);
+    block.upper = norm_bound(work_[b].matrices);
+    for (const double more : {0.0, 0.5, 0.1, 0.03, 0.01, 0.007, 0.003, 0.001}) {
+      if (block.upper <= result_.lower || (more > 0 && block.upper <= wanted)) break;
+      const double level = result_.lower * (1 + more);
+      if (level == 0 || (more > 0 && more < options_.tolerance / 2) || level >= block.upper)
+        continue;
+      const PolytopeBound found =
+          polytope_bound(work_[b].matrices, level, work_[b].best.leading, options_.budget);
+      block.vertices += found.vertices;
+      block.upper = std::min(block.upper, found.upper);
+      if (more > 0 && !std::isfinite(found.upper)) break;
+    }
+    if (block.upper > result_.lower || !result_.eigenvalue) raise_upper(block.upper);
+  }
+
+  void raise_upper(double upper) {
+    result_.upper = std::max(result_.upper, upper);
+    result_.exact = false;
+  }
+
+  [[nodiscard]] bool is_within_leading(const std::vector<RationalMatrix>& entries) const {
+    Rational greatest = 0;
+    for (const RationalMatrix& entry : entries)
+      greatest = std::max(greatest, Rational(abs(entry[0][0])));
+    if (greatest == 0) return true;
+    if (!result_.eigenvalue) return false;
+    Rational power = 1;
+    for (std::size_t i = 0; i < result_.product.size(); ++i) power *= greatest;
+    return power <= abs(*result_.eigenvalue);
+  }
+
+  JointSpectralRadiusOptions options_;
+  std::vector<DiagonalBlock> blocks_;
+  std::vector<Work> work_;
+  JointSpectralRadius result_;
+};
+
+}  // namespace
+
+JointSpectralRadius enclose_joint_spectral_radius(const std::vector<RationalMatrix>& matrices,
+                                                  const JointSpectralRadiusOptions& options) {
+  return Enclosure(matrices, options).run();
+}
+
+}  // namespace limn

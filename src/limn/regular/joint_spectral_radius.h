@@ -1,0 +1,41 @@
+#pragma once
+/// The joint spectral radius ρ of rational matrices: the growth of the largest of all products of n
+/// of them, lim max ‖A_{i1} … A_{in}‖^{1/n} [JungersBook]. Common invariant subspaces are split off
+/// first; then ρ lies between the spectral radius of a product (proved by an exact determinant) and
+/// a norm, that of a polytope (proved in doubles rounded outwards).
+
+#include <optional>
+#include <vector>
+
+#include "limn/regular/invariant_subspaces.h"
+
+namespace limn {
+
+struct JointSpectralRadiusOptions {
+  int budget = 2000;        ///< vertices of polytopes, for each diagonal block
+  double tolerance = 1e-3;  ///< upper/lower - 1 below which no more is sought
+};
+
+struct JointSpectralRadius {
+  struct Block {
+    int size = 0;
+    double lower = 0;  ///< of the block's own ρ; rounded, not proved, but in the block that leads
+    double upper = 0;  ///< proved: of the block's ρ, or of that of all where this is smaller
+    int vertices = 0;  ///< of the polytopes made; 0 where size is 1
+    bool irreducible = false;
+  };
+  double lower = 0;
+  double upper = 0;
+  /// The matrices of the product with the greatest spectral radius found, first factor first;
+  /// ρ ≥ |an eigenvalue of it|^(1/length). Empty where ρ = 0.
+  std::vector<int> product;
+  std::optional<Rational> eigenvalue;  ///< of the product, where it is rational
+  bool exact = false;                  ///< ρ is |eigenvalue|^(1/length), or 0: all blocks of size 1
+  std::vector<Block> blocks;
+};
+
+/// Precondition: at least one matrix, all square and of one size ≥ 1. Deterministic.
+[[nodiscard]] JointSpectralRadius enclose_joint_spectral_radius(
+    const std::vector<RationalMatrix>& matrices, const JointSpectralRadiusOptions& options = {});
+
+}  // namespace limn

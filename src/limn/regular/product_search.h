@@ -1,0 +1,19 @@
+#pragma once
+/// Products of matrices with large spectral radius, by trial.
+
+#include <Eigen/Core>
+#include <vector>
+
+namespace limn {
+
+struct Product {
+  std::vector<int> factors;     ///< first factor first; no power of a shorter product
+  double growth = 0;            ///< spectral radius, by the root of the length; approximate
+  std::vector<Eigen::VectorXd> leading;  ///< a leading eigenvector, or its real and imaginary part
+};
+
+/// The best of all products of up to so many factors, the shortest of equals. Cost: (number of
+/// matrices)^length eigenvalue problems over the length.
+[[nodiscard]] Product approx_best_product(const std::vector<Eigen::MatrixXd>& matrices, int length);
+
+}  // namespace limn

@@ -1,0 +1,145 @@
+#include "limn/regular/spectral_radius.h"
+
+#include <Eigen/Dense>
+#include <Eigen/Eigenvalues>
+#include <cmath>
+#include <complex>
+#include <cstdint>
+#include <utility>
+
+#include "limn/regular/approx_matrix.h"
+#include "limn/regular/rounding.h"
+
+namespace limn {
+namespace {
+
+constexpr double kBelow = 1 - 1e-12;  // a root is sought between this part of it and infinity
+
+/// The fraction of least denominator that is x to this part, if there is one with less than half as
+/// many digits.
+std::optional<Rational> simple_fraction(double x, double part) {
+  const double size = std::abs(x);
+  const auto most = static_cast<std::int64_t>(1 / std::sqrt(part));
+  if (!(size > 1e-12 && size < 1e6)) return std::nullopt;
+  double rest = size;
+  std::int64_t above = 1;
+  std::int64_t above_before = 0;
+  std::int64_t below = 0;
+  std::int64_t below_before = 1;
+  for (int step = 0; step < 40; ++step) {
+    const double whole = std::floor(rest);
+    if (whole > 1e9) return std::nullopt;
+    const auto digit = static_cast<std::int64_t>(whole);
+    above_before = std::exchange(above, digit * above + above_before);
+    below_before = std::exchange(below, digit * below + below_before);
+    if (below > most || above > 1000 * most) return std::nullopt;
+    const double value = static_cast<double>(above) / static_cast<double>(below);
+    if (std::abs(value - size) < part * size)
+      return Rational(x < 0 ? -above : above, below);
+    rest = 1 / (rest - whole);
+  }
+  return std::nullopt;
+}
+
+RationalMatrix shifted(RationalMatrix a, const Rational& by) {
+  for (std::size_t i = 0; i < a.size(); ++i) a[i][i] -= by;
+  return a;
+}
+
+int sign_of_determinant(RationalMatrix a) {
+  int sign = 1;
+  for (std::size_t c = 0; c < a.size(); ++c) {
+    std::size_t pivot = c;
+    while (pivot < a.size() && a[pivot][c] == 0) ++pivot;
+    if (pivot == a.size()) return 0;
+    if (pivot != c) {
+      std::swap(a[pivot], a[c]);
+      sign = -sign;
+    }
+    if (a[c][c] < 0) sign = -sign;
+    for (std::size_t r = c + 1; r < a.size(); ++r) {
+      if (a[r][c] == 0) continue;
+      const Rational factor = a[r][c] / a[c][c];
+      for (std::size_t k = c; k < a.size(); ++k)
+        if (a[c][k] != 0) a[r][k] -= factor * a[c][k];
+    }
+  }
+  return sign;
+}
+
+/// Whether a real eigenvalue has the sign of `root` and at least the size `least`: the
+/// determinant of t - a is positive for large t, so it vanishes above where it is negative.
+bool has_root_beyond(const RationalMatrix& a, double root, double least) {
+  RationalMatrix matrix = a;  // least - |a|, where |a| stands for a or -a
+  for (FieldVector<Rational>& row : matrix)
+    for (Rational& entry : row)
+      if (root > 0) entry = -entry;
+  return sign_of_determinant(shifted(std::move(matrix), Rational(-least))) < 0;
+}
+
+/// From |tr aᵐ| ≤ size · ρᵐ, m = 1, 2, 4, …, with a bound of the error of each entry.
+double bound_of_traces(const Eigen::MatrixXd& approx, double scale) {
+  constexpr int kSquarings = 14;
+  Eigen::MatrixXd a = approx / scale;
+  Eigen::MatrixXd error = a.cwiseAbs() * rounding_error(4);
+  double best = 0;
+  double power = 1;
+  const auto size = static_cast<double>(a.rows());
+  for (int step = 0; step <= kSquarings; ++step) {
+    const double uncertain =
+        inflated(error.trace() + rounding_error(a.rows()) * a.diagonal().cwiseAbs().sum());
+    const double trace = std::abs(a.trace()) - uncertain;
+    if (trace > 0) best = std::max(best, std::pow(trace / size, 1 / power) * kBelow);
+    const Eigen::MatrixXd sizes = a.cwiseAbs();
+    error = (sizes * error + error * sizes + error * error +
+             rounding_error(a.rows()) * sizes * sizes)
+                .unaryExpr(&inflated)
+                .eval();
+    a = (a * a).eval();
+    if (!a.allFinite() || !error.allFinite()) break;
+    power *= 2;
+  }
+  return best * scale * kBelow;
+}
+
+/// A rational eigenvalue next to `root`, exactly; eigenvalues that belong to Jordan blocks come with
+/// large errors.
+std::optional<Rational> rational_eigenvalue(const RationalMatrix& a, double root) {
+  std::optional<Rational> last;
+  for (const double part : {1e-13, 1e-9, 1e-6, 1e-4}) {
+    const std::optional<Rational> fraction = simple_fraction(root, part);
+    if (!fraction || fraction == last) continue;
+    if (sign_of_determinant(shifted(a, *fraction)) == 0) return fraction;
+    last = fraction;
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+SpectralRadiusBound lower_spectral_radius(const RationalMatrix& a) {
+  const Eigen::MatrixXd approx = approx_matrix(a);
+  const Eigen::VectorXcd values = approx.eigenvalues();
+  const double radius = values.cwiseAbs().maxCoeff();
+  if (!(radius > 1e-12)) return {};
+  SpectralRadiusBound bound;
+  for (const std::complex<double> value : values) {
+    const double root = value.real();
+    if (std::abs(root) < radius * (1 - 1e-3)) continue;
+    const std::optional<Rational> found = rational_eigenvalue(a, root);
+    if (found && (!bound.eigenvalue || abs(*found) > abs(*bound.eigenvalue)))
+      bound.eigenvalue = found;
+    const double least = radius * kBelow;
+    if (std::abs(root) > least && bound.lower < least && has_root_beyond(a, root, least))
+      bound.lower = least;
+  }
+  if (bound.eigenvalue && abs(*bound.eigenvalue) >= Rational(bound.lower)) {
+    bound.lower = std::nextafter(std::abs(to_double(*bound.eigenvalue)), 0.0);
+    return bound;
+  }
+  bound.eigenvalue.reset();
+  if (bound.lower == 0) bound.lower = bound_of_traces(approx, radius);
+  return bound;
+}
+
+}  // namespace limn
