@@ -34,7 +34,7 @@ struct PairDistance {
 /// How the picture looks at the surfaces.
 struct CompareView {
   double azimuth = -50, elevation = 30;  ///< degrees, as in a SurfaceScene
-  double resolution = 300;               ///< pixels an inch
+  double resolution = 200;               ///< pixels an inch
 };
 
 /// The first surface against each of the others: both alone, both in one picture, the first in
