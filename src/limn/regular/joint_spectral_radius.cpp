@@ -16,6 +16,11 @@ namespace {
 
 constexpr double kMostProducts = 4e6;  // times size³: what the search for products may cost
 constexpr int kLongestProduct = 8;
+// how far above the lower bound polytopes are tried
+constexpr double kLevels[] = {3, 0.5, 0.1, 0.03, 0.007};
+constexpr double kFine = 0.1;
+constexpr double kAtProduct = 1e-9;
+constexpr int kJump = 12;  // the finest level takes so many times the vertices of kFine, or fewer
 
 /// A diagonal block of more than one row.
 struct Work {
@@ -102,20 +107,34 @@ class Enclosure {
       if (!is_within_leading(blocks_[b].matrices)) raise_upper(block.upper);
       return;
     }
-    const double wanted = result_.lower * (1 + options_.tolerance);
     block.upper = norm_bound(work_[b].matrices);
-    for (const double more : {0.0, 0.5, 0.1, 0.03, 0.01, 0.007, 0.003, 0.001}) {
-      if (block.upper <= result_.lower || (more > 0 && block.upper <= wanted)) break;
-      const double level = result_.lower * (1 + more);
-      if (level == 0 || (more > 0 && more < options_.tolerance / 2) || level >= block.upper)
-        continue;
-      const PolytopeBound found =
-          polytope_bound(work_[b].matrices, level, work_[b].best.leading, options_.budget);
-      block.vertices += found.vertices;
-      block.upper = std::min(block.upper, found.upper);
-      if (more > 0 && !std::isfinite(found.upper)) break;
-    }
+    refine_upper(work_[b], block);
     if (block.upper > result_.lower || !result_.eigenvalue) raise_upper(block.upper);
+  }
+
+  /// From coarse levels to fine ones, as long as the vertices that the next will need are likely to
+  /// be within the budget.
+  void refine_upper(const Work& work, JointSpectralRadius::Block& block) const {
+    int last = 0;  // vertices at the level before
+    const auto reaches = [&](double more, int most) {
+      const double level = result_.lower * (1 + more);
+      if (level == 0 || level >= block.upper) return level > 0;
+      const PolytopeBound found =
+          polytope_bound(work.matrices, level, work.best.leading, most);
+      last = found.vertices;
+      block.vertices = std::max(block.vertices, found.vertices);
+      block.upper = std::min(block.upper, found.upper);
+      return std::isfinite(found.upper);
+    };
+    for (const double more : kLevels) {
+      if (more <= options_.tolerance) break;
+      if (!reaches(more, options_.budget) && more <= kFine) return;
+      if (more <= kFine && kJump * last <= options_.budget) break;
+      if (2 * last > options_.budget) return;
+    }
+    if (!reaches(0.9 * options_.tolerance, options_.budget)) return;
+    // at the product itself a few more vertices do, or very many
+    if (last * block.size <= options_.budget) reaches(kAtProduct, options_.budget / 4);
   }
 
   void raise_upper(double upper) {

@@ -12,8 +12,8 @@
 namespace limn {
 
 struct JointSpectralRadiusOptions {
-  int budget = 2000;        ///< vertices of polytopes, for each diagonal block
-  double tolerance = 1e-3;  ///< upper/lower - 1 below which no more is sought
+  int budget = 7000;        ///< vertices of one polytope
+  double tolerance = 3e-3;  ///< upper/lower - 1 below which no more is sought
 };
 
 struct JointSpectralRadius {
@@ -21,7 +21,7 @@ struct JointSpectralRadius {
     int size = 0;
     double lower = 0;  ///< of the block's own ρ; rounded, not proved, but in the block that leads
     double upper = 0;  ///< proved: of the block's ρ, or of that of all where this is smaller
-    int vertices = 0;  ///< of the polytopes made; 0 where size is 1
+    int vertices = 0;  ///< of the largest polytope made; 0 where size is 1
     bool irreducible = false;
   };
   double lower = 0;

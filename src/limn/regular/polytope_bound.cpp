@@ -13,6 +13,7 @@ namespace limn {
 namespace {
 
 constexpr double kInside = 1e-10;  // images may leave the polytope by this part
+constexpr double kProved = 1e-8;   // with all that rounding may have added
 constexpr std::ptrdiff_t kGrain = 8;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
@@ -44,8 +45,8 @@ class Growth {
     Eigen::VectorXd value;
     Eigen::VectorXd slack;  // bound of its rounding error
     SymmetricHull::Combination found;
-    double norm = 0;        // proved bound, where it lies inside
-    [[nodiscard]] bool inside() const { return !found.outside && found.norm <= 1 + kInside; }
+    double norm = kInfinity;  // proved bound
+    [[nodiscard]] bool inside() const { return norm <= 1 + kProved; }
   };
 
   [[nodiscard]] int made() const { return static_cast<int>(hull_.count()); }
@@ -56,7 +57,7 @@ class Growth {
     for (const Eigen::MatrixXd& matrix : matrices_) {
       Eigen::VectorXd slack = matrix.cwiseAbs() * v.cwiseAbs() / level_;
       slack *= rounding_error(matrix.rows() + 4);
-      images.push_back({matrix * v / level_, std::move(slack), {}, 0});
+      images.push_back({matrix * v / level_, std::move(slack), {}, kInfinity});
     }
     return images;
   }
@@ -88,7 +89,8 @@ class Growth {
 
   void measure(Image& image, const SymmetricHull::Basis& begin, double too_much) const {
     image.found = hull_.least_combination(image.value, begin, 1 + kInside / 2, too_much);
-    if (!image.inside()) return;
+    image.norm = kInfinity;
+    if (image.found.outside || image.found.norm > 1 + kInside) return;
     const Eigen::VectorXd rest = hull_.residual_bound(image.value, image.slack, image.found);
     image.norm = inflated(image.found.norm + rest.dot(axis_norms_));
   }
@@ -98,7 +100,7 @@ class Growth {
     parallel_for(
         std::size_t{0}, images.size(),
         [&](std::size_t first, std::size_t last) {
-          for (std::size_t i = first; i < last; ++i) measure(images[i], basis_, kInfinity);
+          for (std::size_t i = first; i < last; ++i) measure(images[i], basis_, 1 + kInside);
         },
         kGrain);
     std::stable_sort(images.begin(), images.end(), [](const Image& a, const Image& b) {

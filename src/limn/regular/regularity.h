@@ -20,48 +20,33 @@
 #include <vector>
 
 #include "limn/base/truth.h"
+#include "limn/regular/joint_spectral_radius.h"
 #include "limn/regular/polynomial_orders.h"
 
 namespace limn {
 
 struct RegularityOptions {
-  /// Work for each irreducible block, in vertices of the polytope whose norm bounds it. The
-  /// bracket reached is given where that does not suffice for `tolerance`.
-  int budget = 2000;
-  /// Width of the Hölder bracket below which no more is sought.
-  double tolerance = 1e-3;
-  /// How many steps of the difference schemes are tried for a norm below 1.
-  int most_steps = 5;
-};
-
-/// One irreducible block of the transition operators.
-struct RegularityBlock {
-  int size = 0;
-  double lower = 0;  ///< of the joint spectral radius
-  double upper = 0;
-  int vertices = 0;  ///< of the polytope that proves `upper`; 0: the block is of size 1, or bounded
-                     ///< by a norm of matrices
+  /// Work for each irreducible block: vertices of a polytope whose norm bounds it. Where it does
+  /// not suffice for `tolerance` the bracket reached is given.
+  int budget = 7000;
+  double tolerance = 4e-3;  ///< width of the Hölder bracket below which little more is sought
+  int most_steps = 4;       ///< of the difference schemes, tried for a norm below 1; 0: none
 };
 
 struct HolderBracket {
   double lower = 0;             ///< proved for every limit function
-  std::optional<double> upper;  ///< nothing where stability is not proved
-  double joint_spectral_radius_lower = 0;
-  double joint_spectral_radius_upper = 0;
-  /// The digits of the product whose spectral radius, by the root of its length, is the lower bound
-  /// of the joint spectral radius; empty where that is 0.
-  std::vector<LatticeVector> product;
-  /// An eigenvalue of that product where it is rational, so that the upper end is exact.
-  std::optional<Rational> eigenvalue;
-  std::vector<RegularityBlock> blocks;  ///< in the order of the split
-  std::string lower_reason, upper_reason;
+  std::optional<double> upper;  ///< of φ; proved; nothing where stability is not
+  JointSpectralRadius radius;   ///< of the transition operators, digit by digit
+  std::vector<LatticeVector> digits;  ///< of radius.product
 };
 
-/// Whether all limit functions are r times continuously differentiable.
+/// Whether the scheme converges, uniformly, to limit functions that are r times continuously
+/// differentiable.
 struct Smoothness {
   Truth verdict = Truth::undecided;
-  /// ‖(S_r)^power‖∞ ≤ norm < 1 for the r times divided difference scheme S_r, rounded up; 0: no
-  /// such power was found among the steps tried (the proof, if there is one, is then the bracket).
+  /// ‖(S_r)^power‖∞ ≤ norm < 1, rounded up, where S_r is the scheme of the differences of order
+  /// r + 1, times |det M|^{r/2}; 0: none of the powers tried is below 1, and the proof, if there is
+  /// one, is the bracket.
   int power = 0;
   double norm = 0;
   std::string reason;
@@ -76,9 +61,9 @@ struct Regularity {
   std::string stability_reason;
 };
 
-/// Brackets the regularity of a mask. Deterministic. Cost: seconds at the default options for masks
-/// up to radius 3. Fails where the cosets of the mask do not sum to 1, and where the matrices would
-/// have more than 400 rows.
+/// Brackets the regularity of a mask. Deterministic, whatever the number of threads. Cost: seconds at
+/// the default options for masks of radius 3. Fails where a coset of the mask does not sum to 1, and
+/// where the mask is so wide that more than 400 control points would have to be followed.
 [[nodiscard]] Result<Regularity> enclose_regularity(const Mask& mask,
                                                     const RegularityOptions& options = {});
 

@@ -2,6 +2,7 @@
 
 #include <Eigen/Dense>
 #include <Eigen/Eigenvalues>
+#include <algorithm>
 #include <cmath>
 #include <complex>
 #include <cstdint>
@@ -67,6 +68,28 @@ int sign_of_determinant(RationalMatrix a) {
   return sign;
 }
 
+/// The monic polynomial of least degree that annihilates the vector: coefficients from a Krylov
+/// sequence. It divides the characteristic polynomial, but repeats no root of a diagonalisable
+/// matrix.
+std::vector<Rational> annihilating_polynomial(const RationalMatrix& a) {
+  const std::size_t n = a.size();
+  FieldVector<Rational> x;
+  for (std::size_t i = 0; i < n; ++i) x.emplace_back(static_cast<int>(i * i % 7 + 1));
+  Echelon<Rational> powers(2 * n + 1);  // aᵏ x, and which k it is
+  for (std::size_t k = 0;; ++k) {
+    FieldVector<Rational> labelled = x;
+    labelled.resize(2 * n + 1, Rational(0));
+    labelled[n + k] = 1;
+    const FieldVector<Rational> rest = powers.reduced(labelled);
+    if (std::all_of(rest.begin(), rest.begin() + static_cast<std::ptrdiff_t>(n),
+                    [](const Rational& entry) { return entry == 0; }))
+      return {rest.begin() + static_cast<std::ptrdiff_t>(n),
+              rest.begin() + static_cast<std::ptrdiff_t>(n + k + 1)};
+    powers.insert(labelled);
+    x = product(a, x);
+  }
+}
+
 /// Whether a real eigenvalue has the sign of `root` and at least the size `least`: the
 /// determinant of t - a is positive for large t, so it vanishes above where it is negative.
 bool has_root_beyond(const RationalMatrix& a, double root, double least) {
@@ -74,7 +97,11 @@ bool has_root_beyond(const RationalMatrix& a, double root, double least) {
   for (FieldVector<Rational>& row : matrix)
     for (Rational& entry : row)
       if (root > 0) entry = -entry;
-  return sign_of_determinant(shifted(std::move(matrix), Rational(-least))) < 0;
+  if (sign_of_determinant(shifted(matrix, Rational(-least))) < 0) return true;
+  const std::vector<Rational> polynomial = annihilating_polynomial(matrix);
+  Rational value = 0;
+  for (std::size_t k = polynomial.size(); k-- > 0;) value = value * Rational(-least) + polynomial[k];
+  return polynomial.size() % 2 == 1 ? value < 0 : value > 0;
 }
 
 /// From |tr aᵐ| ≤ size · ρᵐ, m = 1, 2, 4, …, with a bound of the error of each entry.

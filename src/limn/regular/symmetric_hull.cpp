@@ -1,5 +1,6 @@
 #include "limn/regular/symmetric_hull.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "limn/regular/rounding.h"
@@ -7,9 +8,11 @@
 namespace limn {
 namespace {
 
-constexpr double kIndependent = 1e-6;
+constexpr double kIndependent = 1e-3;
 constexpr double kOptimal = 1e-11;  // of the greatest |y·v| beyond 1
-constexpr double kPivot = 1e-10;
+constexpr double kPivot = 1e-7;   // relative size of what may leave a basis
+constexpr double kSlack = 1e-11;
+constexpr double kAccurate = 1e-14;
 constexpr int kRefactor = 40;       // updates of the inverse before it is made anew
 
 double sign(double x) { return x < 0 ? -1 : 1; }
@@ -22,13 +25,14 @@ SymmetricHull::SymmetricHull(Eigen::Index dimension)
 bool SymmetricHull::leaves_span(const Eigen::VectorXd& v) const {
   Eigen::VectorXd rest = v - directions_ * (directions_.transpose() * v);
   rest -= directions_ * (directions_.transpose() * rest);
-  return rest.norm() > kIndependent * v.norm();
+  return rest.norm() > kIndependent * (count_ == 0 ? v.norm() : longest_);
 }
 
 void SymmetricHull::add(const Eigen::VectorXd& v) {
   if (count_ == points_.cols()) points_.conservativeResize(Eigen::NoChange, 2 * count_);
   points_.col(count_) = v;
   if (!spans() && leaves_span(v)) {
+    longest_ = std::max(longest_, v.norm());
     Eigen::VectorXd rest = v - directions_ * (directions_.transpose() * v);
     rest -= directions_ * (directions_.transpose() * rest);
     directions_.conservativeResize(Eigen::NoChange, directions_.cols() + 1);
@@ -65,6 +69,21 @@ struct SymmetricHull::Tableau {
       matrix.col(i) = hull.points_.col(basis[static_cast<std::size_t>(i)]);
     inverse = matrix.inverse();
     c = inverse * u;
+    c += inverse * (u - matrix * c);
+    updates = 0;
+  }
+
+  /// Whether c still gives u; true where nothing can be mended.
+  [[nodiscard]] bool is_accurate() const {
+    if (updates == 0) return true;
+    Eigen::VectorXd rest = u;
+    double sizes = u.lpNorm<Eigen::Infinity>();
+    for (Eigen::Index i = 0; i < hull.dimension_; ++i) {
+      const auto point = hull.points_.col(basis[static_cast<std::size_t>(i)]);
+      rest -= c(i) * point;
+      sizes = std::max(sizes, std::abs(c(i)) * point.lpNorm<Eigen::Infinity>());
+    }
+    return rest.lpNorm<Eigen::Infinity>() <= kAccurate * sizes;
   }
 
   /// The point v with the greatest |y·v|, where y·v = ±1 on the signed basis: of the preferred ones if
@@ -88,25 +107,33 @@ struct SymmetricHull::Tableau {
     return {at, heights(at), true};
   }
 
-  /// Brings a point into the basis; false where nothing would leave.
-  bool exchange(Eigen::Index point, double height) {
-    const Eigen::VectorXd column = inverse * hull.points_.col(point);
-    Eigen::Index leaving = -1;
+  /// The coordinate that first reaches 0 when `way` is taken away from c; of several that do so
+  /// at about the same time that which leaves the best conditioned basis (Harris). -1: none.
+  [[nodiscard]] Eigen::Index leaving_by(const Eigen::VectorXd& way) const {
+    const double least = kPivot * way.lpNorm<Eigen::Infinity>();
+    const double slack = kSlack * c.lpNorm<Eigen::Infinity>();
     double length = std::numeric_limits<double>::infinity();
+    for (Eigen::Index i = 0; i < way.size(); ++i)
+      if (const double towards = way(i) * sign(c(i)); towards > least)
+        length = std::min(length, (std::abs(c(i)) + slack) / towards);
+    Eigen::Index leaving = -1;
     double pivot = 0;
-    for (Eigen::Index i = 0; i < hull.dimension_; ++i) {
-      const double towards = column(i) * sign(height) * sign(c(i));
-      if (towards < kPivot) continue;
-      const double ratio = std::abs(c(i)) / towards;
-      if (ratio < length || (ratio == length && towards > pivot)) {
-        length = ratio;
+    for (Eigen::Index i = 0; i < way.size(); ++i)
+      if (const double towards = way(i) * sign(c(i));
+          towards > least && std::abs(c(i)) <= length * towards && towards > pivot) {
         leaving = i;
         pivot = towards;
       }
-    }
+    return leaving;
+  }
+
+  /// Brings a point into the basis; false where nothing would leave.
+  bool exchange(Eigen::Index point, double height) {
+    const Eigen::VectorXd column = inverse * hull.points_.col(point);
+    const Eigen::Index leaving = leaving_by(column * sign(height));
     if (leaving < 0) return false;
     basis[static_cast<std::size_t>(leaving)] = point;
-    if (++updates % kRefactor == 0) {
+    if (++updates == kRefactor) {
       factorise();
       return true;
     }
@@ -121,18 +148,23 @@ struct SymmetricHull::Tableau {
 SymmetricHull::Combination SymmetricHull::least_combination(const Eigen::VectorXd& u,
                                                             const Basis& begin, double enough,
                                                             double too_much) const {
-  const auto most_steps = static_cast<int>(20 * dimension_ + 200);
   Tableau tableau(*this, u, begin);
+  const auto most_steps = static_cast<int>(20 * dimension_ + 200);
+  bool stuck = true;
   bool outside = false;
-  for (int step = 0; step < most_steps && tableau.c.lpNorm<1>() > enough; ++step) {
-    const Tableau::Farthest next = tableau.farthest();
-    if (next.of_all && tableau.c.lpNorm<1>() > too_much * std::abs(next.height)) {
-      outside = true;
-      break;
+  for (int step = 0; step < most_steps; ++step) {
+    bool ended = tableau.c.lpNorm<1>() <= enough;
+    if (!ended) {
+      const Tableau::Farthest next = tableau.farthest();
+      outside = next.of_all && tableau.c.lpNorm<1>() > too_much * std::abs(next.height);
+      ended = outside || std::abs(next.height) <= 1 + kOptimal;
+      if (!ended && !tableau.exchange(next.point, next.height)) break;
     }
-    if (std::abs(next.height) <= 1 + kOptimal) break;
-    if (!tableau.exchange(next.point, next.height)) break;
+    stuck = !ended || !tableau.is_accurate();
+    if (!stuck) break;
+    if (ended) tableau.factorise();  // and see again, without the updates' errors
   }
+  if (stuck && begin != basis_) return least_combination(u, basis_, enough, too_much);
   return {tableau.c.lpNorm<1>(), outside, std::move(tableau.basis), std::move(tableau.c)};
 }
 

@@ -20,7 +20,8 @@ class SymmetricHull {
   }
   [[nodiscard]] Eigen::Index count() const { return count_; }
   [[nodiscard]] auto points() const { return points_.leftCols(count_); }
-  /// Whether v leaves the span of the points so far, by a millionth of its length.
+  /// Whether v leaves the span of the points so far, by a thousandth of the longest point, of which
+  /// the first is taken to be one.
   [[nodiscard]] bool leaves_span(const Eigen::VectorXd& v) const;
 
   using Basis = std::vector<Eigen::Index>;  ///< numbers of linearly independent points
@@ -57,6 +58,7 @@ class SymmetricHull {
   Eigen::Index dimension_;
   Eigen::Index count_ = 0;
   Eigen::MatrixXd points_;      // columns; the first count_ are used
+  double longest_ = 0;
   Eigen::MatrixXd directions_;  // an orthonormal basis of the span of the first points
   Basis basis_;
   std::vector<Eigen::Index> preferred_;
