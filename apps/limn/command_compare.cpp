@@ -21,6 +21,7 @@ struct CompareOptions {
   SchemeOptions common;
   std::string valence = "3..12";
   double tolerance = 1;
+  int budget = RegularityOptions{}.budget;
   std::string mesh;
   int steps = 4;
   std::string output;
@@ -94,6 +95,7 @@ int compare(const CompareOptions& options) {
   const RecordOptions record{.first_valence = valences->first,
                              .last_valence = valences->last,
                              .tolerance = options.tolerance,
+                             .regularity = {.budget = options.budget},
                              .progress = [&](const std::string& what) { line.show(what); }};
   for (const auto& [label, scheme] : schemes)
     comparison.schemes.push_back(approx_record(label, scheme, record));
@@ -109,7 +111,10 @@ void declare_mesh(CLI::App& command, CompareOptions& options) {
       "--mesh", options.mesh,
       "also fairness and distances of the limit surfaces over this control mesh (.obj, .off, .ply "
       "or .stl)");
-  command.add_option("-n,--levels", options.steps, "refinement steps before the limit is taken")
+  command
+      .add_option("-n,--levels", options.steps,
+                  "refinement steps before the limit is taken, of splits that make four faces of "
+                  "one; others take as many as make about as many faces")
       ->capture_default_str()
       ->check(CLI::Range(0, 64))
       ->needs(mesh);
@@ -144,6 +149,11 @@ void declare_compare(CLI::App& parser, Action& action) {
                    "artifacts in percent of the signal, for which sampling densities are given")
       ->type_name("PERCENT")
       ->capture_default_str();
+  command
+      ->add_option("--budget", options->budget,
+                   "of the bracket for the Hölder exponent: more is slower and tighter")
+      ->capture_default_str()
+      ->check(CLI::Range(1, 1000000));
   declare_mesh(*command, *options);
   options->common.declare_parameters(*command);
   command->add_flag("--differences", options->differences,

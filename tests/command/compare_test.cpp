@@ -21,7 +21,7 @@ Json compared(const Folder& folder, const std::string& arguments) {
 /// The same values in swapped columns, to the last digit.
 TEST(CompareCommand, IsSymmetric) {
   const Folder folder;
-  const std::string rest = " --mesh " + kBracket + " -n 2 --valence 3..7";
+  const std::string rest = " --mesh " + kBracket + " -n 2 --valence 3..7 --budget 50";
   const std::string one = "loop", other = "laplacian-butterfly:b=3/16";
   const Json forth = compared(folder, one + " " + other + rest);
   Json back = compared(folder, other + " " + one + rest);
@@ -47,6 +47,11 @@ TEST(CompareCommand, GivesTheWholeRecord) {
   const Json& loop = json.at("schemes")[0];
   EXPECT_EQ(loop.at("split"), "triangle-dyadic");
   EXPECT_EQ(loop.at("interpolating"), false);
+  EXPECT_LE(loop.at("regularity").at("holder").at("lower"), 3);
+  EXPECT_GE(loop.at("regularity").at("holder").at("upper"), 3);
+  EXPECT_EQ(loop.at("regularity").at("c2"), "yes");
+  EXPECT_EQ(json.at("schemes")[1].at("regularity").at("c1"), "yes");  // biquadratic splines
+  EXPECT_EQ(json.at("schemes")[1].at("regularity").at("c2"), "no");
   EXPECT_EQ(loop.at("sum_rules"), 4);
   EXPECT_EQ(loop.at("reproduction"), 1);
   EXPECT_EQ(loop.at("valences").size(), 1U);
@@ -92,6 +97,7 @@ TEST(CompareCommand, RefusesBadInput) {
   refused("loop butterfly --valence 2", "2 is not between 3 and");
   refused("loop butterfly --tolerance 0", "--tolerance");
   refused("loop butterfly --tolerance nan", "--tolerance");
+  refused("loop butterfly --budget 0", "--budget");
   refused("loop butterfly --mesh none.obj", "none.obj");
   refused("loop butterfly -o a.png", "--mesh");
   refused("loop butterfly -n 2", "--mesh");

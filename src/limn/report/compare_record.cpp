@@ -56,6 +56,16 @@ std::vector<ValenceRecord> valences_of(const Scheme& scheme, const RecordOptions
 
 Json finite(double value) { return std::isfinite(value) ? Json(value) : Json(); }
 
+Json smoothness_json(const Regularity& regularity) {
+  const HolderBracket& holder = regularity.holder;
+  Json json{{"holder",
+             {{"lower", finite(holder.lower)},
+              {"upper", holder.upper ? finite(*holder.upper) : Json()}}}};
+  for (std::size_t r = 0; r < regularity.smoothness.size(); ++r)
+    json["c" + std::to_string(r)] = to_string(regularity.smoothness[r].verdict);
+  return json;
+}
+
 Json wave_json(const WaveArtifacts& wave) {
   return {{"edges_per_wavelength", wave.edges_per_wavelength},
           {"worst_percent", finite(wave.worst)},
@@ -95,6 +105,9 @@ SchemeRecord approx_record(const std::string& label, const Scheme& scheme,
     if (options.progress) options.progress(label + ": " + what);
   };
   const Result<Mask> mask = regular_mask(scheme);
+  begin("regularity");
+  Result<Regularity> regularity =
+      mask ? enclose_regularity(*mask, options.regularity) : Result<Regularity>(mask.error());
   begin("artifacts");
   const Result<ArtifactAnalysis> analysis = analysis_of(mask);
   Result<std::vector<WaveArtifacts>> artifacts = artifacts_of(analysis);
@@ -108,6 +121,7 @@ SchemeRecord approx_record(const std::string& label, const Scheme& scheme,
           .split = std::string(scheme.split->name),
           .interpolating = mask ? Result<bool>(interpolates(*mask)) : mask.error(),
           .orders = mask ? Result<PolynomialOrders>(polynomial_orders(*mask)) : mask.error(),
+          .regularity = std::move(regularity),
           .artifacts = std::move(artifacts),
           .sampling = std::move(total),
           .mean_sampling = std::move(mean),
@@ -120,6 +134,7 @@ nlohmann::ordered_json record_json(const SchemeRecord& record) {
   json["sum_rules"] = json_of(record.orders, [](const PolynomialOrders& o) { return o.sum_rules; });
   json["reproduction"] =
       json_of(record.orders, [](const PolynomialOrders& o) { return o.reproduction; });
+  json["regularity"] = json_of(record.regularity, smoothness_json);
   json["artifacts"] = json_of(record.artifacts, [](const std::vector<WaveArtifacts>& waves) {
     Json list = Json::array();
     for (const WaveArtifacts& wave : waves) list.push_back(wave_json(wave));
@@ -146,6 +161,7 @@ std::vector<std::string> missing_parts(const SchemeRecord& record) {
   };
   add(record.interpolating);
   add(record.orders);
+  add(record.regularity);
   add(record.artifacts);
   add(record.sampling);
   add(record.mean_sampling);

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "limn/extraordinary/eigencomponents.h"
-#include "limn/regular/polynomial_orders.h"
+#include "limn/regular/regularity.h"
 #include "limn/regular/sampling_density.h"
 #include "limn/scheme/scheme.h"
 
@@ -39,6 +39,7 @@ struct SchemeRecord {
   std::string split;
   Result<bool> interpolating;  ///< on the regular lattice: old points stay where they are
   Result<PolynomialOrders> orders;
+  Result<Regularity> regularity;
   Result<std::vector<WaveArtifacts>> artifacts;
   /// By all artifacts of the limit surface, and by [ADS]'s mean energy.
   Result<SamplingDensity> sampling, mean_sampling;
@@ -48,15 +49,17 @@ struct SchemeRecord {
 struct RecordOptions {
   int first_valence = 3, last_valence = 12;
   double tolerance = 1;  ///< percent, of the sampling densities
+  RegularityOptions regularity = {};
   std::function<void(const std::string& what)> progress = {};  ///< called before each part
 };
 
-/// Cost: about a second.
+/// Cost: that of enclose_regularity, mostly, and about a second.
 [[nodiscard]] SchemeRecord approx_record(const std::string& label, const Scheme& scheme,
                                          const RecordOptions& options = {});
 
-/// {"scheme", "split", "interpolating", "sum_rules", "reproduction" (both orders or null),
-/// "artifacts":
+/// {"scheme", "split", "interpolating", "sum_rules", "reproduction" (both null where there is no
+/// mask), "regularity": {"holder": {"lower", "upper" or null}, "c0", "c1", "c2": "yes", "no" or
+/// "undecided"} or null, "artifacts":
 /// [{"edges_per_wavelength", "worst_percent", "worst_direction_degrees", "best_percent",
 /// "best_direction_degrees"}] or null, "sampling": {"tolerance_percent", "total_energy",
 /// "mean_energy"}, each as in sampling_json, "valences": [{"valence", "components", "verdict"}] as

@@ -79,9 +79,11 @@ MeshComparison compare_on_mesh(const std::vector<LabelledScheme>& schemes, const
       continue;
     }
     on_mesh.surfaces.push_back({label, std::move(*surface)});
-    begin(label + ": fairness");
     on_mesh.fairness.push_back(
-        approx_fairness(label, scheme, mesh, points, {.levels = options.fairness_levels}));
+        approx_fairness(label, scheme, mesh, points,
+                        {.levels = options.fairness_levels, .progress = [&](int level, int levels) {
+                           begin(fmt::format("{}: fairness, level {} of {}", label, level, levels));
+                         }}));
     if (const auto& fairness = on_mesh.fairness.back(); !fairness)
       on_mesh.missing.push_back(label + ": " + fairness.error().message);
   }

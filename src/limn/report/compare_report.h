@@ -30,7 +30,9 @@ struct Comparison {
 };
 
 struct MeshOptions {
-  int steps = 4;                                               ///< after which surfaces are sampled
+  /// After which surfaces are sampled, of splits that make four faces of one; of others as many as
+  /// come nearest to that number of faces.
+  int steps = 4;
   int fairness_levels = 0;                                     ///< see FairnessOptions
   std::function<void(const std::string& what)> progress = {};  ///< called before each part
 };

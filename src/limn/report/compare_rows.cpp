@@ -12,6 +12,9 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
+constexpr double kDecimals = 1000;   // of brackets
+constexpr double kOneNumber = 1e-9;  // the width of a bracket whose ends cannot be told apart
+
 TableCell missing() { return {"–"}; }
 TableCell known(std::string text, double value) { return {std::move(text), Between{value, value}}; }
 
@@ -23,6 +26,17 @@ TableRow row(const Comparison& comparison, const std::string& name, Better bette
   for (const SchemeRecord& scheme : comparison.schemes)
     row.cells.push_back(scheme.*part ? cell(*(scheme.*part)) : missing());
   return row;
+}
+
+TableCell truth_cell(Truth truth) {
+  return {std::string(to_string(truth)),
+          Between{truth == Truth::yes ? 1.0 : 0.0, truth == Truth::no ? 0.0 : 1.0}};
+}
+
+TableCell holder_cell(const Regularity& regularity) {
+  const HolderBracket& holder = regularity.holder;
+  return {bracket_text(holder.lower, holder.upper),
+          Between{holder.lower, holder.upper.value_or(kInfinity)}};
 }
 
 TableCell integer_cell(int value) { return known(std::to_string(value), value); }
@@ -45,6 +59,15 @@ TableSection regularity_rows(const Comparison& comparison) {
   };
   add("sum rules, order", &PolynomialOrders::sum_rules);
   add("reproduces polynomials of degree", &PolynomialOrders::reproduction);
+  const auto add_proved = [&](const std::string& name,
+                              const std::function<TableCell(const Regularity&)>& cell) {
+    section.rows.push_back(
+        row<Regularity>(comparison, name, Better::more, &SchemeRecord::regularity, cell));
+  };
+  for (std::size_t r = 0; r < 3; ++r)
+    add_proved("C" + std::to_string(r),
+               [r](const Regularity& one) { return truth_cell(one.smoothness[r].verdict); });
+  add_proved("Hölder exponent", holder_cell);
   return section;
 }
 
@@ -198,6 +221,13 @@ std::string numbers_text(const std::vector<int>& numbers) {
     i = last + 1;
   }
   return text.empty() ? "none" : text;
+}
+
+std::string bracket_text(double lower, std::optional<double> upper) {
+  const double low = std::floor(lower * kDecimals) / kDecimals;
+  if (!upper) return fmt::format("≥ {:.3f}", low);
+  if (*upper - lower <= kOneNumber) return fmt::format("{:.6g}", (lower + *upper) / 2);
+  return fmt::format("[{:.3f}, {:.3f}]", low, std::ceil(*upper * kDecimals) / kDecimals);
 }
 
 std::vector<TableSection> compare_sections(const Comparison& comparison) {
