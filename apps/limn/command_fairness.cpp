@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <filesystem>
 #include <memory>
 
@@ -9,6 +10,7 @@
 #include "limn/base/progress.h"
 #include "limn/mesh/io/mesh_file.h"
 #include "limn/report/fairness_report.h"
+#include "limn/report/spectrum_report.h"
 #include "scheme_argument.h"
 
 namespace limn::app {
@@ -20,9 +22,14 @@ struct FairnessCommand {
   SchemeOptions common;
   int levels = 0;
   std::string chart;
+  std::string spectrum;  // a file, or how many frequencies to print
   bool triangulate = false;
   bool json = false;
 };
+
+std::string display_name(const std::string& path) {
+  return std::filesystem::path(path).filename().string();
+}
 
 Result<std::vector<FairnessRecord>> measure(const FairnessCommand& options,
                                             const std::vector<NamedScheme>& schemes,
@@ -46,12 +53,61 @@ Result<std::vector<FairnessRecord>> measure(const FairnessCommand& options,
   return records;
 }
 
+constexpr int kMostFrequencies = 1000;
+
+/// How many frequencies --spectrum asks for; 0 where it names a file or nothing.
+int frequency_count(const std::string& text) {
+  const bool digits =
+      std::all_of(text.begin(), text.end(), [](char c) { return c >= '0' && c <= '9'; });
+  return digits && !text.empty() && text.size() < 5 ? std::stoi(text) : 0;
+}
+
+/// What can be refused before any work.
+Status check_outputs(const FairnessCommand& options) {
+  if (!options.chart.empty())
+    if (const Result<FigureFormat> format = figure_format(options.chart); !format)
+      return format.error();
+  if (options.spectrum.empty() || frequency_count(options.spectrum) > 0) {
+    if (frequency_count(options.spectrum) <= kMostFrequencies) return Done{};
+  } else if (figure_format(options.spectrum).ok()) {
+    return Done{};
+  }
+  return Error{
+      fmt::format("--spectrum: '{}' is neither a figure nor a count", options.spectrum),
+      fmt::format("it ends in .pdf, .svg or .png, or is a number from 1 to {}", kMostFrequencies),
+      {},
+      0,
+      0};
+}
+
+Status draw_spectrum(const FairnessCommand& options, const std::vector<NamedScheme>& schemes,
+                     const ControlMesh& control) {
+  std::vector<NamedPoints> points{{"control vertices", control.points}};
+  for (const auto& [label, scheme] : schemes) {
+    Result<NamedPoints> limits = limits_of_vertices(label, scheme, control.mesh, control.points);
+    if (!limits) return limits.error();
+    points.push_back(*std::move(limits));
+  }
+  const Result<Figure> figure = spectrum_figure(display_name(options.mesh), control.mesh, points);
+  if (!figure) return figure.error();
+  return figure->write(options.spectrum);
+}
+
+/// Draws what is asked for.
+Status draw_figures(const FairnessCommand& options, const std::vector<NamedScheme>& schemes,
+                    const ControlMesh& control, const std::vector<FairnessRecord>& records) {
+  if (!options.chart.empty())
+    if (Status status = fairness_figure(display_name(options.mesh), records).write(options.chart);
+        !status)
+      return status;
+  if (options.spectrum.empty() || frequency_count(options.spectrum) > 0) return Done{};
+  return draw_spectrum(options, schemes, control);
+}
+
 int print_fairness(const FairnessCommand& options) {
   // what can be refused at once is refused before any work
   if (Status status = check_readable(options.mesh); !status) return report(status.error());
-  if (!options.chart.empty())
-    if (const Result<FigureFormat> format = figure_format(options.chart); !format)
-      return report(format.error());
+  if (Status status = check_outputs(options); !status) return report(status.error());
   const Result<std::vector<NamedScheme>> schemes =
       scheme_arguments(options.schemes, options.common.parameters);
   if (!schemes) return report(schemes.error());
@@ -59,15 +115,20 @@ int print_fairness(const FairnessCommand& options) {
   if (!control) return report(control.error());
   const Result<std::vector<FairnessRecord>> records = measure(options, *schemes, *control);
   if (!records) return report(records.error());
-  if (!options.chart.empty()) {
-    const std::string name = std::filesystem::path(options.mesh).filename().string();
-    if (Status status = fairness_figure(name, *records).write(options.chart); !status)
-      return report(status.error());
+  if (Status status = draw_figures(options, *schemes, *control, *records); !status)
+    return report(status.error());
+  const int frequencies = frequency_count(options.spectrum);
+  const Result<SpectrumEnds> ends =
+      frequencies > 0 ? approx_spectrum_ends(control->mesh, frequencies) : SpectrumEnds{};
+  if (!ends) return report(ends.error());
+  if (options.json) {
+    nlohmann::ordered_json json = fairness_json(options.mesh, *records);
+    if (frequencies > 0) json["spectrum"] = spectrum_json(*ends);
+    fmt::print("{}\n", json.dump());
+    return kDone;
   }
-  if (options.json)
-    fmt::print("{}\n", fairness_json(options.mesh, *records).dump());
-  else
-    fmt::print("{}", fairness_text(options.mesh, *records));
+  fmt::print("{}", fairness_text(options.mesh, *records));
+  if (frequencies > 0) fmt::print("\n{}", spectrum_text(options.mesh, *ends));
   return kDone;
 }
 
@@ -92,6 +153,11 @@ void declare_fairness(CLI::App& parser, Action& action) {
       ->add_option("--chart", options->chart,
                    "draw the energies against the level (.pdf, .svg, .png)")
       ->type_name("FILE");
+  command
+      ->add_option("--spectrum", options->spectrum,
+                   "print so many of the lowest and highest natural frequencies of the control "
+                   "mesh, or draw which of them each scheme passes on (.pdf, .svg, .png)")
+      ->type_name("K|FILE");
   command->add_flag("--triangulate", options->triangulate,
                     "cut polygons into triangles first, each from its first corner");
   command->add_flag("--json", options->json, "print one JSON object");

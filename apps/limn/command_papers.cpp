@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <memory>
 
 #include <fmt/core.h>
@@ -5,26 +6,10 @@
 
 #include "command.h"
 #include "limn/base/progress.h"
-#include "limn/report/papers/augsdorfer.h"
-#include "limn/report/papers/barthe.h"
+#include "limn/report/papers/papers.h"
 
 namespace limn::app {
 namespace {
-
-struct Paper {
-  const char* name;
-  const char* title;
-  Status (*write)(const std::string& directory, const PaperProgress& progress);
-};
-
-// One line for each paper.
-constexpr Paper kPapers[] = {
-    {"augsdorfer", "Artifact analysis on triangular box-spline and subdivision meshes",
-     write_augsdorfer},
-    {"barthe",
-     "Simple computation of the eigencomponents of a subdivision matrix in the Fourier domain",
-     write_barthe},
-};
 
 struct PapersOptions {
   std::vector<std::string> papers;
@@ -32,43 +17,48 @@ struct PapersOptions {
   bool json = false;
 };
 
-Result<std::vector<const Paper*>> chosen(const PapersOptions& options) {
-  std::vector<const Paper*> papers;
+std::string paper_names() {
   std::string names;
-  for (const Paper& paper : kPapers) names += (names.empty() ? "" : ", ") + std::string(paper.name);
+  for (const Paper& paper : papers()) names += (names.empty() ? "" : ", ") + paper.name;
+  return names;
+}
+
+Result<std::vector<const Paper*>> chosen(const PapersOptions& options) {
+  std::vector<const Paper*> list;
   for (const std::string& name : options.papers) {
-    const Paper* found = nullptr;
-    for (const Paper& paper : kPapers)
-      if (paper.name == name) found = &paper;
-    if (found == nullptr)
+    const auto found = std::find_if(papers().begin(), papers().end(),
+                                    [&](const Paper& paper) { return paper.name == name; });
+    if (found == papers().end())
       return Error{
-          fmt::format("there is no paper '{}'", name), "the papers are " + names, {}, 0, 0};
-    papers.push_back(found);
+          fmt::format("there is no paper '{}'", name), "the papers are " + paper_names(), {}, 0, 0};
+    list.push_back(&*found);
   }
-  if (papers.empty())
-    for (const Paper& paper : kPapers) papers.push_back(&paper);
-  return papers;
+  if (list.empty())
+    for (const Paper& paper : papers()) list.push_back(&paper);
+  return list;
 }
 
 int make_papers(const PapersOptions& options) {
-  const Result<std::vector<const Paper*>> papers = chosen(options);
-  if (!papers) return report(papers.error());
-  nlohmann::ordered_json list = nlohmann::ordered_json::array();
+  const Result<std::vector<const Paper*>> list = chosen(options);
+  if (!list) return report(list.error());
+  const bool alone = options.papers.size() == 1;  // it has the folder to itself
+  nlohmann::ordered_json made = nlohmann::ordered_json::array();
   ProgressLine line;
-  for (const Paper* paper : *papers) {
-    // one paper asked for by name has the folder to itself
-    const std::string directory =
-        options.papers.size() == 1 ? options.output : options.output + "/" + paper->name;
+  for (const Paper* paper : *list) {
+    const std::string directory = alone ? options.output : options.output + "/" + paper->name;
     const Status status = paper->write(
-        directory, [&](const std::string& what) { line.show(paper->name + (": " + what)); });
+        directory, [&](const std::string& what) { line.show(paper->name + ": " + what); });
     if (!status) return report(status.error());
-    list.push_back({{"paper", paper->name}, {"index", directory + "/index.html"}});
+    made.push_back({{"paper", paper->name}, {"index", directory + "/index.html"}});
   }
+  if (!alone)
+    if (Status status = write_paper_list(options.output, *list); !status)
+      return report(status.error());
+  const std::string index = options.output + "/index.html";
   if (options.json)
-    fmt::print("{}\n", nlohmann::ordered_json{{"papers", list}}.dump());
+    fmt::print("{}\n", nlohmann::ordered_json{{"index", index}, {"papers", made}}.dump());
   else
-    for (const auto& entry : list)
-      fmt::print("{}: {}\n", entry["paper"].get<std::string>(), entry["index"].get<std::string>());
+    fmt::print("{}\n", index);
   return kDone;
 }
 
@@ -79,7 +69,7 @@ void declare_papers(CLI::App& parser, Action& action) {
       "papers", "the figures and tables of the papers that limn implements, made anew");
   const auto options = std::make_shared<PapersOptions>();
   command->add_option("PAPER", options->papers,
-                      "which; without it all of them: augsdorfer, barthe");
+                      "which; without it all of them: " + paper_names());
   command->add_option("-o,--output", options->output, "the folder they go to")->required();
   command->add_flag("--json", options->json, "print one JSON object");
   command->footer("Example: limn papers -o papers\n         limn papers barthe -o barthe");

@@ -46,6 +46,7 @@ Result<Scheme> load(const std::string& text, std::vector<std::string> parameters
 /// Whether a label comes twice; then texts, which never do, take their place.
 bool any_twice(const std::vector<NamedScheme>& schemes) {
   std::vector<std::string> labels;
+  labels.reserve(schemes.size());
   for (const NamedScheme& scheme : schemes) labels.push_back(scheme.label);
   std::sort(labels.begin(), labels.end());
   return std::adjacent_find(labels.begin(), labels.end()) != labels.end();

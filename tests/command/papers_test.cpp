@@ -1,6 +1,9 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
+#include <numbers>
 
 #include "run_command.h"
 
@@ -48,6 +51,66 @@ TEST(PapersCommand, MakesBarthesFiguresAndTables) {
   ASSERT_GE(alphas.size(), 18U);
   for (const auto& row : alphas) EXPECT_NEAR(row[3], 0, 1e-13) << row[0];
   EXPECT_NE(index.find("Misprints"), std::string::npos);
+}
+
+/// Column `name` of a table of numbers that a paper's folder holds.
+std::vector<double> column(const Folder& folder, const std::string& path, const std::string& name) {
+  const auto table = nlohmann::json::parse(folder.read(path));
+  const auto& columns = table.at("columns");
+  const auto at = static_cast<std::size_t>(std::find(columns.begin(), columns.end(), name) -
+                                           columns.begin());
+  std::vector<double> values;
+  for (const auto& row : table.at("rows")) values.push_back(row.at(at));
+  return values;
+}
+
+TEST(PapersCommand, MakesKawaharadasFiguresAndJudgesItsClaims) {
+  const Folder folder;
+  const Outcome outcome = folder.limn("papers kawaharada -o ks --json");
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  const std::string index = folder.read("ks/index.html");
+  for (const char* stem : {"fig06-09", "fig10-13", "fig14", "fig15", "fig23-26", "fig27-28",
+                           "fig29-32", "fig33-34", "fig36", "fig37-40", "fig41-45", "fig46"}) {
+    EXPECT_NE(index.find(std::string("src=\"") + stem + ".svg\""), std::string::npos) << stem;
+    for (const char* extension : {".pdf", ".svg", ".csv", ".json"})
+      EXPECT_GT(folder.read("ks/" + std::string(stem) + extension).size(), 50U) << stem;
+  }
+  for (const char* mesh : {"torus", "cube", "raised"})
+    EXPECT_EQ(folder.limn(std::string("refine ks/") + mesh + ".obj -s loop -n 1 -o fine.obj").code, 0);
+
+  // [KS Fig. 21] the stencil, reconstructed: 1/384 of the mask's numbers
+  EXPECT_EQ(column(folder, "ks/stencils.json", "b_1_8"),
+            (std::vector<double>{182 / 384., 46 / 384., -19 / 384., 2 / 384.}));
+  // the tops of basis functions: interpolating schemes keep 1, Loop has its limit stencil's 1/2
+  for (const double top : column(folder, "ks/fig23-26.json", "highest")) EXPECT_NEAR(top, 1, 1e-12);
+  EXPECT_NEAR(column(folder, "ks/fig37-40.json", "highest").at(3), 1 / 2., 1e-12);
+  // the low pass shrinks, the high pass does not
+  for (const char* figure : {"ks/fig06-09.json", "ks/fig10-13.json"}) {
+    const std::vector<double> volumes = column(folder, figure, "volume");
+    EXPECT_LT(volumes.at(2), volumes.at(0));
+    EXPECT_GT(volumes.at(1), volumes.at(0));
+  }
+  // −μ1 − μ1² < a < μ1 − μ1², from the whole neighbourhood
+  const auto low = column(folder, "ks/range.json", "low"), high = column(folder, "ks/range.json", "high");
+  ASSERT_EQ(low.size(), 18U);
+  for (std::size_t i = 0; i < low.size(); ++i) {
+    const double tangent = 3 / 8. + std::cos(2 * std::numbers::pi / static_cast<double>(i + 3)) / 4;
+    EXPECT_NEAR(low[i], -tangent - tangent * tangent, 1e-12);
+    EXPECT_NEAR(high[i], tangent - tangent * tangent, 1e-12);
+  }
+  // Hölder exponents on the regular lattice [theory]; in the order of the page
+  const auto least = column(folder, "ks/smoothness.json", "holder_lower");
+  const auto most = column(folder, "ks/smoothness.json", "holder_upper");
+  const std::vector<double> exponents{3, 1.411, 1.7725, 2, 1.2195, 1.09, 1, 1.846, 1.5805, 1.8655};
+  ASSERT_EQ(least.size(), exponents.size());
+  for (std::size_t i = 0; i < exponents.size(); ++i) {
+    EXPECT_LT(least[i], exponents[i] + 0.015) << i;
+    EXPECT_GT(most[i], exponents[i] - 0.015) << i;
+    EXPECT_LT(most[i] - least[i], 0.05) << i;
+  }
+  for (const char* words : {"5 eigenvalues are equal, with a Jordan block of size 2",
+                            "contradicted at k = 4", "to an affine image of it"})
+    EXPECT_NE(index.find(words), std::string::npos) << words;
 }
 
 TEST(PapersCommand, RefusesUnknownPapersAndFolders) {

@@ -208,5 +208,61 @@ TEST(SecondForms, KnowTheNormalAndTheSignOfCurvature) {
   }
 }
 
+/// One vertex and its ring on the graph of a quadratic function over the plane that its faces take
+/// for the tangent plane, and which the graph crosses at a slope.
+TEST(SecondForms, AreExactOnAQuadraticGraph) {
+  const Mesh mesh = star(Lattice::triangle, 7, 1);
+  Eigen::MatrixXd rows(7, 5);  // of x, y, x²/2, xy, y²/2
+  Eigen::MatrixXd ring(7, 3);
+  for (int i = 0; i < 7; ++i) {
+    const double angle = 2 * pi * i / 7;
+    const double radius = 1 + .5 * std::sin(angle) - .4 * std::cos(2 * angle);
+    const double x = radius * std::cos(angle);
+    const double y = radius * std::sin(angle);
+    ring.row(i) << x, y, 0;
+    rows.row(i) << x, y, x * x / 2, x * y, y * y / 2;
+  }
+  // Σ p_i × p_{i+1} is along z if and only if Σ z_i (p_{i-1} − p_{i+1}) vanishes
+  Eigen::MatrixXd differences(2, 7);
+  for (int i = 0; i < 7; ++i)
+    differences.col(i) = (ring.row((i + 6) % 7) - ring.row((i + 1) % 7)).head<2>().transpose();
+  const Eigen::MatrixXd conditions = differences * rows;
+  Eigen::VectorXd c(5);
+  c.tail<3>() << .9, -.5, 1.3;
+  c.head<2>() = -conditions.leftCols<2>().inverse() * conditions.rightCols<3>() * c.tail<3>();
+  ASSERT_GT(c.head<2>().norm(), .1);
+  ring.col(2) = rows * c;
+  std::vector<Point3> points{{0, 0, 0}};
+  for (int i = 0; i < 7; ++i) points.push_back({ring(i, 0), ring(i, 1), ring(i, 2)});
+
+  const SecondForm form = approx_second_forms(mesh, points)[0];
+  ASSERT_TRUE(form.known);
+  Derivatives graph{};
+  for (auto& row : graph.d) row.fill({0, 0, 0});
+  graph.d[1][0] = {1, 0, c[0]};
+  graph.d[0][1] = {0, 1, c[1]};
+  graph.d[2][0].z() = c[2];
+  graph.d[1][1].z() = c[3];
+  graph.d[0][2].z() = c[4];
+  const Densities exact = densities(graph);
+  EXPECT_NEAR(form.tensor.squaredNorm(), exact.thin_plate / exact.area, 1e-12);
+  EXPECT_NEAR((form.normal - Eigen::Vector3d(-c[0], -c[1], 1).normalized()).norm(), 0, 1e-12);
+  EXPECT_NEAR((form.tensor * form.normal).norm(), 0, 1e-12);
+}
+
+TEST(SurfaceEnergies, DoNotDependOnWhereAFaceBegins) {
+  const Sampled torus = sampled_tube({2, 1}, Lattice::quad, 8);
+  Polygons polygons = torus.mesh.polygons(torus.points);
+  for (Index f = 0; f < polygons.face_count(); ++f)
+    std::rotate(polygons.corners.begin() + polygons.face_begin[f],
+                polygons.corners.begin() + polygons.face_begin[f] + f % 4,
+                polygons.corners.begin() + polygons.face_begin[f + 1]);
+  const SurfaceEnergies once = energies(torus);
+  const SurfaceEnergies turned = energies({Mesh::build(polygons).value(), torus.points});
+  EXPECT_NEAR(turned.area, once.area, 1e-12 * once.area);
+  EXPECT_NEAR(turned.curvature_variation, once.curvature_variation,
+              1e-9 * once.curvature_variation);
+}
+
 }  // namespace
 }  // namespace limn::test

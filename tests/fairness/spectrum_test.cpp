@@ -129,6 +129,23 @@ TEST(Spectrum, OfRandomMeshesIsThatOfTheDenseSolver) {
               {all.end() - 40, all.end()}, 1e-10);
 }
 
+TEST(Amplitudes, SumToTheWholeAndFindASingleWave) {
+  const Mesh mesh = star(Lattice::triangle, 5, 3);  // of several valences
+  const LaplacianModes all = approx_all_modes(mesh).value();
+  std::vector<Point3> points;
+  double whole = 0;
+  for (Index v = 0; v < mesh.vertex_count(); ++v) {
+    points.push_back({std::sin(v), std::cos(3 * v), 1.0 * (v % 3)});
+    whole += mesh.valence(v) * dot(points.back(), points.back());
+  }
+  double sum = 0;
+  for (const double amplitude : approx_amplitudes(mesh, all, points)) sum += amplitude * amplitude;
+  EXPECT_NEAR(sum, whole, 1e-10 * whole);
+  for (Index v = 0; v < mesh.vertex_count(); ++v) points[v] = {0, 2 * all.modes(v, 7), 0};
+  const std::vector<double> one = approx_amplitudes(mesh, all, points);
+  for (std::size_t j = 0; j < one.size(); ++j) EXPECT_NEAR(one[j], j == 7 ? 2 : 0, 1e-12);
+}
+
 TEST(Spectrum, TakesWhatThereIs) {
   EXPECT_EQ(approx_modes(cube(), SpectrumEnd::smallest, 100)->eigenvalues.size(), 8U);
   EXPECT_EQ(approx_modes(cube(), SpectrumEnd::largest, 3)->eigenvalues.size(), 3U);

@@ -16,7 +16,7 @@ std::vector<double> levels(int count, Value value) {
 }
 
 TEST(Trend, FindsTheLimitOfAGeometricSeries) {
-  for (const double ratio : {.25, .5, .8, -.5, -.3}) {
+  for (const double ratio : {.25, .5, .7, -.5, -.3}) {
     const Trend trend = trend_of(levels(6, [&](int l) { return 7 - 3 * std::pow(ratio, l); }));
     EXPECT_EQ(trend.converges, Truth::yes) << ratio;
     EXPECT_NEAR(trend.ratio, std::abs(ratio), 1e-9);
@@ -38,6 +38,13 @@ TEST(Trend, OfUnevenChangesLooksAtTheLargerOnes) {
   const Trend trend = trend_of({5, 4.5, 4.4, 4.4001, 4.395});
   EXPECT_EQ(trend.converges, Truth::yes);
   EXPECT_LT(trend.ratio, .3);
+}
+
+TEST(Trend, IsNotDeceivedByLargeFirstChanges) {
+  // a series that converges and, below it, one that doubles
+  const Trend trend = trend_of({107.1, 173.4, 221.0, 254.8, 292.4});
+  EXPECT_EQ(trend.converges, Truth::undecided);
+  EXPECT_TRUE(std::isnan(trend.limit));
 }
 
 TEST(Trend, OfConstantsIsTheConstant) {

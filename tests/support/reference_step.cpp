@@ -82,6 +82,16 @@ TriangleRules low_pass(double a) {
   return {beta, 3 / 8., 1 / 8., 0, 0, {}, {}};
 }
 
+/// [KS §5.1] edge weights b and 1/2 - b; the cup's eigenvalue is the tangent's square.
+TriangleRules loop_type(double b) {
+  const double c = 1 / 2. - b;
+  const auto beta = [b, c](int n) {
+    const double tangent = b + 2 * c * std::cos(2 * kPi / n);
+    return (b + 2 * c - tangent * tangent) / n;
+  };
+  return {beta, b, c, 0, 0, {}, {}};
+}
+
 TriangleRules butterfly(double w, bool zorin) {
   return {no_beta, 1 / 2., 2 * w, -w, 0, w, zorin ? std::optional(kZorin) : std::nullopt};
 }
@@ -114,6 +124,7 @@ std::optional<TriangleRules> triangle_rules(const std::string& scheme, std::opti
     return found->second;
   if (scheme == "laplacian-loop") return high_pass(x);
   if (scheme == "laplacian-loop-low") return low_pass(x.value_or(1));
+  if (scheme == "loop-type") return loop_type(x.value_or(3 / 8.));
   if (scheme == "butterfly") return butterfly(x.value_or(1 / 16.), false);
   if (scheme == "butterfly-modified") return butterfly(x.value_or(1 / 16.), true);
   if (scheme == "laplacian-butterfly") return low_pass_butterfly(x.value_or(1 / 8.));

@@ -43,6 +43,7 @@ std::optional<Setting> other_setting(const std::string& scheme) {
   if (scheme == "laplacian-butterfly") return Setting{"b", 3, 16};
   if (scheme == "laplacian-loop") return Setting{"a", -1, 10};
   if (scheme == "laplacian-loop-low") return Setting{"a", 1, 3};
+  if (scheme == "loop-type") return Setting{"b", 2, 5};
   return std::nullopt;
 }
 
@@ -205,6 +206,46 @@ std::optional<std::string> failed_value(const Scheme& scheme, const Fact& fact, 
   return std::nullopt;
 }
 
+/// The other scheme at valence n, its parameters as `same` sets them; nothing where it refuses.
+std::optional<Scheme> set_as_stated(const Scheme& scheme, const Equivalence& same, int n) {
+  Result<Scheme> other = find_scheme(same.scheme);
+  if (!other) return std::nullopt;
+  std::vector<std::string> assignments;
+  for (const auto& [name, formula] : same.with) {
+    const Result<double> value = Scope<double>(scheme, n, std::nullopt)(formula);
+    if (!value) return std::nullopt;
+    assignments.push_back(name + "=" + to_string(Rational(*value)));  // a double is a fraction
+  }
+  if (!set_parameters(*other, assignments)) return std::nullopt;
+  return std::move(*other);
+}
+
+std::optional<std::string> failed_equivalence(const Scheme& scheme, const Equivalence& same) {
+  for (int n = 3; n <= 12; ++n) {
+    const std::string what = "same as " + same.scheme + " at valence " + std::to_string(n) + ": ";
+    const std::optional<Scheme> other = set_as_stated(scheme, same, n);
+    if (!other) return what + "that scheme or its parameter is refused";
+    // no more, so that no row belongs to a vertex of another valence: the numbers set are those at n
+    const int rings = invariant_rings(scheme, n).value();
+    const auto one = subdivision_matrix<double>(scheme, n, rings);
+    const auto two = subdivision_matrix<double>(*other, n, rings);
+    if (!one || !two) return what + "no matrix";
+    if (!((dense(*one) - dense(*two)).norm() < kExact)) return what + "they differ";
+  }
+  return std::nullopt;
+}
+
+/// At the file's parameters and at others.
+std::optional<std::string> failed_equivalences(const Scheme& scheme) {
+  Scheme other = scheme;
+  const std::optional<Setting> setting = other_setting(scheme.name);
+  if (setting && !set_parameter(other, setting->text())) return setting->text() + " is refused";
+  for (const Scheme* at : {&scheme, static_cast<const Scheme*>(&other)})
+    for (const Equivalence& same : at->equivalences)
+      if (auto failure = failed_equivalence(*at, same)) return failure;
+  return std::nullopt;
+}
+
 }  // namespace
 
 std::optional<std::string> failed_reference(const Scheme& scheme) {
@@ -241,7 +282,7 @@ std::optional<std::string> failed_facts(const Scheme& scheme) {
       for (const auto& [key, formula] : fact.values)
         if (auto failure = failed_value(scheme, fact, n, key, formula)) return failure;
   }
-  return std::nullopt;
+  return failed_equivalences(scheme);
 }
 
 std::optional<std::string> first_failed_check(const Scheme& scheme) {

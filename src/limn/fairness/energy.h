@@ -17,9 +17,9 @@ struct SurfaceEnergies {
   double thin_plate = 0;
   /// ∫ ‖∇II‖² dA of the covariant derivative of the second fundamental form, 1/length². Along the
   /// principal directions ‖∇II‖² = κ1,1² + κ2,2² + 3 (κ1,2² + κ2,1²) by Codazzi's equations: the
-  /// two terms of Moreton and Séquin's MVS energy and, three times, the two that it leaves out. It
-  /// does not ask for principal directions, which umbilics do not have, and it vanishes on planes,
-  /// spheres and cylinders of revolution only.
+  /// two terms of the MVS energy [MoretonSequin1992] and, three times, the two that it leaves out.
+  /// It does not ask for principal directions, which umbilics do not have, and it vanishes on
+  /// planes, spheres and cylinders of revolution only.
   double curvature_variation = 0;
   /// Faces that count in the area alone, because a corner has no known second form.
   Index left_out = 0;

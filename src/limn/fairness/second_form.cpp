@@ -21,7 +21,7 @@ using Eigen::Vector3d;
 constexpr int kUnknowns = 5;
 // of the least pivot to the largest; a ring that is a square of neighbours has 0, a good one 0.1
 constexpr double kWorstPivots = 1e-3;
-constexpr double kWorstWidths = 1e-6;  // a ring that is a line, but for rounding
+constexpr double kWorstWidths = 1e-3;  // a ring that is all but a line
 
 Vector3d vector_of(const Point3& p) { return {p.x, p.y, p.z}; }
 

@@ -1,6 +1,7 @@
 #include "limn/fairness/spectrum.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include <fmt/core.h>
 #include <Eigen/Eigenvalues>
@@ -13,10 +14,11 @@ namespace {
 
 constexpr Index kDense = 300;  // up to so many vertices the dense solver is as quick
 
+double weight(const Mesh& mesh, Index v) { return mesh.is_isolated(v) ? 1 : mesh.valence(v); }
+
 /// Modes of L from orthonormal ones of the symmetric form: divided by the roots of the valences.
 void to_modes(const Mesh& mesh, Eigen::MatrixXd& vectors) {
-  for (Index v = 0; v < mesh.vertex_count(); ++v)
-    if (!mesh.is_isolated(v)) vectors.row(v) /= std::sqrt(static_cast<double>(mesh.valence(v)));
+  for (Index v = 0; v < mesh.vertex_count(); ++v) vectors.row(v) /= std::sqrt(weight(mesh, v));
 }
 
 /// The `count` at one end of all modes.
@@ -74,6 +76,17 @@ Result<LaplacianModes> approx_modes(const Mesh& mesh, SpectrumEnd end, int count
   }
   to_modes(mesh, result.modes);
   return result;
+}
+
+std::vector<double> approx_amplitudes(const Mesh& mesh, const LaplacianModes& modes,
+                                      const std::vector<Point3>& points) {
+  Eigen::MatrixX3d weighted(mesh.vertex_count(), 3);
+  for (Index v = 0; v < mesh.vertex_count(); ++v) {
+    const Point3& p = points[static_cast<std::size_t>(v)];
+    weighted.row(v) = weight(mesh, v) * Eigen::RowVector3d(p.x, p.y, p.z);
+  }
+  const Eigen::VectorXd lengths = (modes.modes.transpose() * weighted).rowwise().norm();
+  return {lengths.begin(), lengths.end()};
 }
 
 }  // namespace limn

@@ -40,4 +40,9 @@ enum class SpectrumEnd { smallest, largest };
 /// for each time, some ten to hundred solutions with it.
 [[nodiscard]] Result<LaplacianModes> approx_modes(const Mesh& mesh, SpectrumEnd end, int count);
 
+/// |Σ_v valence(v) m_j(v) p(v)| for each mode j: how much of the points vibrates with it. Over all
+/// modes the squares sum to Σ valence(v) |p(v)|².
+[[nodiscard]] std::vector<double> approx_amplitudes(const Mesh& mesh, const LaplacianModes& modes,
+                                                    const std::vector<Point3>& points);
+
 }  // namespace limn

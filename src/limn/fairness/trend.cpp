@@ -27,7 +27,9 @@ Trend trend_of(const std::vector<double>& values, double negligible) {
   if (early == 0) return trend;
   trend.ratio = std::sqrt(late / early);
   const bool rising = change(0) > 0 && change(1) > 0 && change(2) > 0;
-  if (trend.ratio <= kConvergent) {
+  // what has just begun to grow does not converge, however large the first changes were
+  const bool growing = change(0) * change(1) > 0 && change(0) / change(1) >= kDivergent;
+  if (trend.ratio <= kConvergent && !growing) {
     trend.converges = Truth::yes;
     const double signed_ratio = change(0) * change(1) < 0 ? -trend.ratio : trend.ratio;
     trend.limit = last + change(0) * signed_ratio / (1 - signed_ratio);

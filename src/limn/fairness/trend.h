@@ -20,11 +20,12 @@ struct Trend {
   double limit;
 };
 
-/// Changes shrink at a ratio up to kConvergent: the values converge. From kDivergent on, with all
-/// of the last three changes upwards: they do not (1 is a logarithm: as much more at every level).
-/// Between: undecided; so are fewer than four values. Changes below 1e-9 of the value, or below
-/// `negligible`, are no changes: then the last value is the limit.
-inline constexpr double kConvergent = 0.85;
+/// Changes shrink at a ratio up to kConvergent, and the last is less than the one before: the
+/// values converge. From kDivergent on, with all of the last three changes upwards: they do not (1
+/// is a logarithm: as much more at every level). Between: undecided; so are fewer than four values.
+/// Changes below 1e-9 of the value, or below `negligible`, are no changes: then the last value is
+/// the limit.
+inline constexpr double kConvergent = 0.75;
 inline constexpr double kDivergent = 0.95;
 [[nodiscard]] Trend trend_of(const std::vector<double>& values, double negligible = 0);
 

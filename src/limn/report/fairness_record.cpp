@@ -4,12 +4,15 @@
 
 #include "limn/extraordinary/limit_points.h"
 #include "limn/fairness/laplacian.h"
+#include "limn/fairness/second_form.h"
 #include "limn/refine/refine.h"
 
 namespace limn {
 namespace {
 
 constexpr int kMostLevels = 12;  // of meshes that hardly grow
+// refined and limit points, normals, and what is fitted
+constexpr std::size_t kBytesPerVertex = 3 * sizeof(Point3) + sizeof(SecondForm);
 
 int default_levels(const Scheme& scheme, const Mesh& control) {
   int levels = 1;
@@ -41,6 +44,7 @@ Result<FairnessLevel> measured(const Scheme& scheme, const Refined<Point3>& fine
 template <class Value>
 Trend trend_over(const FairnessRecord& record, Value value, double negligible) {
   std::vector<double> values;
+  values.reserve(record.levels.size());
   for (const FairnessLevel& level : record.levels) values.push_back(value(level));
   return trend_of(values, negligible);
 }
@@ -68,7 +72,7 @@ Result<FairnessRecord> approx_fairness(const std::string& label, const Scheme& s
                                        const FairnessOptions& options) {
   const int levels = options.levels > 0 ? options.levels : default_levels(scheme, control);
   const Status refinable =
-      check_refinable(scheme, control, levels, sizeof(Point3), available_memory());
+      check_refinable(scheme, control, levels, kBytesPerVertex, available_memory());
   if (!refinable) return refinable.error();
   FairnessRecord record;
   record.scheme = label;

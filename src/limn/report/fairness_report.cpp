@@ -136,8 +136,30 @@ std::string record_text(const FairnessRecord& record) {
   orders.erase(orders.find_last_not_of(' ') + 1);
   text += limits + orders + '\n';
   if (const Index left_out = record.last().energies.left_out; left_out > 0)
-    text += fmt::format("  {} faces of the last level are degenerate: left out but for area\n",
-                        left_out);
+    text += fmt::format("  {} of {} faces bend too sharply, or are degenerate: in the area alone\n",
+                        left_out, record.last().faces);
+  return text;
+}
+
+/// '*' at the fairest, and whether the energy has a limit at all.
+std::string mark(const std::vector<FairnessRecord>& records, std::size_t i,
+                 const Quantity& energy) {
+  std::string text = fairest(records, energy) == i ? "*" : " ";
+  if (energy.trend == nullptr) return text + ' ';
+  const Truth converges = convergence(records[i], energy);
+  return text + (converges == Truth::no ? '^' : converges == Truth::undecided ? '?' : ' ');
+}
+
+/// What the marks mean that are there.
+std::string legend(const std::string& marks, const std::vector<FairnessRecord>& records) {
+  std::string text;
+  if (marks.find('*') != std::string::npos) text += "* fairest\n";
+  if (marks.find('^') != std::string::npos)
+    text += "^ grows with the level, as far as these levels show: the limit may be infinite\n";
+  if (marks.find('?') != std::string::npos)
+    text += "? too few levels, or changes that shrink too slowly, to say whether it has a limit\n";
+  if (!same_sampling(records))
+    text += "sum |Lp|^2 depends on the sampling: it does not compare between splits and levels\n";
   return text;
 }
 
@@ -145,30 +167,24 @@ std::string record_text(const FairnessRecord& record) {
 std::string comparison_text(const std::vector<FairnessRecord>& records) {
   std::size_t width = 6;
   for (const FairnessRecord& record : records) width = std::max(width, record.scheme.size());
-  std::string text = fmt::format("\n{:<{}}  level", "scheme", width);
+  std::string head = fmt::format("{:<{}}  level", "scheme", width);
+  std::string rows;
   for (const Quantity& quantity : {kArea, kLaplacian, kThinPlate, kVariation})
-    text += cell(quantity.title) + " ";
-  text.erase(text.find_last_not_of(' ') + 1);
-  bool grows = false;
+    head += cell(quantity.title) + "  ";
+  head.erase(head.find_last_not_of(' ') + 1);
+  std::string marks;
   for (std::size_t i = 0; i < records.size(); ++i) {
     const FairnessRecord& record = records[i];
-    text += fmt::format("\n{:<{}}  {:>5}{} ", record.scheme, width, record.last().level,
-                        cell(number(record.last().energies.area)));
+    std::string row = fmt::format("{:<{}}  {:>5}{}  ", record.scheme, width, record.last().level,
+                                  cell(number(record.last().energies.area)));
     for (const Quantity& energy : kEnergies) {
-      const bool without_bound = convergence(record, energy) == Truth::no;
-      grows = grows || without_bound;
-      text += cell(number(energy.value(record.last())));
-      text += fairest(records, energy) == i ? '*' : without_bound ? '^' : ' ';
+      marks += mark(records, i, energy);
+      row += cell(number(energy.value(record.last()))) + mark(records, i, energy);
     }
-    text.erase(text.find_last_not_of(' ') + 1);
+    row.erase(row.find_last_not_of(' ') + 1);
+    rows += row + '\n';
   }
-  text += '\n';
-  if (records.size() > 1) text += "* fairest\n";
-  if (grows)
-    text += "^ grows with the level, as far as these levels show: the limit may be infinite\n";
-  if (!same_sampling(records))
-    text += "sum |Lp|^2 depends on the sampling: it does not compare between splits and levels\n";
-  return text;
+  return '\n' + head + '\n' + rows + legend(marks, records);
 }
 
 }  // namespace

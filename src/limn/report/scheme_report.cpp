@@ -78,6 +78,25 @@ Json rule_json(const Scheme& scheme, RuleKind kind, const Rule& rule) {
   return cases;
 }
 
+/// "loop-type with its b = 1/3 and beta = beta - a/n"
+std::string equivalence_text(const Equivalence& same) {
+  std::string text = "  " + same.scheme;
+  for (std::size_t i = 0; i < same.with.size(); ++i)
+    text += fmt::format("{}{} = {}", i == 0 ? ", its " : " and ", same.with[i].first,
+                        same.with[i].second.expression.text());
+  return text + (same.source.empty() ? "" : "  [" + same.source + "]") + "\n";
+}
+
+Json equivalences_json(const Scheme& scheme) {
+  Json list = Json::array();
+  for (const Equivalence& same : scheme.equivalences) {
+    Json with = Json::object();
+    for (const auto& [name, formula] : same.with) with[name] = formula.expression.text();
+    list.push_back({{"scheme", same.scheme}, {"with", with}, {"source", same.source}});
+  }
+  return list;
+}
+
 Json parameters_json(const Scheme& scheme) {
   Json parameters = Json::array();
   for (const Parameter& parameter : scheme.parameters) {
@@ -104,6 +123,8 @@ std::string describe(const Scheme& scheme) {
   if (!scheme.lets.empty()) text += "\nlet\n";
   for (const auto& [name, formula] : scheme.lets)
     text += fmt::format("  {} = {}\n", name, formula.expression.text());
+  if (!scheme.equivalences.empty()) text += "\nthe same as\n";
+  for (const Equivalence& same : scheme.equivalences) text += equivalence_text(same);
   text += "\nrules: role, positions × weight\n";
   bool any = false;
   for (int i = 0; i < kRuleKinds; ++i) {
@@ -133,6 +154,7 @@ nlohmann::ordered_json describe_json(const Scheme& scheme) {
   json["file"] = scheme.file;
   json["lets"] = Json::object();
   for (const auto& [name, formula] : scheme.lets) json["lets"][name] = formula.expression.text();
+  json["same_as"] = equivalences_json(scheme);
   json["rules"] = Json::object();
   for (int i = 0; i < kRuleKinds; ++i) {
     const auto kind = static_cast<RuleKind>(i);

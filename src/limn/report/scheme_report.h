@@ -12,7 +12,8 @@ namespace limn {
 [[nodiscard]] std::string describe(const Scheme& scheme);
 
 /// The same for programs: {"name", "title", "split", "source", "notes", "file", "parameters":
-/// [{"name", "value", "range", "meaning"}], "lets": {name: expression}, "rules": {rule:
+/// [{"name", "value", "range", "meaning"}], "lets": {name: expression}, "same_as": [{"scheme",
+/// "with": {parameter: expression}, "source"}], "rules": {rule:
 /// [{"when", "weights": [{"role", "walk", "positions", "weight"}]}]}, and what
 /// lattice_json says; "mask" is null where there is none}. Weights and coefficients are strings,
 /// exact.

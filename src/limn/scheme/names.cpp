@@ -48,6 +48,8 @@ void each_formula(const Scheme& scheme, Visit&& visit) {
   }
   for (const Fact& fact : scheme.facts)
     for (const auto& value : fact.values) visit(value.second);
+  for (const Equivalence& same : scheme.equivalences)
+    for (const auto& value : same.with) visit(value.second);
 }
 
 std::string names_hint(const Definitions& definitions) {

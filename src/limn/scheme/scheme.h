@@ -61,6 +61,17 @@ struct Fact {
   Place place;
 };
 
+/// The scheme is another one with its parameters set, at every value of its own; held true by the
+/// tests as facts are.
+struct Equivalence {
+  std::string scheme;  ///< a shipped name
+  /// Parameters of that scheme as expressions in this one's names, n among them; its others have
+  /// their defaults.
+  std::vector<std::pair<std::string, Formula>> with;
+  std::string source;
+  Place place;
+};
+
 /// Coefficients in rows from the top (largest e2) down; on triangles a hexagon of rows, each
 /// shifted by half an edge against the next. Every coefficient is times `scale`.
 struct Rows {
@@ -89,6 +100,7 @@ struct Scheme {
   std::vector<Parameter> parameters;
   std::array<std::optional<Rule>, kRuleKinds> rules;
   std::vector<Fact> facts;
+  std::vector<Equivalence> equivalences;
   std::optional<Rows> stated_mask;  ///< facts: the regular mask as the literature prints it
   std::optional<Rows> mask;         ///< the scheme is given by its mask alone …
   std::optional<Factors> factors;   ///< … or by factors alone

@@ -103,7 +103,8 @@ Factors read_factors(TomlReader& in, const toml::node& node) {
 
 void read_fact(TomlReader& in, const toml::node& node, Scheme& scheme) {
   Fact fact;
-  fact.place = in.place(node);
+  Equivalence same;
+  fact.place = same.place = in.place(node);
   bool states_mask = false;
   in.each(node, "a fact", [&](const toml::key& key, const toml::node& v) {
     const std::string_view name = key.str();
@@ -117,14 +118,24 @@ void read_fact(TomlReader& in, const toml::node& node, Scheme& scheme) {
       states_mask = true;
     } else if (name == "tangent" || name == "cup" || name == "saddle") {
       fact.values.emplace_back(name, in.formula(v, name));
+    } else if (name == "same") {
+      same.scheme = in.text(v, name);
+    } else if (name == "with") {
+      in.each(v, name, [&](const toml::key& parameter, const toml::node& value) {
+        same.with.emplace_back(parameter.str(), in.formula(value, parameter.str()));
+      });
     } else {
-      in.unknown_key(key, "a fact", "valence, tangent, cup, saddle, mask or source");
+      in.unknown_key(key, "a fact", "valence, tangent, cup, saddle, mask, same, with or source");
     }
   });
+  if (in.ok() && same.scheme.empty() && !same.with.empty())
+    in.fail(node, "the fact sets parameters of no scheme", "add same = \"NAME\"");
   if (in.ok() && !fact.values.empty() && fact.first == 0)
     in.fail(node, "the fact names no valence", "add valence = 7 or valence = \"3..12\"");
-  if (in.ok() && fact.values.empty() && !states_mask)
-    in.fail(node, "the fact states nothing", "add tangent, cup, saddle or mask");
+  if (in.ok() && fact.values.empty() && !states_mask && same.scheme.empty())
+    in.fail(node, "the fact states nothing", "add tangent, cup, saddle, mask or same");
+  same.source = fact.source;
+  if (!same.scheme.empty()) scheme.equivalences.push_back(std::move(same));
   if (!fact.values.empty()) scheme.facts.push_back(std::move(fact));
 }
 

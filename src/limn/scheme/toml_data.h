@@ -9,7 +9,7 @@ namespace limn {
 Rows read_rows(TomlReader& in, const toml::node& node, std::string_view what);
 /// { stages = …, directions = [{ step = [1, 0], count = … }, …], kernel = ROWS }
 Factors read_factors(TomlReader& in, const toml::node& node);
-/// One entry of [[facts]]: into scheme.facts, or scheme.stated_mask.
+/// One entry of [[facts]]: into scheme.facts, scheme.equivalences or scheme.stated_mask.
 void read_fact(TomlReader& in, const toml::node& node, Scheme& scheme);
 
 }  // namespace limn

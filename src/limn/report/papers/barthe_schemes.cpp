@@ -95,21 +95,13 @@ std::vector<std::vector<std::string>> table_rows(const Study& study) {
   return rows;
 }
 
-/// "3, 8 … 20": the valences of which something holds.
+/// The valences of which something holds.
 template <class Holds>
 std::string valences_where(const Study& study, const Holds& holds) {
-  std::string text;
-  const auto count = study.valences.size();
-  for (std::size_t i = 0; i < count; ++i) {
-    if (!holds(study.valences[i])) continue;
-    std::size_t last = i;
-    while (last + 1 < count && holds(study.valences[last + 1])) ++last;
-    text += text.empty() ? "" : ", ";
-    text += fmt::format("{}", study.valences[i].valence);
-    if (last > i) text += fmt::format(" … {}", study.valences[last].valence);
-    i = last;
-  }
-  return text.empty() ? "no n" : text;
+  std::vector<int> list;
+  for (const Eigencomponents& found : study.valences)
+    if (holds(found)) list.push_back(found.valence);
+  return runs_text(list);
 }
 
 std::string summary(const Study& study) {

@@ -127,14 +127,29 @@ Status PaperPage::add_file(const std::string& name, const std::string& content,
   return Done{};
 }
 
-Status PaperPage::write_index() const {
-  const std::string page = fmt::format(
+std::string runs_text(const std::vector<int>& numbers) {
+  std::string text;
+  for (std::size_t i = 0; i < numbers.size(); ++i) {
+    const int first = numbers[i];
+    while (i + 1 < numbers.size() && numbers[i + 1] == numbers[i] + 1) ++i;
+    text += fmt::format("{}{}", text.empty() ? "" : ", ", first);
+    if (numbers[i] > first) text += fmt::format(" … {}", numbers[i]);
+  }
+  return text.empty() ? "none" : text;
+}
+
+std::string html_page(const std::string& title, const std::string& body) {
+  return fmt::format(
       "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<meta "
       "name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>{0}</title>\n"
-      "<style>{1}</style>\n</head>\n<body>\n<h1>{0}</h1>\n<p class=\"cite\">{2}</p>\n{3}</body>\n"
-      "</html>\n",
-      html_escaped(title_), kStyle, html_escaped(citation_), body_);
-  return write_file(path("index.html"), page);
+      "<style>{1}</style>\n</head>\n<body>\n<h1>{0}</h1>\n{2}</body>\n</html>\n",
+      html_escaped(title), kStyle, body);
+}
+
+Status PaperPage::write_index() const {
+  return write_file(path("index.html"),
+                    html_page(title_, fmt::format("<p class=\"cite\">{}</p>\n{}",
+                                                  html_escaped(citation_), body_)));
 }
 
 }  // namespace limn

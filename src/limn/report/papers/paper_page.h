@@ -63,6 +63,12 @@ class PaperPage {
   PaperProgress progress_;
 };
 
+/// Rising numbers, those that follow each other drawn together: "3, 8 … 20"; "none".
+[[nodiscard]] std::string runs_text(const std::vector<int>& numbers);
+
+/// A whole page in the style of them all; `title` is text, `body` HTML.
+[[nodiscard]] std::string html_page(const std::string& title, const std::string& body);
+
 /// For text between tags and in attributes.
 [[nodiscard]] std::string html_escaped(const std::string& text);
 
