@@ -29,6 +29,7 @@ void declare_refine(CLI::App& parser, Action& action);
 void declare_draw(CLI::App& parser, Action& action);
 void declare_artifacts(CLI::App& parser, Action& action);
 void declare_eigen(CLI::App& parser, Action& action);
+void declare_regularity(CLI::App& parser, Action& action);
 void declare_prescribe(CLI::App& parser, Action& action);
 void declare_tune(CLI::App& parser, Action& action);
 void declare_papers(CLI::App& parser, Action& action);
