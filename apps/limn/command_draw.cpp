@@ -10,6 +10,7 @@
 #include "limn/report/figure/figure.h"
 #include "limn/report/figure/visibility.h"
 #include "limn/report/surface_scenes.h"
+#include "view_options.h"
 
 namespace limn::app {
 namespace {
@@ -23,8 +24,7 @@ struct DrawOptions {
   bool lines = false;
   int lights = 32;
   bool net = false;
-  double azimuth = -50;
-  double elevation = 30;
+  ViewOptions view;
   bool triangulate = false;
   bool json = false;
 };
@@ -40,8 +40,8 @@ Result<SurfaceScene> scene_of(const DrawOptions& options, const Scheme& scheme) 
   }
   SurfaceScene scene;
   scene.surfaces.push_back(std::move(*surface));
-  scene.azimuth = options.azimuth;
-  scene.elevation = options.elevation;
+  scene.azimuth = options.view.azimuth;
+  scene.elevation = options.view.elevation;
   if (options.net) scene.net = control_net(control->mesh, control->points);
   return scene;
 }
@@ -90,14 +90,7 @@ void declare_look(CLI::App& command, DrawOptions& options) {
       ->capture_default_str()
       ->check(CLI::Range(1, 10000));
   command.add_flag("--net", options.net, "the control net too, dashed where hidden");
-  command
-      .add_option("--azimuth", options.azimuth, "of the viewer about the z axis, in degrees from x")
-      ->capture_default_str()
-      ->check(CLI::Range(-360.0, 360.0));
-  command
-      .add_option("--elevation", options.elevation, "of the viewer over the xy plane, in degrees")
-      ->capture_default_str()
-      ->check(CLI::Range(-90.0, 90.0));
+  options.view.declare(command);
 }
 
 }  // namespace

@@ -13,9 +13,10 @@ namespace limn::app {
 namespace {
 
 // One line for each command, in the order of the help.
-constexpr Declare kCommands[] = {declare_schemes,   declare_show,  declare_refine,    declare_draw,
-                                 declare_artifacts, declare_eigen, declare_prescribe, declare_tune,
-                                 declare_fairness,  declare_papers};
+constexpr Declare kCommands[] = {declare_schemes,    declare_show,      declare_refine,
+                                 declare_draw,       declare_artifacts, declare_eigen,
+                                 declare_regularity, declare_prescribe, declare_tune,
+                                 declare_fairness,   declare_compare,   declare_papers};
 
 extern "C" void leave_nothing_half_written(int signal) {
   remove_unfinished_files();

@@ -25,8 +25,7 @@ Laurent standard(const Laurent& v) {
   for (const auto& [k, value] : v) low = std::min(low, k[1]);
   const Rational sign = v.begin()->second < 0 ? -1 : 1;
   Laurent result;
-  for (const auto& [k, value] : v)
-    result[{k[0] - v.begin()->first[0], k[1] - low}] = sign * value;
+  for (const auto& [k, value] : v) result[{k[0] - v.begin()->first[0], k[1] - low}] = sign * value;
   return result;
 }
 
@@ -47,8 +46,7 @@ class Box {
   [[nodiscard]] double norm(const Laurent& v) const {
     if (!hull_.spans()) return std::numeric_limits<double>::infinity();
     const Eigen::VectorXd u = coordinates(v, {0, 0});
-    const SymmetricHull::Combination found =
-        hull_.least_combination(u, hull_.first_basis(), 0);
+    const SymmetricHull::Combination found = hull_.least_combination(u, hull_.first_basis(), 0);
     const Eigen::VectorXd slack = u.cwiseAbs() * rounding_error(2);
     return inflated(found.norm + hull_.residual_bound(u, slack, found).dot(axis_norms_));
   }

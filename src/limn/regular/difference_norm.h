@@ -10,11 +10,11 @@ namespace limn {
 
 /// For k = 1 … most_steps an upper bound, rounded up, of the least c with
 ///   max |D' S^k f| ≤ c · max |D f|,
-/// D' and D over all products of `order` differences along the lattice's edges, of the refined and of
-/// the control data. It is the ∞-norm of k steps of the difference scheme, the one with the least
-/// norm where several belong to one mask; a linear program for each kind of refined difference.
-/// Precondition: sum rules of that order. Ends early: with the first c below `enough`^k, and
-/// before a k that would cost more than some seconds.
+/// D' and D over all products of `order` differences along the lattice's edges, of the refined and
+/// of the control data. It is the ∞-norm of k steps of the difference scheme, the one with the
+/// least norm where several belong to one mask; a linear program for each kind of refined
+/// difference. Precondition: sum rules of that order. Ends early: with the first c below
+/// `enough`^k, and before a k that would cost more than some seconds.
 [[nodiscard]] std::vector<double> difference_norms(const Mask& mask, int order, int most_steps,
                                                    double enough);
 

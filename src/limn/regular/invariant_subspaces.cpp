@@ -11,8 +11,8 @@
 namespace limn {
 namespace {
 
-constexpr int kTries = 24;         // elements of the algebra that are looked at for one block
-constexpr int kRootsForEach = 2;   // of their eigenvalues
+constexpr int kTries = 24;        // elements of the algebra that are looked at for one block
+constexpr int kRootsForEach = 2;  // of their eigenvalues
 constexpr std::size_t kMostNullVectors = 3;
 
 using ModularFamily = std::vector<FieldMatrix<Modular>>;

@@ -1,9 +1,11 @@
 #include "limn/regular/joint_spectral_radius.h"
 
-#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 #include <limits>
+
+#include <fmt/core.h>
+#include <Eigen/Dense>
 
 #include "limn/regular/approx_matrix.h"
 #include "limn/regular/polytope_bound.h"
@@ -19,7 +21,7 @@ constexpr int kLongestProduct = 8;
 // how far above the lower bound polytopes are tried
 constexpr double kLevels[] = {3, 0.5, 0.1, 0.03, 0.007};
 constexpr double kFine = 0.1;
-constexpr double kAtProduct = 1e-9;
+constexpr double kAtProduct = 1e-8;
 constexpr int kJump = 12;  // the finest level takes so many times the vertices of kFine, or fewer
 
 /// A diagonal block of more than one row.
@@ -119,8 +121,10 @@ class Enclosure {
     const auto reaches = [&](double more, int most) {
       const double level = result_.lower * (1 + more);
       if (level == 0 || level >= block.upper) return level > 0;
-      const PolytopeBound found =
-          polytope_bound(work.matrices, level, work.best.leading, most);
+      if (options_.progress)
+        options_.progress(fmt::format("joint spectral radius of {} rows: is it below {:.6f}?",
+                                      block.size, level));
+      const PolytopeBound found = polytope_bound(work.matrices, level, work.best.leading, most);
       last = found.vertices;
       block.vertices = std::max(block.vertices, found.vertices);
       block.upper = std::min(block.upper, found.upper);

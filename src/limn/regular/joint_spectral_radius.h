@@ -4,7 +4,9 @@
 /// first; then ρ lies between the spectral radius of a product (proved by an exact determinant) and
 /// a norm, that of a polytope (proved in doubles rounded outwards).
 
+#include <functional>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "limn/regular/invariant_subspaces.h"
@@ -13,7 +15,9 @@ namespace limn {
 
 struct JointSpectralRadiusOptions {
   int budget = 7000;        ///< vertices of one polytope
-  double tolerance = 3e-3;  ///< upper/lower - 1 below which no more is sought
+  double tolerance = 3e-3;  ///< upper/lower - 1 below which little more is sought
+  /// Called with what is done next, if given.
+  std::function<void(const std::string&)> progress;
 };
 
 struct JointSpectralRadius {
@@ -30,7 +34,7 @@ struct JointSpectralRadius {
   /// ρ ≥ |an eigenvalue of it|^(1/length). Empty where ρ = 0.
   std::vector<int> product;
   std::optional<Rational> eigenvalue;  ///< of the product, where it is rational
-  bool exact = false;                  ///< ρ is |eigenvalue|^(1/length), or 0: all blocks of size 1
+  bool exact = false;  ///< ρ is |eigenvalue|^(1/length), or 0: all blocks of size 1
   std::vector<Block> blocks;
 };
 

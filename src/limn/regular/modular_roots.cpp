@@ -154,8 +154,8 @@ std::vector<Modular> eigenvalues_in_field(const FieldMatrix<Modular>& a, int mos
   const ModularPolynomial f = minimal_polynomial(a);
   std::vector<Modular> roots;
   if (f.size() < 2) return roots;
-  const ModularPolynomial linear = common_divisor(
-      f, less(power_modulo({Modular(0), Modular(1)}, Modular::kPrime, f), 1));
+  const ModularPolynomial linear =
+      common_divisor(f, less(power_modulo({Modular(0), Modular(1)}, Modular::kPrime, f), 1));
   collect_roots(linear, most, 1, roots);
   return roots;
 }

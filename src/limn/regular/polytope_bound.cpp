@@ -12,8 +12,8 @@
 namespace limn {
 namespace {
 
-constexpr double kInside = 1e-10;  // images may leave the polytope by this part
-constexpr double kProved = 1e-8;   // with all that rounding may have added
+constexpr double kInside = 3e-9;  // images may leave the polytope by this part
+constexpr double kProved = 1e-7;  // with all that rounding may have added
 constexpr std::ptrdiff_t kGrain = 8;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
@@ -103,11 +103,11 @@ class Growth {
           for (std::size_t i = first; i < last; ++i) measure(images[i], basis_, 1 + kInside);
         },
         kGrain);
-    std::stable_sort(images.begin(), images.end(), [](const Image& a, const Image& b) {
-      return a.found.norm > b.found.norm;
-    });
+    std::stable_sort(images.begin(), images.end(),
+                     [](const Image& a, const Image& b) { return a.found.norm > b.found.norm; });
     std::set<Eigen::Index> used;
-    for (const Image& image : images) used.insert(image.found.points.begin(), image.found.points.end());
+    for (const Image& image : images)
+      used.insert(image.found.points.begin(), image.found.points.end());
     hull_.prefer({used.begin(), used.end()});
     for (Image& image : images) {
       if (!image.inside()) measure(image, image.found.points, 1 + kInside);
@@ -126,12 +126,12 @@ class Growth {
   double level_;
   int most_vertices_;
   SymmetricHull hull_;
-  Eigen::Index next_ = 0;          // the vertex whose images come next
-  std::vector<Image> waiting_;     // images within the span of a hull that was still flat
-  std::vector<Image> exact_;       // images that were made vertices meanwhile
+  Eigen::Index next_ = 0;       // the vertex whose images come next
+  std::vector<Image> waiting_;  // images within the span of a hull that was still flat
+  std::vector<Image> exact_;    // images that were made vertices meanwhile
   Eigen::VectorXd axis_norms_;
-  SymmetricHull::Basis basis_;     // where searches begin
-  double greatest_ = 1;            // norm of an image
+  SymmetricHull::Basis basis_;  // where searches begin
+  double greatest_ = 1;         // norm of an image
 };
 
 }  // namespace

@@ -20,9 +20,7 @@ bool stands_for_its_rotations(const std::vector<int>& word) {
   return true;
 }
 
-double spectral_radius(const Eigen::MatrixXd& a) {
-  return a.eigenvalues().cwiseAbs().maxCoeff();
-}
+double spectral_radius(const Eigen::MatrixXd& a) { return a.eigenvalues().cwiseAbs().maxCoeff(); }
 
 /// Tries all words of exactly `length` that begin with `word`.
 void search(const std::vector<Eigen::MatrixXd>& matrices, std::size_t length,

@@ -7,8 +7,8 @@
 namespace limn {
 
 struct Product {
-  std::vector<int> factors;     ///< first factor first; no power of a shorter product
-  double growth = 0;            ///< spectral radius, by the root of the length; approximate
+  std::vector<int> factors;  ///< first factor first; no power of a shorter product
+  double growth = 0;         ///< spectral radius, by the root of the length; approximate
   std::vector<Eigen::VectorXd> leading;  ///< a leading eigenvector, or its real and imaginary part
 };
 

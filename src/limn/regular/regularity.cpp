@@ -6,6 +6,7 @@
 
 #include <fmt/core.h>
 
+#include "limn/base/outward.h"
 #include "limn/regular/difference_norm.h"
 #include "limn/regular/stability.h"
 #include "limn/regular/transition_operators.h"
@@ -14,7 +15,8 @@ namespace limn {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr double kLogarithms = 4e-15;  // what quotients of logarithms are off by, relatively, and more
+constexpr double kLogarithms =
+    4e-15;  // what quotients of logarithms are off by, relatively, and more
 
 /// qᵏ
 Rational power(const Rational& q, int k) {
@@ -26,8 +28,7 @@ Rational power(const Rational& q, int k) {
 /// Whether the proved lower bound of the joint spectral radius is at least |det M|^{-r/2}; exactly,
 /// where it comes from a rational eigenvalue.
 bool radius_reaches(const JointSpectralRadius& radius, int growth, int r) {
-  if (!radius.eigenvalue)
-    return radius.lower >= std::pow(growth, -r / 2.0) * (1 + kLogarithms);
+  if (!radius.eigenvalue) return radius.lower >= std::pow(growth, -r / 2.0) * (1 + kLogarithms);
   const int length = static_cast<int>(radius.product.size());
   return power(*radius.eigenvalue, 2) * power(Rational(growth), r * length) >= 1;
 }
@@ -47,8 +48,7 @@ std::optional<double> whole_exponent(const JointSpectralRadius& radius, int grow
   const int length = static_cast<int>(radius.product.size());
   if (value < 0 || value > 100) return std::nullopt;
   const int r = static_cast<int>(value);
-  if (power(*radius.eigenvalue, 2) * power(Rational(growth), r * length) != 1)
-    return std::nullopt;
+  if (power(*radius.eigenvalue, 2) * power(Rational(growth), r * length) != 1) return std::nullopt;
   return value;
 }
 
@@ -58,11 +58,8 @@ Status check_cosets(const Mask& mask) {
     sums[static_cast<std::size_t>(coset_of(mask.dilation, k))] += value;
   for (const Rational& sum : sums)
     if (sum != 1)
-      return Error{"the weights of a new point do not sum to 1: no regularity can be told",
-                   {},
-                   {},
-                   0,
-                   0};
+      return Error{
+          "the weights of a new point do not sum to 1: no regularity can be told", {}, {}, 0, 0};
   return Done{};
 }
 
@@ -97,7 +94,7 @@ class Analysis {
   void bracket(const TransitionOperators& operators) {
     HolderBracket& holder = result_.holder;
     const JointSpectralRadiusOptions options{
-        options_.budget, std::pow(growth_, options_.tolerance / 2) - 1};
+        options_.budget, std::pow(growth_, options_.tolerance / 2) - 1, options_.progress};
     if (operators.on_differences.front().empty())
       holder.radius.exact = true;
     else
@@ -105,8 +102,8 @@ class Analysis {
     for (const int factor : holder.radius.product)
       holder.digits.push_back(operators.digits[static_cast<std::size_t>(factor)]);
     const std::optional<double> whole = whole_exponent(holder.radius, growth_);
-    holder.lower = holder.radius.exact && whole ? *whole
-                                                : exponent(holder.radius.upper, growth_, -1);
+    holder.lower =
+        holder.radius.exact && whole ? *whole : exponent(holder.radius.upper, growth_, -1);
     holder.lower = std::min<double>(holder.lower, result_.orders.sum_rules);
   }
 
@@ -127,41 +124,42 @@ class Analysis {
 
   void decide_convergence(Smoothness& smoothness) const {
     if (result_.holder.lower > 0)
-      smoothness = {Truth::yes, 0, 0,
-                    fmt::format("Hölder exponent ≥ {:.6f} > 0", result_.holder.lower)};
+      smoothness = {Truth::yes, 0, 0, "Hölder exponent ≥ " + rounded_down(result_.holder.lower)};
     else if (radius_reaches(result_.holder.radius, growth_, 0))
-      smoothness = {Truth::no, 0, 0,
-                    fmt::format("differences do not shrink in the steps with digits {}",
-                                product_text())};
+      smoothness = {
+          Truth::no, 0, 0,
+          fmt::format("differences do not shrink in the steps with digits {}", product_text())};
     else
-      smoothness.reason = fmt::format("the joint spectral radius is known to [{:.6f}, {:.6f}] only",
-                                      result_.holder.radius.lower, result_.holder.radius.upper);
+      smoothness.reason = fmt::format("the joint spectral radius is known to [{}, {}] only",
+                                      rounded_down(result_.holder.radius.lower),
+                                      rounded_up(result_.holder.radius.upper));
   }
 
   void decide(int r) {
     Smoothness& smoothness = result_.smoothness[static_cast<std::size_t>(r)];
     const HolderBracket& holder = result_.holder;
     if (holder.lower > r) {
-      smoothness = {Truth::yes, 0, 0, fmt::format("Hölder exponent ≥ {:.6f} > {}", holder.lower, r)};
+      smoothness = {Truth::yes, 0, 0, "Hölder exponent ≥ " + rounded_down(holder.lower)};
     } else if (result_.smoothness[0].verdict == Truth::no) {
       smoothness = {Truth::no, 0, 0, "the scheme does not converge"};
     } else if (result_.stable != Truth::yes) {
-      smoothness.reason = fmt::format(
-          "Hölder exponent ≥ {:.6f}, and more is not excluded: stability is not proved",
-          holder.lower);
+      smoothness.reason =
+          fmt::format("Hölder exponent ≥ {}, and more is not excluded: stability is not proved",
+                      rounded_down(holder.lower));
     } else if (result_.orders.sum_rules <= r) {
-      smoothness = {Truth::no, 0, 0,
-                    fmt::format("stable shifts and C{} need sum rules of order {}, the mask's are of "
-                                "order {}",
-                                r, r + 1, result_.orders.sum_rules)};
+      smoothness = {
+          Truth::no, 0, 0,
+          fmt::format("stable shifts and C{} need sum rules of order {}, the mask's are of "
+                      "order {}",
+                      r, r + 1, result_.orders.sum_rules)};
     } else if (radius_reaches(holder.radius, growth_, r)) {
       smoothness = {Truth::no, 0, 0,
                     fmt::format("divided differences of order {} do not vanish in the steps with "
                                 "digits {}",
                                 r + 1, product_text())};
     } else {
-      smoothness.reason = fmt::format("the Hölder exponent is known to [{:.6f}, {:.6f}] only",
-                                      holder.lower, holder.upper.value_or(kInfinity));
+      smoothness.reason = fmt::format("the Hölder exponent is known to [{}, {}] only",
+                                      rounded_down(holder.lower), rounded_up(*holder.upper));
     }
   }
 
@@ -169,6 +167,7 @@ class Analysis {
   void find_power(int r) {
     Smoothness& smoothness = result_.smoothness[static_cast<std::size_t>(r)];
     if (smoothness.verdict == Truth::no || result_.orders.sum_rules <= r) return;
+    if (options_.progress) options_.progress(fmt::format("steps that shrink for C{}", r));
     const double step = std::pow(growth_, r / 2.0) * (1 + kLogarithms);
     const std::vector<double> norms =
         difference_norms(mask_, r + 1, options_.most_steps, 1 / (step * (1 + kLogarithms)));

@@ -1,9 +1,9 @@
 #pragma once
 /// How smooth a scheme is on the regular lattice, with proof.
 ///
-/// The refined data S^n f have differences of order k whose growth is the joint spectral radius ρ of
-/// finitely many matrices: the transition operators, one for each digit, on the smallest space of
-/// sequences that holds the differences of order k of the unit impulse and that they map to
+/// The refined data S^n f have differences of order k whose growth is the joint spectral radius ρ
+/// of finitely many matrices: the transition operators, one for each digit, on the smallest space
+/// of sequences that holds the differences of order k of the unit impulse and that they map to
 /// itself (transition_operators.h). With k the order of the sum rules, the limit functions have
 /// the Hölder exponent -log ρ / log √|det M| at least, and exactly that where the shifts of φ are
 /// stable [DynLevin2002; Jia1999; Han2003]. Hölder exponents are Zygmund's: α = r + s, 0 < s ≤ 1,
@@ -15,6 +15,7 @@
 /// rationals or on doubles rounded outwards.
 
 #include <array>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -31,12 +32,14 @@ struct RegularityOptions {
   int budget = 7000;
   double tolerance = 4e-3;  ///< width of the Hölder bracket below which little more is sought
   int most_steps = 4;       ///< of the difference schemes, tried for a norm below 1; 0: none
+  /// Called with what is done next, if given.
+  std::function<void(const std::string&)> progress;
 };
 
 struct HolderBracket {
-  double lower = 0;             ///< proved for every limit function
-  std::optional<double> upper;  ///< of φ; proved; nothing where stability is not
-  JointSpectralRadius radius;   ///< of the transition operators, digit by digit
+  double lower = 0;                   ///< proved for every limit function
+  std::optional<double> upper;        ///< of φ; proved; nothing where stability is not
+  JointSpectralRadius radius;         ///< of the transition operators, digit by digit
   std::vector<LatticeVector> digits;  ///< of radius.product
 };
 
@@ -61,9 +64,9 @@ struct Regularity {
   std::string stability_reason;
 };
 
-/// Brackets the regularity of a mask. Deterministic, whatever the number of threads. Cost: seconds at
-/// the default options for masks of radius 3. Fails where a coset of the mask does not sum to 1, and
-/// where the mask is so wide that more than 400 control points would have to be followed.
+/// Brackets the regularity of a mask. Deterministic, whatever the number of threads. Cost: seconds
+/// at the default options for masks of radius 3. Fails where a coset of the mask does not sum to 1,
+/// and where the mask is so wide that more than 400 control points would have to be followed.
 [[nodiscard]] Result<Regularity> enclose_regularity(const Mask& mask,
                                                     const RegularityOptions& options = {});
 

@@ -35,8 +35,7 @@ std::optional<Rational> simple_fraction(double x, double part) {
     below_before = std::exchange(below, digit * below + below_before);
     if (below > most || above > 1000 * most) return std::nullopt;
     const double value = static_cast<double>(above) / static_cast<double>(below);
-    if (std::abs(value - size) < part * size)
-      return Rational(x < 0 ? -above : above, below);
+    if (std::abs(value - size) < part * size) return Rational(x < 0 ? -above : above, below);
     rest = 1 / (rest - whole);
   }
   return std::nullopt;
@@ -100,7 +99,8 @@ bool has_root_beyond(const RationalMatrix& a, double root, double least) {
   if (sign_of_determinant(shifted(matrix, Rational(-least))) < 0) return true;
   const std::vector<Rational> polynomial = annihilating_polynomial(matrix);
   Rational value = 0;
-  for (std::size_t k = polynomial.size(); k-- > 0;) value = value * Rational(-least) + polynomial[k];
+  for (std::size_t k = polynomial.size(); k-- > 0;)
+    value = value * Rational(-least) + polynomial[k];
   return polynomial.size() % 2 == 1 ? value < 0 : value > 0;
 }
 
@@ -118,10 +118,10 @@ double bound_of_traces(const Eigen::MatrixXd& approx, double scale) {
     const double trace = std::abs(a.trace()) - uncertain;
     if (trace > 0) best = std::max(best, std::pow(trace / size, 1 / power) * kBelow);
     const Eigen::MatrixXd sizes = a.cwiseAbs();
-    error = (sizes * error + error * sizes + error * error +
-             rounding_error(a.rows()) * sizes * sizes)
-                .unaryExpr(&inflated)
-                .eval();
+    error =
+        (sizes * error + error * sizes + error * error + rounding_error(a.rows()) * sizes * sizes)
+            .unaryExpr(&inflated)
+            .eval();
     a = (a * a).eval();
     if (!a.allFinite() || !error.allFinite()) break;
     power *= 2;
@@ -129,8 +129,8 @@ double bound_of_traces(const Eigen::MatrixXd& approx, double scale) {
   return best * scale * kBelow;
 }
 
-/// A rational eigenvalue next to `root`, exactly; eigenvalues that belong to Jordan blocks come with
-/// large errors.
+/// A rational eigenvalue next to `root`, exactly; eigenvalues that belong to Jordan blocks come
+/// with large errors.
 std::optional<Rational> rational_eigenvalue(const RationalMatrix& a, double root) {
   std::optional<Rational> last;
   for (const double part : {1e-13, 1e-9, 1e-6, 1e-4}) {

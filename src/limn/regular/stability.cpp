@@ -12,7 +12,8 @@
 namespace limn {
 namespace {
 
-constexpr int kMostCuts = 9;        // of the frequency plane, along each axis
+constexpr int kMostCuts = 26;  // of the frequency plane, along each axis
+constexpr int kMostSquares = 100'000;
 constexpr double kRounding = 1e-9;  // far above what sums of cosines in double precision are off by
 
 /// Σ c_k e^{-iω·k}, k by whole offsets.
@@ -55,18 +56,32 @@ std::vector<Wave> waves(const Mask& mask, const Laurent& stencil) {
   return list;
 }
 
-/// Whether the waves have no common zero in the square of that centre and half side.
-bool has_no_zero(const std::vector<Wave>& list, double slope, double x, double y, double half,
-                 int cuts) {
-  double sum = 0;
-  for (const Wave& wave : list) sum += wave.squared_size(x, y);
-  if (std::sqrt(sum) > slope * half * (1 + kRounding) + kRounding) return true;
-  if (cuts == kMostCuts) return false;
-  for (const double dx : {-half / 2, half / 2})
-    for (const double dy : {-half / 2, half / 2})
-      if (!has_no_zero(list, slope, x + dx, y + dy, half / 2, cuts + 1)) return false;
-  return true;
-}
+/// Looks for a common zero of waves in squares, and cuts those where there may be one.
+class ZeroSearch {
+ public:
+  explicit ZeroSearch(const std::vector<Wave>& waves) : waves_(waves) {
+    double sum = 0;
+    for (const Wave& wave : waves) sum += wave.slope() * wave.slope();
+    slope_ = std::sqrt(sum);
+  }
+
+  /// Whether there is none, proved, in the square of that centre and half side.
+  bool excludes(double x, double y, double half, int cuts = 0) {
+    double sum = 0;
+    for (const Wave& wave : waves_) sum += wave.squared_size(x, y);
+    if (std::sqrt(sum) > slope_ * half * (1 + kRounding) + kRounding) return true;
+    if (cuts == kMostCuts || ++squares_ > kMostSquares) return false;
+    for (const double dx : {-half / 2, half / 2})
+      for (const double dy : {-half / 2, half / 2})
+        if (!excludes(x + dx, y + dy, half / 2, cuts + 1)) return false;
+    return true;
+  }
+
+ private:
+  const std::vector<Wave>& waves_;
+  double slope_ = 0;
+  int squares_ = 0;
+};
 
 }  // namespace
 
@@ -76,11 +91,8 @@ Stability prove_stability(const Mask& mask) {
   if (stencil->size() == 1)
     return {Truth::yes, "interpolatory: at the lattice points φ is 1 at one and 0 at the others"};
   const std::vector<Wave> list = waves(mask, *stencil);
-  double slope = 0;
-  for (const Wave& wave : list) slope += wave.slope() * wave.slope();
-  slope = std::sqrt(slope);
   constexpr double kPi = std::numbers::pi;
-  if (has_no_zero(list, slope, 0, 0, kPi * (1 + kRounding), 0))
+  if (ZeroSearch(list).excludes(0, 0, kPi * (1 + kRounding)))
     return {Truth::yes, "no wave on the control points has the limit 0 at all refined points"};
   return {Truth::undecided,
           "some wave on the control points may have the limit 0 (the values of φ at the refined "

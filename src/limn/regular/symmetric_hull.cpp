@@ -10,10 +10,12 @@ namespace {
 
 constexpr double kIndependent = 1e-3;
 constexpr double kOptimal = 1e-11;  // of the greatest |y·v| beyond 1
-constexpr double kPivot = 1e-7;   // relative size of what may leave a basis
-constexpr double kSlack = 1e-11;
+constexpr double kPivot = 1e-7;     // relative size of what may leave a basis
+constexpr double kSlack = 1e-12;
+constexpr double kAside = 1e-9;  // how far from u the search runs
+constexpr double kGolden = 0.6180339887498949;
 constexpr double kAccurate = 1e-14;
-constexpr int kRefactor = 40;       // updates of the inverse before it is made anew
+constexpr int kRefactor = 40;  // updates of the inverse before it is made anew
 
 double sign(double x) { return x < 0 ? -1 : 1; }
 
@@ -49,18 +51,30 @@ void SymmetricHull::prefer(const std::vector<Eigen::Index>& points) {
     preferred_points_.col(static_cast<Eigen::Index>(i)) = points_.col(points[i]);
 }
 
-/// A basis, the inverse of its matrix, and u in it.
+/// A basis, the inverse of its matrix, and u in it. The search runs on a vector next to u whose
+/// coordinates do not vanish, lest it go round in circles; a basis that is best for it is for u
+/// too.
 struct SymmetricHull::Tableau {
   const SymmetricHull& hull;
   const Eigen::VectorXd& u;
+  Eigen::VectorXd next_to_u;
   Basis basis;
   Eigen::MatrixXd inverse;
-  Eigen::VectorXd c;
+  Eigen::VectorXd c;          // of u
+  Eigen::VectorXd searching;  // of next_to_u
   int updates = 0;
 
   Tableau(const SymmetricHull& of, const Eigen::VectorXd& vector, const Basis& begin)
-      : hull(of), u(vector), basis(begin) {
+      : hull(of), u(vector), next_to_u(vector), basis(begin) {
     factorise();
+    const double size = kAside * c.lpNorm<1>() / static_cast<double>(hull.dimension_);
+    double part = 0;
+    for (Eigen::Index i = 0; i < hull.dimension_; ++i) {
+      part = std::fmod(part + kGolden, 1.0);
+      next_to_u +=
+          size * (1 + part) * sign(c(i)) * hull.points_.col(basis[static_cast<std::size_t>(i)]);
+    }
+    searching = inverse * next_to_u;
   }
 
   void factorise() {
@@ -70,6 +84,7 @@ struct SymmetricHull::Tableau {
     inverse = matrix.inverse();
     c = inverse * u;
     c += inverse * (u - matrix * c);
+    searching = inverse * next_to_u;
     updates = 0;
   }
 
@@ -86,15 +101,15 @@ struct SymmetricHull::Tableau {
     return rest.lpNorm<Eigen::Infinity>() <= kAccurate * sizes;
   }
 
-  /// The point v with the greatest |y·v|, where y·v = ±1 on the signed basis: of the preferred ones if
-  /// that exceeds 1, else of all.
+  /// The point v with the greatest |y·v|, where y·v = ±1 on the signed basis: of the preferred ones
+  /// if that exceeds 1, else of all.
   struct Farthest {
     Eigen::Index point;
     double height;  // signed
     bool of_all;
   };
   [[nodiscard]] Farthest farthest() const {
-    const Eigen::VectorXd y = inverse.transpose() * c.unaryExpr(&sign);
+    const Eigen::VectorXd y = inverse.transpose() * searching.unaryExpr(&sign);
     Eigen::Index at = 0;
     if (!hull.preferred_.empty()) {
       const Eigen::RowVectorXd heights = y.transpose() * hull.preferred_points_;
@@ -107,20 +122,20 @@ struct SymmetricHull::Tableau {
     return {at, heights(at), true};
   }
 
-  /// The coordinate that first reaches 0 when `way` is taken away from c; of several that do so
+  /// The coordinate that first reaches 0 when `way` is taken away; of several that do so
   /// at about the same time that which leaves the best conditioned basis (Harris). -1: none.
   [[nodiscard]] Eigen::Index leaving_by(const Eigen::VectorXd& way) const {
     const double least = kPivot * way.lpNorm<Eigen::Infinity>();
-    const double slack = kSlack * c.lpNorm<Eigen::Infinity>();
+    const double slack = kSlack * searching.lpNorm<Eigen::Infinity>();
     double length = std::numeric_limits<double>::infinity();
     for (Eigen::Index i = 0; i < way.size(); ++i)
-      if (const double towards = way(i) * sign(c(i)); towards > least)
-        length = std::min(length, (std::abs(c(i)) + slack) / towards);
+      if (const double towards = way(i) * sign(searching(i)); towards > least)
+        length = std::min(length, (std::abs(searching(i)) + slack) / towards);
     Eigen::Index leaving = -1;
     double pivot = 0;
     for (Eigen::Index i = 0; i < way.size(); ++i)
-      if (const double towards = way(i) * sign(c(i));
-          towards > least && std::abs(c(i)) <= length * towards && towards > pivot) {
+      if (const double towards = way(i) * sign(searching(i));
+          towards > least && std::abs(searching(i)) <= length * towards && towards > pivot) {
         leaving = i;
         pivot = towards;
       }
@@ -141,6 +156,7 @@ struct SymmetricHull::Tableau {
     inverse -= column * row;
     inverse.row(leaving) = row;
     c = inverse * u;
+    searching = inverse * next_to_u;
     return true;
   }
 };

@@ -57,7 +57,7 @@ class SymmetricHull {
 
   Eigen::Index dimension_;
   Eigen::Index count_ = 0;
-  Eigen::MatrixXd points_;      // columns; the first count_ are used
+  Eigen::MatrixXd points_;  // columns; the first count_ are used
   double longest_ = 0;
   Eigen::MatrixXd directions_;  // an orthonormal basis of the span of the first points
   Basis basis_;

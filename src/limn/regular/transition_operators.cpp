@@ -81,8 +81,7 @@ RationalMatrix matrix_on(const std::vector<LatticeVector>& points, const Laurent
     const LatticeVector image = dilation.apply(i);
     matrix.emplace_back();
     for (const LatticeVector l : points) {
-      const auto entry =
-          a.find({digit[0] + image[0] - l[0], digit[1] + image[1] - l[1]});
+      const auto entry = a.find({digit[0] + image[0] - l[0], digit[1] + image[1] - l[1]});
       matrix.back().push_back(entry == a.end() ? Rational(0) : entry->second);
     }
   }
@@ -145,13 +144,14 @@ Result<TransitionOperators> transition_operators(const Mask& mask, int order) {
     for (const FieldVector<Rational>& row : differences.rows()) {
       const FieldVector<Rational> image = product(whole, row);
       if (!differences.contains(image))
-        return Error{fmt::format("differences of order {} of the refined data do not follow from "
-                                 "those of the control data: the mask's sum rules are of lower order",
-                                 order),
-                     {},
-                     {},
-                     0,
-                     0};
+        return Error{
+            fmt::format("differences of order {} of the refined data do not follow from "
+                        "those of the control data: the mask's sum rules are of lower order",
+                        order),
+            {},
+            {},
+            0,
+            0};
       columns.emplace_back();
       for (const std::size_t pivot : differences.pivots()) columns.back().push_back(image[pivot]);
     }

@@ -13,7 +13,7 @@ using Json = nlohmann::ordered_json;
 
 Json finite(double value) { return std::isfinite(value) ? Json(value) : Json(); }
 
-Json density_json(const DirectionalDensity& density) {
+Json direction_json(const DirectionalDensity& density) {
   return {{"direction_degrees", density.direction},
           {"frequency", density.frequency},
           {"edges_per_wavelength", density.edges_per_wavelength},
@@ -144,14 +144,17 @@ Result<std::string> artifacts_text(const std::vector<NamedAnalysis>& schemes, Fr
   return text;
 }
 
+nlohmann::ordered_json density_json(const SamplingDensity& density) {
+  return {{"worst", direction_json(density.worst)}, {"best", direction_json(density.best)}};
+}
+
 Result<nlohmann::ordered_json> sampling_json(const NamedAnalysis& scheme, double tolerance) {
   Json json{{"scheme", scheme.name}, {"tolerance_percent", tolerance}};
   for (const auto& [key, measure] : {std::pair{"total_energy", ArtifactMeasure::total_energy},
                                      std::pair{"mean_energy", ArtifactMeasure::mean_energy}}) {
     const Result<SamplingDensity> density = sampling_density(scheme.analysis, tolerance, measure);
     if (!density) return named(scheme, density.error());
-    json["sampling"][key] = {{"worst", density_json(density->worst)},
-                             {"best", density_json(density->best)}};
+    json["sampling"][key] = density_json(*density);
   }
   return json;
 }

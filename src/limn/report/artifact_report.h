@@ -65,9 +65,11 @@ class StageValuesAt {
 [[nodiscard]] Result<std::string> artifacts_text(const std::vector<NamedAnalysis>& schemes,
                                                  Frequency f, Stage stage);
 
-/// {"scheme", "tolerance_percent", "sampling": {"total_energy": {"worst", "best"}, "mean_energy":
-/// the same}}; each of worst and best {"direction_degrees", "frequency", "edges_per_wavelength",
-/// "reached"}.
+/// {"worst", "best"}, each {"direction_degrees", "frequency", "edges_per_wavelength", "reached"}.
+[[nodiscard]] nlohmann::ordered_json density_json(const SamplingDensity& density);
+
+/// {"scheme", "tolerance_percent", "sampling": {"total_energy", "mean_energy"}}, each as
+/// density_json.
 [[nodiscard]] Result<nlohmann::ordered_json> sampling_json(const NamedAnalysis& scheme,
                                                            double tolerance);
 /// Side by side, a line a scheme.

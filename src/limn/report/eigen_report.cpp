@@ -50,16 +50,10 @@ std::string shape_text(const std::optional<Curvature>& shape) {
 
 }  // namespace
 
-nlohmann::ordered_json eigen_json(const FrequencyBlocks& blocks,
-                                  const Eigencomponents& components) {
-  Json list = Json::array();
-  for (const BlockSpectrum& spectrum : components.spectra)
-    list.push_back(
-        block_json(blocks.blocks[static_cast<std::size_t>(spectrum.frequency)], spectrum));
+nlohmann::ordered_json eigen_json(const Eigencomponents& components) {
   const Verdict& verdict = components.verdict;
   return {{"valence", components.valence},
           {"rings", components.rings},
-          {"blocks", std::move(list)},
           {"components",
            {{"position", number_json(components.position)},
             {"tangent", number_json(components.tangent)},
@@ -72,6 +66,18 @@ nlohmann::ordered_json eigen_json(const FrequencyBlocks& blocks,
             {"cup", shape_json(verdict.cup)},
             {"saddle", shape_json(verdict.saddle)},
             {"reasons", verdict.reasons}}}};
+}
+
+nlohmann::ordered_json eigen_json(const FrequencyBlocks& blocks,
+                                  const Eigencomponents& components) {
+  Json list = Json::array();
+  for (const BlockSpectrum& spectrum : components.spectra)
+    list.push_back(
+        block_json(blocks.blocks[static_cast<std::size_t>(spectrum.frequency)], spectrum));
+  Json json{
+      {"valence", components.valence}, {"rings", components.rings}, {"blocks", std::move(list)}};
+  json.update(eigen_json(components));
+  return json;
 }
 
 std::string eigen_heading() {

@@ -15,6 +15,9 @@ namespace limn {
 [[nodiscard]] nlohmann::ordered_json eigen_json(const FrequencyBlocks& blocks,
                                                 const Eigencomponents& components);
 
+/// The same without the blocks.
+[[nodiscard]] nlohmann::ordered_json eigen_json(const Eigencomponents& components);
+
 /// One valence: a line of components and verdicts, and its reasons below.
 [[nodiscard]] std::string eigen_text(const Eigencomponents& components);
 /// The heading of those lines.

@@ -30,6 +30,18 @@ Result<SmoothSurface> limit_surface(const Scheme& scheme, const Mesh& control,
   return surface;
 }
 
+Polygons polygons_of(const SmoothSurface& surface) {
+  Polygons polygons;
+  polygons.positions.reserve(surface.vertices.size());
+  for (const SpaceVector& at : surface.vertices)
+    polygons.positions.push_back({at[0], at[1], at[2]});
+  for (const std::array<int, 3>& triangle : surface.triangles) {
+    polygons.corners.insert(polygons.corners.end(), triangle.begin(), triangle.end());
+    polygons.face_begin.push_back(static_cast<Index>(polygons.corners.size()));
+  }
+  return polygons;
+}
+
 ControlNet control_net(const Mesh& mesh, const std::vector<Point3>& points) {
   ControlNet net;
   for (const Point3& p : points) net.vertices.push_back(vector_of(p));

@@ -14,6 +14,9 @@ namespace limn {
 [[nodiscard]] Result<SmoothSurface> limit_surface(const Scheme& scheme, const Mesh& control,
                                                   const std::vector<Point3>& points, int steps);
 
+/// Its vertices and triangles.
+[[nodiscard]] Polygons polygons_of(const SmoothSurface& surface);
+
 /// The edges of a mesh.
 [[nodiscard]] ControlNet control_net(const Mesh& mesh, const std::vector<Point3>& points);
 

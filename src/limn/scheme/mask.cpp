@@ -139,6 +139,15 @@ int reach(const std::vector<std::pair<LatticeVector, int>>& directions) {
 
 }  // namespace
 
+bool interpolates(const Mask& mask) {
+  return std::all_of(mask.coefficients.begin(), mask.coefficients.end(), [&](const auto& one) {
+    const auto& [twice, coefficient] = one;
+    if (twice == LatticeVector{0, 0}) return coefficient == 1;
+    const bool between = twice[0] % 2 != 0 || twice[1] % 2 != 0;  // of a dual split
+    return !between && coset_of(mask.dilation, {twice[0] / 2, twice[1] / 2}) != 0;
+  });
+}
+
 Laurent smoothing_direction(LatticeVector step, const LatticeMatrix& dilation) {
   const int box = arity(dilation);
   return scaled(centred_box(step, box), Rational(1, box));

@@ -25,6 +25,9 @@ struct Mask {
   return {offset[0] / 6, offset[1] / 6};
 }
 
+/// Whether old points stay where they are: on their coset the mask holds its centre alone, 1.
+[[nodiscard]] bool interpolates(const Mask& mask);
+
 /// What smooths along one step of the refined lattice: the box of arity(M) equal coefficients, by
 /// twice the offset; sum 1.
 [[nodiscard]] Laurent smoothing_direction(LatticeVector step, const LatticeMatrix& dilation);

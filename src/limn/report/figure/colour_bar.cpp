@@ -92,6 +92,12 @@ ColourScale colour_scale(Range range, Range data, int count) {
   return scale;
 }
 
+Colour colour_of(const ColourScale& scale, double value) {
+  if (!std::isfinite(value)) return grey(0.6);
+  const auto band = std::upper_bound(scale.edges.begin(), scale.edges.end(), value);
+  return scale.colours[static_cast<std::size_t>(band - scale.edges.begin())];
+}
+
 double colour_bar_width(const ColourScale& scale, const std::string& label) {
   // The widest possible numbers: those without regard to clearance.
   const double width = kBarWidth + kTickLength + kNumberGap + widest(numbers(scale, 0));
@@ -124,6 +130,35 @@ void draw_colour_bar(Canvas& canvas, const ColourScale& scale, const std::string
       {right + kTickLength + kNumberGap + widest(all) + kLabelGap, (bottom + top) / 2},
       full_label(scale, label),
       {.size = kLabelSize, .align = Align::centre, .vertical = VerticalAlign::top, .angle = 90});
+}
+
+double lying_colour_bar_height(const ColourScale& scale, const std::string& label) {
+  const double height = kBarWidth + kTickLength + kNumberGap + kTickSize;
+  return full_label(scale, label).empty() ? height : height + kLabelGap + kLabelSize;
+}
+
+void draw_lying_colour_bar(Canvas& canvas, const ColourScale& scale, const std::string& label,
+                           double left, double right, double top) {
+  const double size = scale.range.high - scale.range.low;
+  const auto at = [&](double value) {
+    return left + (value - scale.range.low) / size * (right - left);
+  };
+  for (std::size_t i = 0; i < scale.colours.size(); ++i) {
+    const double from = i == 0 ? left : at(scale.edges[i - 1]);
+    canvas.fill(Path::rectangle({from, top, right - from, kBarWidth}), scale.colours[i]);
+  }
+  canvas.stroke(Path::rectangle({left, top, right - left, kBarWidth}), grey(0), {0.5, {}});
+  const double bottom = top + kBarWidth;
+  const double clearance = widest(numbers(scale, 0)) + kTickSize;
+  for (const BarNumber& number : numbers(scale, clearance / (right - left) * size)) {
+    const double x = at(number.value);
+    canvas.stroke(Path::segment({x, bottom}, {x, bottom + kTickLength}), grey(0), {});
+    canvas.text({x, bottom + kTickLength + kNumberGap}, number.label,
+                {.size = kTickSize, .align = Align::centre, .vertical = VerticalAlign::top});
+  }
+  canvas.text({(left + right) / 2, bottom + kTickLength + kNumberGap + kTickSize + kLabelGap},
+              full_label(scale, label),
+              {.size = kLabelSize, .align = Align::centre, .vertical = VerticalAlign::top});
 }
 
 }  // namespace limn

@@ -22,11 +22,22 @@ struct ColourScale {
 /// About `count` ticks with four bands between two of them. `data`: of all values.
 [[nodiscard]] ColourScale colour_scale(Range range, Range data, int count);
 
+/// The band that a value falls into; the ends' beyond the range, grey where it is not finite.
+[[nodiscard]] Colour colour_of(const ColourScale& scale, double value);
+
 /// Width in points of the bar with its numbers and label.
 [[nodiscard]] double colour_bar_width(const ColourScale& scale, const std::string& label);
 
 /// Draws the bar upright from (x, bottom) to (…, top), low values below.
 void draw_colour_bar(Canvas& canvas, const ColourScale& scale, const std::string& label, double x,
                      double bottom, double top);
+
+/// Draws it lying from (left, top) to (right, …), with its numbers below, high values on the right;
+/// its factor, if there is one, and label below them.
+void draw_lying_colour_bar(Canvas& canvas, const ColourScale& scale, const std::string& label,
+                           double left, double right, double top);
+
+/// In points.
+[[nodiscard]] double lying_colour_bar_height(const ColourScale& scale, const std::string& label);
 
 }  // namespace limn

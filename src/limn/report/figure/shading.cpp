@@ -56,6 +56,14 @@ std::uint8_t byte(double value) {
   return static_cast<std::uint8_t>(std::lround(255 * std::clamp(value, 0.0, 1.0)));
 }
 
+/// Between the values of the triangle's corners.
+double value_at(const std::vector<double>& values, const std::array<int, 3>& triangle,
+                const RayHit& hit) {
+  double value = 0;
+  for (std::size_t c = 0; c < 3; ++c) value += hit.weights[c] * values[triangle[c]];
+  return value;
+}
+
 class Camera {
  public:
   Camera(const RayCaster& rays, const FramePlacement& place, const Shading& shading, Image& image)
@@ -82,8 +90,15 @@ class Camera {
     const std::optional<RayHit> hit = rays_.first_hit(x, y);
     if (!hit) return {1, 1, 1};
     const SpaceVector normal = normal_at(rays_.surfaces()[hit->surface], *hit);
-    const Colour& colour = shading_.colours[hit->surface];
+    const Colour colour = colour_at(*hit);
     return shading_.lights ? striped(colour, normal, *shading_.lights) : shaded(colour, normal);
+  }
+
+  [[nodiscard]] Colour colour_at(const RayHit& hit) const {
+    if (hit.surface > 0 || !shading_.first) return shading_.colours[hit.surface];
+    const SeenSurface& surface = rays_.surfaces().front();
+    return colour_of(shading_.first->scale,
+                     value_at(shading_.first->values, surface.triangles[hit.triangle], hit));
   }
 
   const RayCaster& rays_;

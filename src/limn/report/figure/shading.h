@@ -6,13 +6,22 @@
 #include <vector>
 
 #include "limn/report/figure/canvas.h"
+#include "limn/report/figure/colour_bar.h"
 #include "limn/report/figure/light_lines.h"
 #include "limn/report/figure/visibility.h"
 
 namespace limn {
 
+/// Numbers at a surface's vertices and the colours they have.
+struct ValueColours {
+  std::vector<double> values = {};
+  ColourScale scale = {};
+};
+
 struct Shading {
-  std::vector<Colour> colours = {};           ///< one for each of the caster's surfaces
+  std::vector<Colour> colours = {};  ///< one for each of the caster's surfaces
+  /// The first surface has these in place of its colour; one value for each of its vertices.
+  std::optional<ValueColours> first = {};
   std::optional<MirroredLights> lights = {};  ///< a dark stripe half as wide as their distance
 };
 

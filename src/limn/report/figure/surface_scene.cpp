@@ -46,6 +46,7 @@ std::vector<SeenSurface> seen_surfaces(const SurfaceScene& scene) {
 }
 
 ViewFrame frame_of(const SurfaceScene& scene) {
+  if (scene.seen_frame) return *scene.seen_frame;
   const ParallelView view(scene.azimuth, scene.elevation);
   std::vector<SpaceVector> points;
   const auto add = [&](const SpaceVector& point) {

@@ -48,6 +48,8 @@ struct SurfaceScene {
   /// What just fits into the panel, so that panels of several scenes share a scale. Without it: all
   /// that is drawn.
   std::optional<SpaceBox> frame = {};
+  /// The same as a rectangle of the viewer's plane, `frame_of` another scene; goes before `frame`.
+  std::optional<ViewFrame> seen_frame = {};
 };
 
 /// The usable triangles of a surface in the viewer's coordinates. Normals are of length 1, and 0

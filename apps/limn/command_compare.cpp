@@ -1,0 +1,169 @@
+#include <memory>
+
+#include <fmt/core.h>
+#include <nlohmann/json.hpp>
+
+#include "command.h"
+#include "control_mesh.h"
+#include "limn/base/progress.h"
+#include "limn/mesh/io/mesh_file.h"
+#include "limn/report/compare_report.h"
+#include "limn/report/figure/visibility.h"
+#include "scheme_argument.h"
+#include "valences.h"
+#include "view_options.h"
+
+namespace limn::app {
+namespace {
+
+struct CompareOptions {
+  std::vector<std::string> schemes;
+  SchemeOptions common;
+  std::string valence = "3..12";
+  double tolerance = 1;
+  int budget = RegularityOptions{}.budget;
+  std::string mesh;
+  int steps = 4;
+  std::string output;
+  ViewOptions view;
+  bool triangulate = false;
+  bool differences = false;
+  bool json = false;
+};
+
+/// What can be refused at once is refused before any work.
+Status check(const CompareOptions& options) {
+  if (options.schemes.size() < 2)
+    return Error{"one scheme alone cannot be compared", "name two or more", {}, 0, 0};
+  if (!(options.tolerance >= kLeastTolerance && options.tolerance <= 100))
+    return Error{fmt::format("--tolerance: {:g} is not between {:g} and 100 percent",
+                             options.tolerance, kLeastTolerance),
+                 {},
+                 {},
+                 0,
+                 0};
+  if (!options.mesh.empty())
+    if (Status status = check_readable(options.mesh); !status) return status;
+  if (options.output.empty()) return Done{};
+  if (!figures_available() || !rays_available())
+    return Error{"this limn draws no surfaces", "build it with cairo and Embree", {}, 0, 0};
+  const Result<FigureFormat> format = figure_format(options.output);
+  if (!format) return format.error();
+  return Done{};
+}
+
+Result<MeshComparison> compare_surfaces(const CompareOptions& options,
+                                        const std::vector<LabelledScheme>& schemes,
+                                        ProgressLine& line) {
+  const Result<ControlMesh> control = load_control_mesh(options.mesh, options.triangulate);
+  if (!control) return control.error();
+  MeshOptions mesh_options;
+  mesh_options.steps = options.steps;
+  mesh_options.progress = [&](const std::string& what) { line.show(what); };
+  return compare_on_mesh(schemes, options.mesh, control->mesh, control->points, mesh_options);
+}
+
+Status draw(const CompareOptions& options, const MeshComparison& on_mesh) {
+  if (on_mesh.distances.empty())
+    return Error{"there are no two limit surfaces to draw",
+                 on_mesh.missing.empty() ? "" : on_mesh.missing.front(), options.mesh, 0, 0};
+  const CompareView view = {options.view.azimuth, options.view.elevation};
+  return compare_figure(on_mesh.surfaces, on_mesh.distances, view).write(options.output);
+}
+
+int compare(const CompareOptions& options) {
+  if (Status status = check(options); !status) return report(status.error());
+  const Result<Valences> valences = read_valences(options.valence);
+  if (!valences) return report(valences.error());
+  Result<std::vector<NamedScheme>> named =
+      scheme_arguments(options.schemes, options.common.parameters);
+  if (!named) return report(named.error());
+  std::vector<LabelledScheme> schemes;
+  for (NamedScheme& one : *named) schemes.push_back({one.label, std::move(one.scheme)});
+
+  ProgressLine line;
+  Comparison comparison{.tolerance = options.tolerance};
+  if (!options.mesh.empty()) {  // first: a bad mesh is soon found
+    Result<MeshComparison> on_mesh = compare_surfaces(options, schemes, line);
+    if (!on_mesh) return report(on_mesh.error());
+    comparison.on_mesh = std::move(*on_mesh);
+  }
+  if (!options.output.empty()) {
+    line.show("drawing " + options.output);
+    if (Status status = draw(options, *comparison.on_mesh); !status) return report(status.error());
+  }
+  const RecordOptions record{.first_valence = valences->first,
+                             .last_valence = valences->last,
+                             .tolerance = options.tolerance,
+                             .regularity = {.budget = options.budget},
+                             .progress = [&](const std::string& what) { line.show(what); }};
+  for (const auto& [label, scheme] : schemes)
+    comparison.schemes.push_back(approx_record(label, scheme, record));
+  if (options.json)
+    fmt::print("{}\n", compare_json(comparison).dump());
+  else
+    fmt::print("{}", compare_text(comparison, options.differences));
+  return kDone;
+}
+
+void declare_mesh(CLI::App& command, CompareOptions& options) {
+  CLI::Option* const mesh = command.add_option(
+      "--mesh", options.mesh,
+      "also fairness and distances of the limit surfaces over this control mesh (.obj, .off, .ply "
+      "or .stl)");
+  command
+      .add_option("-n,--levels", options.steps,
+                  "refinement steps before the limit is taken, of splits that make four faces of "
+                  "one; others take as many as make about as many faces")
+      ->capture_default_str()
+      ->check(CLI::Range(0, 64))
+      ->needs(mesh);
+  command
+      .add_option("-o,--output", options.output,
+                  "a picture of the surfaces, overlaid and coloured by their distance: .pdf, .svg "
+                  "or .png")
+      ->needs(mesh);
+  options.view.declare(command);
+  command
+      .add_flag("--triangulate", options.triangulate,
+                "cut polygons into triangles first, each from its first corner")
+      ->needs(mesh);
+}
+
+}  // namespace
+
+void declare_compare(CLI::App& parser, Action& action) {
+  CLI::App* command = parser.add_subcommand("compare",
+                                            "schemes side by side: smoothness, eigencomponents, "
+                                            "artifacts, and their limit surfaces");
+  const auto options = std::make_shared<CompareOptions>();
+  command->add_option("SCHEME", options->schemes, kSchemeArgumentHelp)->required();
+  command
+      ->add_option("--valence", options->valence,
+                   "valences of the eigencomponents: edges at a vertex, or corners of a dual "
+                   "split's face")
+      ->type_name("N or A..B")
+      ->capture_default_str();
+  command
+      ->add_option("--tolerance", options->tolerance,
+                   "artifacts in percent of the signal, for which sampling densities are given")
+      ->type_name("PERCENT")
+      ->capture_default_str();
+  command
+      ->add_option("--budget", options->budget,
+                   "of the bracket for the Hölder exponent: more is slower and tighter")
+      ->capture_default_str()
+      ->check(CLI::Range(1, 1000000));
+  declare_mesh(*command, *options);
+  options->common.declare_parameters(*command);
+  command->add_flag("--differences", options->differences,
+                    "only the lines in which the schemes differ");
+  command->add_flag("--json", options->json, "print one JSON object");
+  command->footer(
+      "Example: limn compare loop butterfly sqrt3\n"
+      "         limn compare laplacian-butterfly:b=1/8 laplacian-butterfly:b=3/16 --differences\n"
+      "         limn compare loop laplacian-loop-low --mesh mesh.obj -o overlaid.png");
+  command->callback([&action, options] { action = [options] { return compare(*options); }; });
+}
+
+}  // namespace limn::app

@@ -1,0 +1,69 @@
+#include <memory>
+
+#include <fmt/core.h>
+#include <nlohmann/json.hpp>
+
+#include "command.h"
+#include "limn/base/progress.h"
+#include "limn/regular/regular_mask.h"
+#include "limn/report/regularity_report.h"
+
+namespace limn::app {
+namespace {
+
+constexpr int kMostBudget = 1'000'000;
+
+struct RegularityCommand {
+  SchemeOptions scheme;
+  RegularityOptions options;
+  bool json = false;
+};
+
+int analyse(const RegularityCommand& command) {
+  const Result<Scheme> scheme = command.scheme.load();
+  if (!scheme) return report(scheme.error());
+  const Result<Mask> mask = regular_mask(*scheme);
+  if (!mask) return report(mask.error());
+  ProgressLine line;
+  RegularityOptions options = command.options;
+  options.progress = [&line](const std::string& what) { line.show(what); };
+  Result<Regularity> regularity = enclose_regularity(*mask, options);
+  if (!regularity) {
+    regularity.error().file = scheme->file;
+    return report(regularity.error());
+  }
+  if (command.json)
+    fmt::print("{}\n", regularity_json(scheme->name, *regularity).dump());
+  else
+    fmt::print("{}", regularity_text(scheme->name, *regularity));
+  return kDone;
+}
+
+}  // namespace
+
+void declare_regularity(CLI::App& parser, Action& action) {
+  CLI::App* command = parser.add_subcommand(
+      "regularity", "how smooth the surfaces are on the regular lattice, with proof");
+  const auto chosen = std::make_shared<RegularityCommand>();
+  command->add_option("SCHEME", chosen->scheme.name, "a shipped scheme, or a scheme file")
+      ->required();
+  chosen->scheme.declare_parameters(*command);
+  command
+      ->add_option("--budget", chosen->options.budget,
+                   "work for the bracket: so many vertices, at most, of a polytope")
+      ->check(CLI::Range(1, kMostBudget))
+      ->capture_default_str();
+  command
+      ->add_option("--tolerance", chosen->options.tolerance,
+                   "width of the Hölder bracket below which little more is sought")
+      ->check(CLI::Range(1e-6, 1.0))
+      ->capture_default_str();
+  command->add_flag("--json", chosen->json, "print one JSON object");
+  command->footer(
+      "Example: limn regularity butterfly\n"
+      "         limn regularity laplacian-loop -p a=1/16 --json\n"
+      "         limn regularity optimal-low --tolerance 0.002 --budget 30000");
+  command->callback([&action, chosen] { action = [chosen] { return analyse(*chosen); }; });
+}
+
+}  // namespace limn::app

@@ -1,0 +1,176 @@
+#include "limn/report/compare_record.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <nlohmann/json.hpp>
+
+#include "limn/regular/regular_mask.h"
+#include "limn/report/artifact_report.h"
+#include "limn/report/eigen_report.h"
+
+namespace limn {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr double kTie = 1e-9;  // of directions that are alike the first is given
+
+/// For what needs the limit and its energy.
+Status has_energy(const ArtifactAnalysis& analysis) {
+  if (!analysis.limit_status()) return analysis.limit_status();
+  return analysis.energy_status();
+}
+
+Result<std::vector<WaveArtifacts>> artifacts_of(const Result<ArtifactAnalysis>& analysis) {
+  if (!analysis) return analysis.error();
+  if (const Status status = has_energy(*analysis); !status) return status.error();
+  std::vector<WaveArtifacts> waves;
+  for (const double edges : kWavelengths) waves.push_back(wave_artifacts(*analysis, edges));
+  return waves;
+}
+
+Result<SamplingDensity> density_of(const Result<ArtifactAnalysis>& analysis, double tolerance,
+                                   ArtifactMeasure measure) {
+  if (!analysis) return analysis.error();
+  return sampling_density(*analysis, tolerance, measure);
+}
+
+Result<ArtifactAnalysis> analysis_of(const Result<Mask>& mask) {
+  if (!mask) return mask.error();
+  return ArtifactAnalysis::of(*mask);
+}
+
+std::vector<ValenceRecord> valences_of(const Scheme& scheme, const RecordOptions& options) {
+  FrequencyAnalysis analysis(scheme);
+  std::vector<ValenceRecord> valences;
+  for (int n = options.first_valence; n <= options.last_valence; ++n) {
+    const Result<FrequencyBlocks> blocks = analysis.blocks(n);
+    if (blocks)
+      valences.push_back({n, approx_eigencomponents(*blocks)});
+    else
+      valences.push_back({n, blocks.error()});
+  }
+  return valences;
+}
+
+Json finite(double value) { return std::isfinite(value) ? Json(value) : Json(); }
+
+Json smoothness_json(const Regularity& regularity) {
+  const HolderBracket& holder = regularity.holder;
+  Json json{{"holder",
+             {{"lower", finite(holder.lower)},
+              {"upper", holder.upper ? finite(*holder.upper) : Json()}}}};
+  for (std::size_t r = 0; r < regularity.smoothness.size(); ++r)
+    json["c" + std::to_string(r)] = to_string(regularity.smoothness[r].verdict);
+  return json;
+}
+
+Json wave_json(const WaveArtifacts& wave) {
+  return {{"edges_per_wavelength", wave.edges_per_wavelength},
+          {"worst_percent", finite(wave.worst)},
+          {"worst_direction_degrees", wave.worst_direction},
+          {"best_percent", finite(wave.best)},
+          {"best_direction_degrees", wave.best_direction}};
+}
+
+template <class T, class Make>
+Json json_of(const Result<T>& result, Make make) {
+  return result ? Json(make(*result)) : Json();
+}
+
+}  // namespace
+
+WaveArtifacts wave_artifacts(const ArtifactAnalysis& analysis, double edges_per_wavelength) {
+  WaveArtifacts wave{.edges_per_wavelength = edges_per_wavelength, .worst = 0, .best = INFINITY};
+  for (int degree = 0; degree < 180; ++degree) {
+    const double angle = degree * std::acos(-1.0) / 180;
+    const double percent = analysis.energy_percent(
+        {std::cos(angle) / edges_per_wavelength, std::sin(angle) / edges_per_wavelength});
+    if (percent > wave.worst * (1 + kTie)) {
+      wave.worst = percent;
+      wave.worst_direction = degree;
+    }
+    if (percent < wave.best * (1 - kTie)) {
+      wave.best = percent;
+      wave.best_direction = degree;
+    }
+  }
+  return wave;
+}
+
+SchemeRecord approx_record(const std::string& label, const Scheme& scheme,
+                           const RecordOptions& options) {
+  const auto begin = [&](const char* what) {
+    if (options.progress) options.progress(label + ": " + what);
+  };
+  const Result<Mask> mask = regular_mask(scheme);
+  begin("regularity");
+  Result<Regularity> regularity =
+      mask ? enclose_regularity(*mask, options.regularity) : Result<Regularity>(mask.error());
+  begin("artifacts");
+  const Result<ArtifactAnalysis> analysis = analysis_of(mask);
+  Result<std::vector<WaveArtifacts>> artifacts = artifacts_of(analysis);
+  begin("sampling density");
+  Result<SamplingDensity> total =
+      density_of(analysis, options.tolerance, ArtifactMeasure::total_energy);
+  Result<SamplingDensity> mean =
+      density_of(analysis, options.tolerance, ArtifactMeasure::mean_energy);
+  begin("eigencomponents");
+  return {.label = label,
+          .split = std::string(scheme.split->name),
+          .interpolating = mask ? Result<bool>(interpolates(*mask)) : mask.error(),
+          .orders = mask ? Result<PolynomialOrders>(polynomial_orders(*mask)) : mask.error(),
+          .regularity = std::move(regularity),
+          .artifacts = std::move(artifacts),
+          .sampling = std::move(total),
+          .mean_sampling = std::move(mean),
+          .valences = valences_of(scheme, options)};
+}
+
+nlohmann::ordered_json record_json(const SchemeRecord& record) {
+  Json json{{"scheme", record.label}, {"split", record.split}};
+  json["interpolating"] = json_of(record.interpolating, [](bool yes) { return yes; });
+  json["sum_rules"] = json_of(record.orders, [](const PolynomialOrders& o) { return o.sum_rules; });
+  json["reproduction"] =
+      json_of(record.orders, [](const PolynomialOrders& o) { return o.reproduction; });
+  json["regularity"] = json_of(record.regularity, smoothness_json);
+  json["artifacts"] = json_of(record.artifacts, [](const std::vector<WaveArtifacts>& waves) {
+    Json list = Json::array();
+    for (const WaveArtifacts& wave : waves) list.push_back(wave_json(wave));
+    return list;
+  });
+  json["sampling"] = {{"total_energy", json_of(record.sampling, density_json)},
+                      {"mean_energy", json_of(record.mean_sampling, density_json)}};
+  json["valences"] = Json::array();
+  for (const ValenceRecord& one : record.valences)
+    json["valences"].push_back(one.components
+                                   ? eigen_json(*one.components)
+                                   : Json{{"valence", one.valence}, {"components", nullptr}});
+  json["missing"] = missing_parts(record);
+  return json;
+}
+
+std::vector<std::string> missing_parts(const SchemeRecord& record) {
+  std::vector<std::string> reasons;
+  const auto add = [&](const auto& result) {
+    if (result) return;
+    const std::string& reason = result.error().message;
+    if (std::find(reasons.begin(), reasons.end(), reason) == reasons.end())
+      reasons.push_back(reason);
+  };
+  add(record.interpolating);
+  add(record.orders);
+  add(record.regularity);
+  add(record.artifacts);
+  add(record.sampling);
+  add(record.mean_sampling);
+  for (const ValenceRecord& one : record.valences)
+    if (!one.components) {
+      add(one.components);  // that of the first stands for all
+      break;
+    }
+  return reasons;
+}
+
+}  // namespace limn
