@@ -39,9 +39,9 @@ class PairPanels {
     const SmoothSurface pink = coloured(second.surface, kPink, kDarkPink);
     figure.add(panel({green}), first.name);
     figure.add(panel({pink}), second.name);
-    ShadedPanel both = panel({green, pink});
-    both.names = {first.name, second.name};
-    both.outlines = true;
+    ShadedPanel both = overlaid(first, second);
+    both.scene = panel(both.scene.surfaces).scene;
+    both.resolution = view_.resolution;
     figure.add(both,
                "Both, and the outline that each has alone. Where they are equal the green one is "
                "seen.");
@@ -65,6 +65,15 @@ class PairPanels {
 };
 
 }  // namespace
+
+ShadedPanel overlaid(const NamedSurface& first, const NamedSurface& second) {
+  ShadedPanel panel;
+  panel.scene.surfaces = {coloured(first.surface, kGreen, kDarkGreen),
+                          coloured(second.surface, kPink, kDarkPink)};
+  panel.names = {first.name, second.name};
+  panel.outlines = true;
+  return panel;
+}
 
 Result<std::vector<PairDistance>> approx_distances(
     const std::vector<NamedSurface>& surfaces,

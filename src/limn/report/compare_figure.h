@@ -31,14 +31,17 @@ struct PairDistance {
     const std::vector<NamedSurface>& surfaces,
     const std::function<void(const std::string& first, const std::string& second)>& progress = {});
 
+/// Both in one picture, the first in green and the second in pink, with the outline that each has
+/// alone, and a legend. Where they are equal the green is seen. The view is the default one.
+[[nodiscard]] ShadedPanel overlaid(const NamedSurface& first, const NamedSurface& second);
+
 /// How the picture looks at the surfaces.
 struct CompareView {
   double azimuth = -50, elevation = 30;  ///< degrees, as in a SurfaceScene
   double resolution = 200;               ///< pixels an inch
 };
 
-/// The first surface against each of the others: both alone, both in one picture, the first in
-/// green and the other in pink (where they are equal the green is seen), and the other coloured by
+/// The first surface against each of the others: both alone, both `overlaid`, and the other coloured by
 /// its distance to the first. All pictures have one scale. `distances` as from approx_distances.
 /// Precondition: at least two surfaces.
 [[nodiscard]] Figure compare_figure(const std::vector<NamedSurface>& surfaces,

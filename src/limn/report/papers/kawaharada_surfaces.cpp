@@ -9,14 +9,13 @@
 
 #include "limn/mesh/io/mesh_file.h"
 #include "limn/mesh/surface_distance.h"
+#include "limn/report/compare_figure.h"
 #include "limn/report/papers/kawaharada_parts.h"
 #include "limn/report/surface_scenes.h"
 
 namespace limn::ks {
 namespace {
 
-constexpr Colour kGreen{0.36, 0.68, 0.42};  // the paper's two colours
-constexpr Colour kPink{0.95, 0.58, 0.72};
 constexpr double kResolution = 200;
 constexpr double kSupport = 3.01;  // where basis functions are not 0
 constexpr double kFar = std::numeric_limits<double>::infinity();
@@ -72,16 +71,6 @@ struct Plate {
   std::vector<std::pair<Member, Member>> overlaid = {};  ///< the first green, the second pink
 };
 
-Polygons polygons_of(const SmoothSurface& surface) {
-  Polygons polygons;
-  for (const SpaceVector& p : surface.vertices) polygons.positions.push_back({p[0], p[1], p[2]});
-  for (const auto& triangle : surface.triangles) {
-    polygons.corners.insert(polygons.corners.end(), triangle.begin(), triangle.end());
-    polygons.face_begin.push_back(static_cast<Index>(polygons.corners.size()));
-  }
-  return polygons;
-}
-
 /// The numbers of a plate in words.
 std::string found_words(const Control& control, const Plate& plate, const DataTable& numbers) {
   if (!plate.overlaid.empty())
@@ -134,23 +123,22 @@ Status add_overlays(Figure& figure, DataTable& numbers, Studio& studio, const Co
                     const Plate& plate) {
   numbers.columns = {"pair", "largest_distance", "mean_distance", "diagonal"};
   for (const auto& [green, pink] : plate.overlaid) {
-    SurfaceScene scene = empty_scene(control);
-    for (const auto& [member, colour] : {std::pair{&green, kGreen}, {&pink, kPink}}) {
-      const auto surface = studio.surface(control, *member);
-      if (!surface) return surface.error();
-      scene.surfaces.push_back(**surface);
-      scene.surfaces.back().colour = colour;
-    }
-    const Result<SurfaceDistance> apart = approx_surface_distance(
-        polygons_of(scene.surfaces.front()), polygons_of(scene.surfaces.back()));
+    const auto first = studio.surface(control, green), second = studio.surface(control, pink);
+    if (!first) return first.error();
+    if (!second) return second.error();
+    const Result<SurfaceDistance> apart =
+        approx_surface_distance(polygons_of(**first), polygons_of(**second));
     if (!apart) return apart.error();
-    figure.add(ShadedPanel{.scene = scene, .resolution = kResolution},
-               fmt::format("{} (green), {} (pink); apart {:.3g} at most, {:.2g} in the mean",
-                           green.words, pink.words, apart->largest, apart->mean));
+    ShadedPanel panel = overlaid({green.words, **first}, {pink.words, **second});
+    SurfaceScene scene = empty_scene(control);
+    scene.surfaces = std::move(panel.scene.surfaces);
+    panel.scene = std::move(scene);
+    panel.resolution = kResolution;
+    figure.add(panel, "Distance: " + distance_text(*apart));
     if (!control.mesh.has_boundary()) {
-      scene.surfaces.front() = far_half(scene.surfaces.front(), control);
-      figure.add(ShadedPanel{.scene = scene, .resolution = kResolution},
-                 "the same without the near half of the green one");
+      panel.scene.surfaces.front() = far_half(panel.scene.surfaces.front(), control);
+      panel.outlines = false;
+      figure.add(std::move(panel), "the same without the near half of the green one");
     }
     numbers.rows.push_back({static_cast<double>(numbers.rows.size() + 1), apart->largest,
                             apart->mean, apart->diagonal});
