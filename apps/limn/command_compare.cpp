@@ -92,11 +92,11 @@ int compare(const CompareOptions& options) {
     line.show("drawing " + options.output);
     if (Status status = draw(options, *comparison.on_mesh); !status) return report(status.error());
   }
-  const RecordOptions record{.first_valence = valences->first,
-                             .last_valence = valences->last,
-                             .tolerance = options.tolerance,
-                             .regularity = {.budget = options.budget},
-                             .progress = [&](const std::string& what) { line.show(what); }};
+  RecordOptions record{.first_valence = valences->first,
+                       .last_valence = valences->last,
+                       .tolerance = options.tolerance,
+                       .progress = [&](const std::string& what) { line.show(what); }};
+  record.regularity.budget = options.budget;
   for (const auto& [label, scheme] : schemes)
     comparison.schemes.push_back(approx_record(label, scheme, record));
   if (options.json)

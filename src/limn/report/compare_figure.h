@@ -31,6 +31,9 @@ struct PairDistance {
     const std::vector<NamedSurface>& surfaces,
     const std::function<void(const std::string& first, const std::string& second)>& progress = {});
 
+/// The paper's colours, of the first surface and of the other.
+inline constexpr Colour kGreen = {0.45, 0.78, 0.45}, kPink = {0.96, 0.56, 0.68};
+
 /// How the picture looks at the surfaces.
 struct CompareView {
   double azimuth = -50, elevation = 30;  ///< degrees, as in a SurfaceScene

@@ -72,16 +72,6 @@ struct Plate {
   std::vector<std::pair<Member, Member>> overlaid = {};  ///< the first green, the second pink
 };
 
-Polygons polygons_of(const SmoothSurface& surface) {
-  Polygons polygons;
-  for (const SpaceVector& p : surface.vertices) polygons.positions.push_back({p[0], p[1], p[2]});
-  for (const auto& triangle : surface.triangles) {
-    polygons.corners.insert(polygons.corners.end(), triangle.begin(), triangle.end());
-    polygons.face_begin.push_back(static_cast<Index>(polygons.corners.size()));
-  }
-  return polygons;
-}
-
 /// The numbers of a plate in words.
 std::string found_words(const Control& control, const Plate& plate, const DataTable& numbers) {
   if (!plate.overlaid.empty())
