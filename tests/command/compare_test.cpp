@@ -52,8 +52,8 @@ TEST(CompareCommand, GivesTheWholeRecord) {
   EXPECT_EQ(loop.at("regularity").at("c2"), "yes");
   EXPECT_EQ(json.at("schemes")[1].at("regularity").at("c1"), "yes");  // biquadratic splines
   EXPECT_EQ(json.at("schemes")[1].at("regularity").at("c2"), "no");
-  EXPECT_EQ(loop.at("sum_rules"), 4);
-  EXPECT_EQ(loop.at("reproduction"), 1);
+  EXPECT_EQ(loop.at("regularity").at("sum_rules"), 4);
+  EXPECT_EQ(loop.at("regularity").at("reproduction"), 1);
   EXPECT_EQ(loop.at("valences").size(), 1U);
   EXPECT_NEAR(loop.at("valences")[0].at("components").at("tangent"), .452254, 1e-6);
   EXPECT_EQ(loop.at("artifacts")[0].at("edges_per_wavelength"), 8);

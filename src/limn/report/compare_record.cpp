@@ -8,6 +8,7 @@
 #include "limn/regular/regular_mask.h"
 #include "limn/report/artifact_report.h"
 #include "limn/report/eigen_report.h"
+#include "limn/report/regularity_report.h"
 
 namespace limn {
 namespace {
@@ -56,16 +57,6 @@ std::vector<ValenceRecord> valences_of(const Scheme& scheme, const RecordOptions
 
 Json finite(double value) { return std::isfinite(value) ? Json(value) : Json(); }
 
-Json smoothness_json(const Regularity& regularity) {
-  const HolderBracket& holder = regularity.holder;
-  Json json{{"holder",
-             {{"lower", finite(holder.lower)},
-              {"upper", holder.upper ? finite(*holder.upper) : Json()}}}};
-  for (std::size_t r = 0; r < regularity.smoothness.size(); ++r)
-    json["c" + std::to_string(r)] = to_string(regularity.smoothness[r].verdict);
-  return json;
-}
-
 Json wave_json(const WaveArtifacts& wave) {
   return {{"edges_per_wavelength", wave.edges_per_wavelength},
           {"worst_percent", finite(wave.worst)},
@@ -101,13 +92,14 @@ WaveArtifacts wave_artifacts(const ArtifactAnalysis& analysis, double edges_per_
 
 SchemeRecord approx_record(const std::string& label, const Scheme& scheme,
                            const RecordOptions& options) {
-  const auto begin = [&](const char* what) {
+  const auto begin = [&](const std::string& what) {
     if (options.progress) options.progress(label + ": " + what);
   };
   const Result<Mask> mask = regular_mask(scheme);
-  begin("regularity");
+  RegularityOptions regularity_options = options.regularity;
+  regularity_options.progress = [&](const std::string& what) { begin("regularity, " + what); };
   Result<Regularity> regularity =
-      mask ? enclose_regularity(*mask, options.regularity) : Result<Regularity>(mask.error());
+      mask ? enclose_regularity(*mask, regularity_options) : Result<Regularity>(mask.error());
   begin("artifacts");
   const Result<ArtifactAnalysis> analysis = analysis_of(mask);
   Result<std::vector<WaveArtifacts>> artifacts = artifacts_of(analysis);
@@ -120,7 +112,6 @@ SchemeRecord approx_record(const std::string& label, const Scheme& scheme,
   return {.label = label,
           .split = std::string(scheme.split->name),
           .interpolating = mask ? Result<bool>(interpolates(*mask)) : mask.error(),
-          .orders = mask ? Result<PolynomialOrders>(polynomial_orders(*mask)) : mask.error(),
           .regularity = std::move(regularity),
           .artifacts = std::move(artifacts),
           .sampling = std::move(total),
@@ -131,10 +122,9 @@ SchemeRecord approx_record(const std::string& label, const Scheme& scheme,
 nlohmann::ordered_json record_json(const SchemeRecord& record) {
   Json json{{"scheme", record.label}, {"split", record.split}};
   json["interpolating"] = json_of(record.interpolating, [](bool yes) { return yes; });
-  json["sum_rules"] = json_of(record.orders, [](const PolynomialOrders& o) { return o.sum_rules; });
-  json["reproduction"] =
-      json_of(record.orders, [](const PolynomialOrders& o) { return o.reproduction; });
-  json["regularity"] = json_of(record.regularity, smoothness_json);
+  json["regularity"] = json_of(record.regularity, [&](const Regularity& regularity) {
+    return regularity_json(record.label, regularity);
+  });
   json["artifacts"] = json_of(record.artifacts, [](const std::vector<WaveArtifacts>& waves) {
     Json list = Json::array();
     for (const WaveArtifacts& wave : waves) list.push_back(wave_json(wave));
@@ -160,7 +150,6 @@ std::vector<std::string> missing_parts(const SchemeRecord& record) {
       reasons.push_back(reason);
   };
   add(record.interpolating);
-  add(record.orders);
   add(record.regularity);
   add(record.artifacts);
   add(record.sampling);

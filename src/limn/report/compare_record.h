@@ -38,7 +38,6 @@ struct SchemeRecord {
   std::string label;  ///< what the scheme is called in reports
   std::string split;
   Result<bool> interpolating;  ///< on the regular lattice: old points stay where they are
-  Result<PolynomialOrders> orders;
   Result<Regularity> regularity;
   Result<std::vector<WaveArtifacts>> artifacts;
   /// By all artifacts of the limit surface, and by [ADS]'s mean energy.
@@ -57,13 +56,11 @@ struct RecordOptions {
 [[nodiscard]] SchemeRecord approx_record(const std::string& label, const Scheme& scheme,
                                          const RecordOptions& options = {});
 
-/// {"scheme", "split", "interpolating", "sum_rules", "reproduction" (both null where there is no
-/// mask), "regularity": {"holder": {"lower", "upper" or null}, "c0", "c1", "c2": "yes", "no" or
-/// "undecided"} or null, "artifacts":
+/// {"scheme", "split", "interpolating", "regularity": regularity_json's, "artifacts":
 /// [{"edges_per_wavelength", "worst_percent", "worst_direction_degrees", "best_percent",
-/// "best_direction_degrees"}] or null, "sampling": {"tolerance_percent", "total_energy",
-/// "mean_energy"}, each as in sampling_json, "valences": [{"valence", "components", "verdict"}] as
-/// in eigen_json, "missing": [reasons of what is null]}.
+/// "best_direction_degrees"}], "sampling": {"total_energy", "mean_energy"}, each as density_json,
+/// "valences": [eigen_json's without the blocks; "components" null where there are none],
+/// "missing": [reasons]}. What is missing is null.
 [[nodiscard]] nlohmann::ordered_json record_json(const SchemeRecord& record);
 
 /// Why parts of the record are missing; every reason once.

@@ -103,7 +103,8 @@ std::string compare_text(const Comparison& comparison, bool differences) {
   for (const SchemeRecord& scheme : comparison.schemes) labels.push_back(scheme.label);
   std::string text = table_text(labels, compare_sections(comparison), differences);
   if (comparison.on_mesh) text += distances_text(*comparison.on_mesh);
-  return text + missing_text(comparison) + "\n* the best of its line\n";
+  return text + missing_text(comparison) +
+         "\n* the best of its line; ? an energy whose limit is not known\n";
 }
 
 nlohmann::ordered_json compare_json(const Comparison& comparison) {

@@ -7,13 +7,12 @@
 
 #include <fmt/core.h>
 
+#include "limn/report/regularity_report.h"
+
 namespace limn {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
-constexpr double kDecimals = 1000;   // of brackets
-constexpr double kOneNumber = 1e-9;  // the width of a bracket whose ends cannot be told apart
 
 TableCell missing() { return {"–"}; }
 TableCell known(std::string text, double value) { return {std::move(text), Between{value, value}}; }
@@ -35,8 +34,7 @@ TableCell truth_cell(Truth truth) {
 
 TableCell holder_cell(const Regularity& regularity) {
   const HolderBracket& holder = regularity.holder;
-  return {bracket_text(holder.lower, holder.upper),
-          Between{holder.lower, holder.upper.value_or(kInfinity)}};
+  return {to_string(holder), Between{holder.lower, holder.upper.value_or(kInfinity)}};
 }
 
 TableCell integer_cell(int value) { return known(std::to_string(value), value); }
@@ -52,22 +50,18 @@ TableSection regularity_rows(const Comparison& comparison) {
   section.rows.push_back(row<bool>(comparison, "interpolating", Better::none,
                                    &SchemeRecord::interpolating,
                                    [](bool yes) { return TableCell{yes ? "yes" : "no"}; }));
-  const auto add = [&](const std::string& name, int PolynomialOrders::*order) {
-    section.rows.push_back(row<PolynomialOrders>(
-        comparison, name, Better::more, &SchemeRecord::orders,
-        [order](const PolynomialOrders& orders) { return integer_cell(orders.*order); }));
-  };
-  add("sum rules, order", &PolynomialOrders::sum_rules);
-  add("reproduces polynomials of degree", &PolynomialOrders::reproduction);
-  const auto add_proved = [&](const std::string& name,
-                              const std::function<TableCell(const Regularity&)>& cell) {
+  const auto add = [&](const std::string& name,
+                       const std::function<TableCell(const Regularity&)>& cell) {
     section.rows.push_back(
         row<Regularity>(comparison, name, Better::more, &SchemeRecord::regularity, cell));
   };
+  add("sum rules, order", [](const Regularity& one) { return integer_cell(one.orders.sum_rules); });
+  add("reproduces polynomials of degree",
+      [](const Regularity& one) { return integer_cell(one.orders.reproduction); });
   for (std::size_t r = 0; r < 3; ++r)
-    add_proved("C" + std::to_string(r),
-               [r](const Regularity& one) { return truth_cell(one.smoothness[r].verdict); });
-  add_proved("Hölder exponent", holder_cell);
+    add("C" + std::to_string(r),
+        [r](const Regularity& one) { return truth_cell(one.smoothness[r].verdict); });
+  add("Hölder exponent", holder_cell);
   return section;
 }
 
@@ -221,13 +215,6 @@ std::string numbers_text(const std::vector<int>& numbers) {
     i = last + 1;
   }
   return text.empty() ? "none" : text;
-}
-
-std::string bracket_text(double lower, std::optional<double> upper) {
-  const double low = std::floor(lower * kDecimals) / kDecimals;
-  if (!upper) return fmt::format("≥ {:.3f}", low);
-  if (*upper - lower <= kOneNumber) return fmt::format("{:.6g}", (lower + *upper) / 2);
-  return fmt::format("[{:.3f}, {:.3f}]", low, std::ceil(*upper * kDecimals) / kDecimals);
 }
 
 std::vector<TableSection> compare_sections(const Comparison& comparison) {
