@@ -121,7 +121,7 @@ TEST(Regularity, OfTensorBSplinesIsTheirDegree) {
 }
 
 TEST(Regularity, OfTheFourPointSchemeIsTwoAndItIsNotC2) {
-  // [Dubuc 1986]: C¹, the derivative's modulus is h log h
+  // [Dubuc1986]: C¹, the derivative's modulus is h log h
   const Regularity found = enclose_regularity(tensor({-1, 0, 9, 16, 9, 0, -1}, 16, 2)).value();
   EXPECT_EQ(*found.holder.upper, 2);
   EXPECT_GE(found.holder.lower, 1.99);
