@@ -5,6 +5,7 @@
 #include <Eigen/Dense>
 #include <Eigen/Eigenvalues>
 #include <cmath>
+#include <complex>
 #include <random>
 
 #include "limn/regular/approx_matrix.h"
@@ -114,15 +115,20 @@ TEST(JointSpectralRadius, LiesWithinWhatAllProductsGive) {
   }
 }
 
+RationalMatrix inverse_of_unimodular(const RationalMatrix& a) {
+  const Eigen::MatrixXd inverse = approx_matrix(a).inverse();
+  RationalMatrix result(a.size(), FieldVector<Rational>(a.size(), Rational(0)));
+  for (std::size_t i = 0; i < a.size(); ++i)
+    for (std::size_t j = 0; j < a.size(); ++j)
+      result[i][j] = static_cast<int>(
+          std::lround(inverse(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j))));
+  return result;
+}
+
 TEST(DiagonalBlocks, AreFoundBehindAChangeOfBasis) {
   // blocks 2, 1 and 1, hidden by unimodular matrices; the golden pair leads
   const RationalMatrix hide = matrix({{1, 2, 0, 1}, {0, 1, 3, 0}, {1, 2, 1, 2}, {0, 0, 0, 1}});
-  RationalMatrix show(4, FieldVector<Rational>(4, Rational(0)));
-  const Eigen::MatrixXd inverse = approx_matrix(hide).inverse();
-  for (std::size_t i = 0; i < 4; ++i)
-    for (std::size_t j = 0; j < 4; ++j)
-      show[i][j] = static_cast<int>(
-          std::lround(inverse(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j))));
+  const RationalMatrix show = inverse_of_unimodular(hide);
   std::vector<RationalMatrix> matrices;
   for (const auto& rows : {matrix({{1, 1, 5, 2}, {0, 1, 1, 1}, {0, 0, 1, 3}, {0, 0, 0, -1}}),
                            matrix({{1, 0, 2, 2}, {1, 1, 0, 1}, {0, 0, -1, 7}, {0, 0, 0, 1}})})
@@ -135,6 +141,33 @@ TEST(DiagonalBlocks, AreFoundBehindAChangeOfBasis) {
   std::sort(sizes.begin(), sizes.end());
   EXPECT_EQ(sizes, (std::vector<std::size_t>{1, 1, 2}));
   expect_encloses(enclose_joint_spectral_radius(matrices), (1 + std::sqrt(5)) / 2, 1e-7);
+}
+
+TEST(SpectralRadius, IsNotBoundedByWhatRoundingMakesOfJordanBlocks) {
+  // 1/3 + N, hidden: in double precision the eigenvalues lie round 1/3, some of them beyond it
+  int beyond = 0;
+  for (std::size_t size = 2; size <= 5; ++size)
+    for (int variant = 1; variant <= 6; ++variant) {
+      RationalMatrix left(size, FieldVector<Rational>(size, Rational(0)));
+      RationalMatrix right = left;
+      RationalMatrix jordan = left;
+      for (std::size_t i = 0; i < size; ++i)
+        for (std::size_t j = 0; j < size; ++j) {
+          const int entry = static_cast<int>(3 * i + 5 * j) * variant % 7 - 3;
+          left[i][j] = i == j ? 1 : i > j ? entry : 0;
+          right[i][j] = i == j ? 1 : i < j ? entry : 0;
+          if (i == j) jordan[i][j] = Rational(1, 3);
+          if (j == i + 1) jordan[i][j] = 1;
+        }
+      const RationalMatrix hide = product(left, right);
+      const RationalMatrix hidden = product(product(inverse_of_unimodular(hide), jordan), hide);
+      for (const std::complex<double> value : approx_matrix(hidden).eigenvalues())
+        beyond += value.imag() == 0 && value.real() > (1 + 1e-9) / 3 ? 1 : 0;
+      const double lower = lower_spectral_radius(hidden).lower;
+      EXPECT_LE(lower, 1.0 / 3) << size << ' ' << variant;
+      EXPECT_GE(lower, 0.99 / 3) << size << ' ' << variant;
+    }
+  EXPECT_GT(beyond, 0);
 }
 
 TEST(SpectralRadius, IsBoundedFromBelow) {
