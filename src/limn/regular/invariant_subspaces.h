@@ -1,6 +1,6 @@
 #pragma once
-/// Common invariant subspaces of rational matrices, split off exactly: a small MeatAxe [Parker
-/// 1984; HoltRees1994]. In a basis along a chain of invariant subspaces the matrices are block
+/// Common invariant subspaces of rational matrices, split off exactly: a small MeatAxe [Parker1984;
+/// HoltRees1994]. In a basis along a chain of invariant subspaces the matrices are block
 /// triangular, and their joint spectral radius is the greatest of those of the diagonal blocks.
 
 #include "limn/base/rational.h"

@@ -20,6 +20,7 @@ constexpr double kMostProducts = 4e6;  // times size³: what the search for prod
 constexpr int kLongestProduct = 8;
 // how far above the lower bound polytopes are tried
 constexpr double kLevels[] = {3, 0.5, 0.1, 0.03, 0.007};
+constexpr double kRoot = 4e-15;  // what a root in double precision is off by, and more
 constexpr double kFine = 0.1;
 constexpr double kAtProduct = 1e-8;
 constexpr int kJump = 12;  // the finest level takes so many times the vertices of kFine, or fewer
@@ -66,10 +67,7 @@ class Enclosure {
     result_.upper = result_.lower;
     result_.exact = true;
     for (std::size_t b = 0; b < blocks_.size(); ++b) bound(b);
-    if (result_.exact) {
-      result_.upper = std::nextafter(result_.lower, std::numeric_limits<double>::infinity());
-      result_.upper = std::nextafter(result_.upper, std::numeric_limits<double>::infinity());
-    }
+    if (result_.exact) result_.upper = result_.lower * (1 + kRoot);
     if (result_.lower == 0 && result_.exact) result_.upper = 0;
     return std::move(result_);
   }
@@ -94,7 +92,7 @@ class Enclosure {
         lower_spectral_radius(product_of(blocks_[b].matrices, best.factors));
     double root = proved.lower;
     if (best.factors.size() > 1)  // a root is off by a unit in the last place or two
-      root = std::pow(root, 1.0 / static_cast<double>(best.factors.size())) * (1 - 1e-15);
+      root = std::pow(root, 1.0 / static_cast<double>(best.factors.size())) * (1 - kRoot);
     if (root <= result_.lower) return;
     result_.lower = root;
     result_.product = best.factors;

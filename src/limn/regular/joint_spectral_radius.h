@@ -1,6 +1,6 @@
 #pragma once
 /// The joint spectral radius ρ of rational matrices: the growth of the largest of all products of n
-/// of them, lim max ‖A_{i1} … A_{in}‖^{1/n} [JungersBook]. Common invariant subspaces are split off
+/// of them, lim max ‖A_{i1} … A_{in}‖^{1/n} [Jungers2009]. Common invariant subspaces are split off
 /// first; then ρ lies between the spectral radius of a product (proved by an exact determinant) and
 /// a norm, that of a polytope (proved in doubles rounded outwards).
 

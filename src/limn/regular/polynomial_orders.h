@@ -9,7 +9,7 @@ namespace limn {
 struct PolynomialOrders {
   /// The largest k for which the moments Σ_j p(j) a(j) over each coset of M Z² are equal for all
   /// p of degree < k. Then the scheme maps polynomials of degree < k to such, and where the shifts
-  /// of φ are stable, k - 1 bounds the r of C^r [CDM §8; Jia 1998].
+  /// of φ are stable, k - 1 bounds the r of C^r [CDM §8; Jia1998].
   int sum_rules = 0;
   /// The largest d such that sampled polynomials of degree ≤ d have themselves as limits, sample
   /// points as in the mask's own parametrisation (its mean offset moved to 0): ≤ sum_rules - 1;

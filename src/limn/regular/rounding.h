@@ -1,6 +1,6 @@
 #pragma once
 /// Bounds of rounding errors that hold in double precision, whatever the order of summation
-/// [Higham 2002, §3].
+/// [Higham2002, §3].
 
 #include <Eigen/Core>
 #include <limits>

@@ -134,7 +134,7 @@ double bound_of_traces(const Eigen::MatrixXd& approx, double scale) {
 std::optional<Rational> rational_eigenvalue(const RationalMatrix& a, double root) {
   std::optional<Rational> last;
   for (const double part : {1e-13, 1e-9, 1e-6, 1e-4}) {
-    const std::optional<Rational> fraction = simple_fraction(root, part);
+    std::optional<Rational> fraction = simple_fraction(root, part);
     if (!fraction || fraction == last) continue;
     if (sign_of_determinant(shifted(a, *fraction)) == 0) return fraction;
     last = fraction;

@@ -1,8 +1,8 @@
 #pragma once
 /// The transition operators of a mask: for each digit ε, a member of each class of Z² modulo M Z²,
-/// (T_ε v)(i) = Σ_l a(ε + M i - l) v(l) on finite sequences. Products of n of them are what n steps
-/// do, seen from each point: (S^n v)(ε_1 + M ε_2 + … + M^n i) = (T_{ε_n} … T_{ε_1} v)(i)
-/// [CDM; JungersBook §5; Protasov2001].
+/// (T_ε v)(i) = Σ_l a(ε + M i - l) v(l) on finite sequences. A difference v of the unit impulse
+/// refined n times is (v * Sⁿδ)(ε_1 + M ε_2 + … + Mⁿ i) = (T_{ε_n} … T_{ε_1} v)(i), so that
+/// products of the operators tell how fast differences shrink [CDM; Jungers2009 §5].
 
 #include <vector>
 

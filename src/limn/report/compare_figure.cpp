@@ -9,6 +9,7 @@
 namespace limn {
 namespace {
 
+constexpr Colour kGreen = {0.45, 0.78, 0.45}, kPink = {0.96, 0.56, 0.68};  // of [KS]
 constexpr Colour kDarkGreen = {0.02, 0.33, 0.10}, kDarkPink = {0.62, 0.03, 0.25};
 constexpr int kColumns = 2;
 
