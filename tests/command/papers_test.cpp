@@ -57,8 +57,8 @@ TEST(PapersCommand, MakesBarthesFiguresAndTables) {
 std::vector<double> column(const Folder& folder, const std::string& path, const std::string& name) {
   const auto table = nlohmann::json::parse(folder.read(path));
   const auto& columns = table.at("columns");
-  const auto at = static_cast<std::size_t>(std::find(columns.begin(), columns.end(), name) -
-                                           columns.begin());
+  const auto at =
+      static_cast<std::size_t>(std::find(columns.begin(), columns.end(), name) - columns.begin());
   std::vector<double> values;
   for (const auto& row : table.at("rows")) values.push_back(row.at(at));
   return values;
@@ -76,7 +76,8 @@ TEST(PapersCommand, MakesKawaharadasFiguresAndJudgesItsClaims) {
       EXPECT_GT(folder.read("ks/" + std::string(stem) + extension).size(), 50U) << stem;
   }
   for (const char* mesh : {"torus", "cube", "raised"})
-    EXPECT_EQ(folder.limn(std::string("refine ks/") + mesh + ".obj -s loop -n 1 -o fine.obj").code, 0);
+    EXPECT_EQ(folder.limn(std::string("refine ks/") + mesh + ".obj -s loop -n 1 -o fine.obj").code,
+              0);
 
   // [KS Fig. 21] the stencil, reconstructed: 1/384 of the mask's numbers
   EXPECT_EQ(column(folder, "ks/stencils.json", "b_1_8"),
@@ -91,7 +92,8 @@ TEST(PapersCommand, MakesKawaharadasFiguresAndJudgesItsClaims) {
     EXPECT_GT(volumes.at(1), volumes.at(0));
   }
   // −μ1 − μ1² < a < μ1 − μ1², from the whole neighbourhood
-  const auto low = column(folder, "ks/range.json", "low"), high = column(folder, "ks/range.json", "high");
+  const auto low = column(folder, "ks/range.json", "low"),
+             high = column(folder, "ks/range.json", "high");
   ASSERT_EQ(low.size(), 18U);
   for (std::size_t i = 0; i < low.size(); ++i) {
     const double tangent = 3 / 8. + std::cos(2 * std::numbers::pi / static_cast<double>(i + 3)) / 4;

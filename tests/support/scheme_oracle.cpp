@@ -225,7 +225,8 @@ std::optional<std::string> failed_equivalence(const Scheme& scheme, const Equiva
     const std::string what = "same as " + same.scheme + " at valence " + std::to_string(n) + ": ";
     const std::optional<Scheme> other = set_as_stated(scheme, same, n);
     if (!other) return what + "that scheme or its parameter is refused";
-    // no more, so that no row belongs to a vertex of another valence: the numbers set are those at n
+    // no more, so that no row belongs to a vertex of another valence: the numbers set are those at
+    // n
     const int rings = invariant_rings(scheme, n).value();
     const auto one = subdivision_matrix<double>(scheme, n, rings);
     const auto two = subdivision_matrix<double>(*other, n, rings);

@@ -41,9 +41,9 @@ struct CompareView {
   double resolution = 200;               ///< pixels an inch
 };
 
-/// The first surface against each of the others: both alone, both `overlaid`, and the other coloured by
-/// its distance to the first. All pictures have one scale. `distances` as from approx_distances.
-/// Precondition: at least two surfaces.
+/// The first surface against each of the others: both alone, both `overlaid`, and the other
+/// coloured by its distance to the first. All pictures have one scale. `distances` as from
+/// approx_distances. Precondition: at least two surfaces.
 [[nodiscard]] Figure compare_figure(const std::vector<NamedSurface>& surfaces,
                                     const std::vector<PairDistance>& distances,
                                     const CompareView& view = {});

@@ -24,9 +24,9 @@ std::string smoothness_text(int r, const Smoothness& smoothness) {
       fmt::format("C{}  {:<9}  {}", r, to_string(smoothness.verdict), smoothness.reason);
   if (smoothness.power > 0)
     text +=
-        fmt::format("; {} of the differences of order {} have norm {}",
+        fmt::format("; {} of the differences of order {} {} norm ≤ {}",
                     smoothness.power == 1 ? "one step" : fmt::format("{} steps", smoothness.power),
-                    r + 1, rounded_up(smoothness.norm));
+                    r + 1, smoothness.power == 1 ? "has" : "have", rounded_up(smoothness.norm));
   return text + "\n";
 }
 
@@ -43,12 +43,13 @@ std::string radius_text(const HolderBracket& bracket) {
   text += '\n';
   int single = 0;
   for (const JointSpectralRadius::Block& block : radius.blocks) single += block.size == 1 ? 1 : 0;
-  if (single > 0) text += fmt::format("  {} of 1 row\n", single);
+  if (single > 0)
+    text += fmt::format("  {} {} of 1 row\n", single, single == 1 ? "block" : "blocks");
   for (const JointSpectralRadius::Block& block : radius.blocks) {
     if (block.size == 1) continue;
-    text +=
-        fmt::format("  {}{} rows, ≤ {}", block.irreducible ? "" : "perhaps reducible: ", block.size,
-                    rounded_up(block.upper));
+    text += fmt::format("  {}a block of {} rows, ≤ {}",
+                        block.irreducible ? "" : "perhaps reducible: ", block.size,
+                        rounded_up(block.upper));
     if (block.vertices > 0) text += fmt::format(" by a polytope of {} vertices", block.vertices);
     text += '\n';
   }

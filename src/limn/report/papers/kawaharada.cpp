@@ -8,7 +8,8 @@ namespace {
 constexpr const char* kTitle = "Laplacian subdivision and optimal schemes, made anew";
 constexpr const char* kCitation =
     "H. Kawaharada, K. Sugihara: Laplacian Subdivision and Optimal Schemes. Mathematical "
-    "Engineering Technical Reports METR 2006-42, University of Tokyo, 2006. Every figure and number "
+    "Engineering Technical Reports METR 2006-42, University of Tokyo, 2006. Every figure and "
+    "number "
     "here is computed by limn from the rules in its scheme files.";
 
 }  // namespace

@@ -71,17 +71,20 @@ Result<std::string> low_pass_at_three(const Members& members) {
 
 std::string high_pass_range(const Findings& found) {
   const auto ends = [&](int n) {
-    const RangePart& part = found.a_of_high[static_cast<std::size_t>(n - kFirstValence)].parts.front();
+    const RangePart& part =
+        found.a_of_high[static_cast<std::size_t>(n - kFirstValence)].parts.front();
     return fmt::format("{:.4f} < a < {:.4f} at k = {}", part.low.value, part.high.value, n);
   };
-  return fmt::format("refined: {}, {}. The upper end is the paper's; the lower one, −μ1 − μ1², is "
-                     "negative: low passes are C1 too. See the table above",
-                     ends(3), ends(6));
+  return fmt::format(
+      "refined: {}, {}. The upper end is the paper's; the lower one, −μ1 − μ1², is "
+      "negative: low passes are C1 too. See the table above",
+      ends(3), ends(6));
 }
 
 std::string lost_smoothness(const Findings& found) {
   return fmt::format(
-      "refined. It is C1 at regular vertices: Hölder exponent in {} for the paper's a, in {} for the "
+      "refined. It is C1 at regular vertices: Hölder exponent in {} for the paper's a, in {} for "
+      "the "
       "low pass. But it is no longer C2, as Loop is ({}), and that nearly everywhere: at k = 6 the "
       "high pass has the cup eigenvalue {:.4f}, more than μ1² = {:.4f}, so that curvature is "
       "unbounded at every vertex of every level. The paper does not mention it",
@@ -102,17 +105,18 @@ Result<std::string> outlines(Studio& studio) {
       volumes.push_back(size_of(**surface).volume);
     }
     ordered = ordered && volumes[0] < volumes[1] && volumes[1] < volumes[2];
-    words += fmt::format("{}{}: {:.4f} (low pass), {:.4f} (Loop), {:.4f} (high pass)",
-                         words.empty() ? "" : "; ", control->name, volumes[0], volumes[1], volumes[2]);
+    words +=
+        fmt::format("{}{}: {:.4f} (low pass), {:.4f} (Loop), {:.4f} (high pass)",
+                    words.empty() ? "" : "; ", control->name, volumes[0], volumes[1], volumes[2]);
   }
-  return (ordered ? "confirmed, by the enclosed volumes. " : "not confirmed by the enclosed volumes. ") +
+  return (ordered ? "confirmed, by the enclosed volumes. "
+                  : "not confirmed by the enclosed volumes. ") +
          words;
 }
 
 const FairnessRecord& record_of(const std::vector<FairnessRecord>& records, const Member& member) {
-  return *std::find_if(records.begin(), records.end(), [&](const FairnessRecord& one) {
-    return one.scheme == member.words;
-  });
+  return *std::find_if(records.begin(), records.end(),
+                       [&](const FairnessRecord& one) { return one.scheme == member.words; });
 }
 
 }  // namespace

@@ -13,9 +13,10 @@ constexpr int kSteps = 60;  // of b from 1/3 to 2/3
 /// [KS §4.1] b = 1/4.
 std::string at_a_quarter(const Findings& found) {
   const Eigencomponents& at = found.quarter.at(6);
-  return fmt::format("confirmed: at a regular vertex the cup eigenvalue is {:.4f}, the tangent's "
-                     "{:.4f}; C1: {}",
-                     *at.cup, *at.tangent, to_string(found.quarter.regularity.smoothness[1].verdict));
+  return fmt::format(
+      "confirmed: at a regular vertex the cup eigenvalue is {:.4f}, the tangent's "
+      "{:.4f}; C1: {}",
+      *at.cup, *at.tangent, to_string(found.quarter.regularity.smoothness[1].verdict));
 }
 
 /// [KS §4.1] 0 ≤ b < 1/4.
@@ -25,11 +26,12 @@ std::string butterfly_range(const Findings& found) {
   for (const RangePart& part : range.parts)
     words += fmt::format("At regular vertices C1 is not ruled out for {:.6f} {} b < {:.6f}. ",
                          part.low.value, part.low.of_search ? "≤" : "<", part.high.value);
-  return words + fmt::format("Proved: the Hölder exponent is in {} at b = 0, in {} at b = 1/8, in {} "
-                             "at b = 3/16: C1, and rougher than the butterfly",
-                             bracket_text(found.butterfly.regularity.holder),
-                             bracket_text(found.eighth.regularity.holder),
-                             bracket_text(found.sixteenths.regularity.holder));
+  return words + fmt::format(
+                     "Proved: the Hölder exponent is in {} at b = 0, in {} at b = 1/8, in {} "
+                     "at b = 3/16: C1, and rougher than the butterfly",
+                     bracket_text(found.butterfly.regularity.holder),
+                     bracket_text(found.eighth.regularity.holder),
+                     bracket_text(found.sixteenths.regularity.holder));
 }
 
 /// μ1/μ2 of the 1-ring, in which the paper's eigenvalues are all there are.
@@ -61,7 +63,8 @@ Result<std::string> best_choice() {
     words += fmt::format("{}{:.4f} at k = {}, b = {:.4f}", words.empty() ? "" : ", ", best, n,
                          (kSteps + where) / (3. * kSteps));
   }
-  return "confirmed on the 1-ring, which has the paper's eigenvalues alone; the greatest μ1/μ2 are " +
+  return "confirmed on the 1-ring, which has the paper's eigenvalues alone; the greatest μ1/μ2 "
+         "are " +
          words;
 }
 
@@ -75,10 +78,11 @@ std::string type_range(const Findings& found) {
         low = part.low.value;
         where = range.valence;
       }
-  return fmt::format("refined. The whole neighbourhood has the eigenvalue c too, in the second ring. "
-                     "With the cup at μ1² the condition is b > {:.6f} for all k, at k = {} the "
-                     "strictest, which is b > 2c: b = 2c itself is a tie ({})",
-                     low, where, found.b_of_type.front().parts.front().low.reason);
+  return fmt::format(
+      "refined. The whole neighbourhood has the eigenvalue c too, in the second ring. "
+      "With the cup at μ1² the condition is b > {:.6f} for all k, at k = {} the "
+      "strictest, which is b > 2c: b = 2c itself is a tie ({})",
+      low, where, found.b_of_type.front().parts.front().low.reason);
 }
 
 std::string optimal_at_three(const Findings& found) {
@@ -93,9 +97,11 @@ std::string optimal_at_three(const Findings& found) {
       }
   return fmt::format(
       "contradicted at k = 3, and refined. There |b + 2c − kβ| < |b + 2c cos(2π/k)| holds, but the "
-      "tangent's {:.4f} is also c, an eigenvalue of the outer ring: {} eigenvalues are equal, with a "
+      "tangent's {:.4f} is also c, an eigenvalue of the outer ring: {} eigenvalues are equal, with "
+      "a "
       "Jordan block of size {}: C1 necessary: {} (optimal), {} (high pass), {} (low pass). At the "
-      "other k up to {} the condition is not ruled out. At regular vertices the Hölder exponents are "
+      "other k up to {} the condition is not ruled out. At regular vertices the Hölder exponents "
+      "are "
       "in {}, {} and {}: C1, and none is C2, as Loop is",
       *at.tangent, count, jordan, to_string(at.verdict.c1_necessary),
       to_string(found.optimal_high.at(3).verdict.c1_necessary),
@@ -107,10 +113,10 @@ std::string optimal_at_three(const Findings& found) {
 
 std::string optimal_at_four(const Findings& found) {
   const Eigencomponents& at = found.optimal.at(4);
-  return fmt::format("contradicted at k = 4: an outer eigenvalue 1/6 = {:.4f} leads frequency 0 and "
-                     "exceeds μ1² = {:.4f}; curvature is unbounded there, and at k = {}",
-                     *at.cup, *at.tangent * *at.tangent,
-                     valences_text(found.optimal, unbounds_curvature));
+  return fmt::format(
+      "contradicted at k = 4: an outer eigenvalue 1/6 = {:.4f} leads frequency 0 and "
+      "exceeds μ1² = {:.4f}; curvature is unbounded there, and at k = {}",
+      *at.cup, *at.tangent * *at.tangent, valences_text(found.optimal, unbounds_curvature));
 }
 
 }  // namespace

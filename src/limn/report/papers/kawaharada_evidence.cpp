@@ -22,8 +22,8 @@ std::string yes_no(Truth truth) { return std::string(to_string(truth)); }
 /// Smoothness of every member: on the regular lattice, and where its vertices are irregular.
 Status add_smoothness_table(PaperPage& page, const std::vector<const Evidence*>& all) {
   std::vector<std::vector<std::string>> rows{{"scheme", "Hölder exponent, regular vertices", "C1",
-                                              "C2", "C1 ruled out at n =",
-                                              "curvature unbounded at n ="}};
+                                              "C2",
+                                              "C1 ruled out at n =", "curvature unbounded at n ="}};
   DataTable numbers{{"scheme", "holder_lower", "holder_upper"}, {}};
   for (const Evidence* one : all) {
     const HolderBracket& bracket = one->regularity.holder;
@@ -31,8 +31,8 @@ Status add_smoothness_table(PaperPage& page, const std::vector<const Evidence*>&
                     yes_no(one->regularity.smoothness[1].verdict),
                     yes_no(one->regularity.smoothness[2].verdict), valences_text(*one, fails_c1),
                     valences_text(*one, unbounds_curvature)});
-    numbers.rows.push_back({static_cast<double>(numbers.rows.size() + 1), bracket.lower,
-                            bracket.upper.value_or(NAN)});
+    numbers.rows.push_back(
+        {static_cast<double>(numbers.rows.size() + 1), bracket.lower, bracket.upper.value_or(NAN)});
   }
   return page.add_table(
       {"Smoothness", "smoothness"}, rows, numbers,
@@ -55,7 +55,10 @@ Status add_range_table(PaperPage& page, const std::vector<ValenceRange>& ranges,
     const double low = -tangent - tangent * tangent, high = tangent - tangent * tangent;
     if (range.parts.size() != 1)
       return Error{fmt::format("the range of a at valence {} has {} parts", n, range.parts.size()),
-                   {}, {}, 0, 0};
+                   {},
+                   {},
+                   0,
+                   0};
     const RangePart& part = range.parts.front();
     worst = std::max({worst, std::abs(part.low.value - low), std::abs(part.high.value - high)});
     rows.push_back({fmt::format("{}", n), fmt::format("{:.6f}", high),
@@ -65,10 +68,11 @@ Status add_range_table(PaperPage& page, const std::vector<ValenceRange>& ranges,
   }
   return page.add_table(
       {"§3.3, the range of a", "range"}, rows, numbers,
-      fmt::format("`limn tune laplacian-loop --free a --require c1 --valence 3..{} --range`; it "
-                  "differs from the formula by at most {:.0e}. Negative a, which smooth, are as good "
-                  "as positive ones: the paper's lower bound 0 is not needed.",
-                  kLastRangeValence, worst));
+      fmt::format(
+          "`limn tune laplacian-loop --free a --require c1 --valence 3..{} --range`; it "
+          "differs from the formula by at most {:.0e}. Negative a, which smooth, are as good "
+          "as positive ones: the paper's lower bound 0 is not needed.",
+          kLastRangeValence, worst));
 }
 
 /// μ1 of Loop, which the high pass does not change, at the valences of the ranges.
@@ -105,10 +109,11 @@ Status add_fairness_table(PaperPage& page, const Control& control,
     numbers.rows.push_back({static_cast<double>(numbers.rows.size() + 1), last.laplacian_energy,
                             last.energies.thin_plate, last.energies.curvature_variation});
   }
-  return page.add_table({"Fairness: " + control.title, "fairness-" + control.name}, rows, numbers,
-                        fmt::format("`limn fairness {}.obj -s …` after {} steps, at limit points. The "
-                                    "paper judges by eye; smaller is fairer.",
-                                    control.name, records.front().last().level));
+  return page.add_table(
+      {"Fairness: " + control.title, "fairness-" + control.name}, rows, numbers,
+      fmt::format("`limn fairness {}.obj -s …` after {} steps, at limit points. The "
+                  "paper judges by eye; smaller is fairer.",
+                  control.name, records.front().last().level));
 }
 
 Result<std::vector<FairnessRecord>> fairness_of(PaperPage& page, const Control& control,
@@ -184,12 +189,16 @@ Result<std::vector<ValenceRange>> c1_ranges(const std::string& scheme, const std
 Result<Findings> find_all(PaperPage& page, Studio& studio) {
   Findings found;
   const Members& m = studio.members;
-  const std::vector<std::pair<Evidence*, const Member*>> all{
-      {&found.loop, &m.loop},           {&found.high, &m.high},
-      {&found.low, &m.low},             {&found.butterfly, &m.butterfly},
-      {&found.eighth, &m.eighth},       {&found.sixteenths, &m.sixteenths},
-      {&found.quarter, &m.quarter},     {&found.optimal, &m.optimal},
-      {&found.optimal_high, &m.optimal_high}, {&found.optimal_low, &m.optimal_low}};
+  const std::vector<std::pair<Evidence*, const Member*>> all{{&found.loop, &m.loop},
+                                                             {&found.high, &m.high},
+                                                             {&found.low, &m.low},
+                                                             {&found.butterfly, &m.butterfly},
+                                                             {&found.eighth, &m.eighth},
+                                                             {&found.sixteenths, &m.sixteenths},
+                                                             {&found.quarter, &m.quarter},
+                                                             {&found.optimal, &m.optimal},
+                                                             {&found.optimal_high, &m.optimal_high},
+                                                             {&found.optimal_low, &m.optimal_low}};
   std::vector<const Evidence*> evidence;
   for (const auto& [place, member] : all) {
     Result<Evidence> one = evidence_of(*member);

@@ -8,7 +8,7 @@
 namespace limn::ks {
 namespace {
 
-constexpr Index kAround = 12, kAcross = 6;    // edges of the torus
+constexpr Index kAround = 12, kAcross = 6;   // edges of the torus
 constexpr double kMajor = 1, kMinor = 0.45;  // its radii
 constexpr Index kRings = 4;                  // round the raised vertex
 
@@ -40,8 +40,13 @@ Control torus_control() {
       const double radius = kMajor + kMinor * std::cos(v);
       points.push_back({radius * std::cos(u), radius * std::sin(u), kMinor * std::sin(v)});
     }
-  return {"torus", "a torus of 12 × 6 vertices, each with six edges",
-          torus(Lattice::triangle, kAround, kAcross), std::move(points), 5, -60, 40};
+  return {"torus",
+          "a torus of 12 × 6 vertices, each with six edges",
+          torus(Lattice::triangle, kAround, kAcross),
+          std::move(points),
+          5,
+          -60,
+          40};
 }
 
 Control cube_control() {
@@ -53,8 +58,13 @@ Control cube_control() {
     cube.corners.insert(cube.corners.end(), triangle.begin(), triangle.end());
     cube.face_begin.push_back(static_cast<Index>(cube.corners.size()));
   }
-  return {"cube", "a cube with a diagonal in each face: four vertices have three edges, four have six",
-          Mesh::build(cube).value(), cube.positions, 6, -56, 26};
+  return {"cube",
+          "a cube with a diagonal in each face: four vertices have three edges, four have six",
+          Mesh::build(cube).value(),
+          cube.positions,
+          6,
+          -56,
+          26};
 }
 
 Control raised_control() {
@@ -67,8 +77,13 @@ Control raised_control() {
         points.push_back({(ring - k) * std::cos(from) + k * std::cos(to),
                           (ring - k) * std::sin(from) + k * std::sin(to), 0});
       }
-  return {"raised", "a flat regular mesh with one vertex raised by 1", std::move(mesh),
-          std::move(points), 5, -70, 22};
+  return {"raised",
+          "a flat regular mesh with one vertex raised by 1",
+          std::move(mesh),
+          std::move(points),
+          5,
+          -70,
+          22};
 }
 
 }  // namespace limn::ks

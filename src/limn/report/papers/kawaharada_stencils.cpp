@@ -2,8 +2,8 @@
 #include <numbers>
 #include <random>
 
-#include <Eigen/Dense>
 #include <fmt/core.h>
+#include <Eigen/Dense>
 
 #include "limn/number/exact.h"
 #include "limn/refine/subdivision_matrix.h"
@@ -107,8 +107,8 @@ Status add_stencils(PaperPage& page, const Members& members) {
                                     {"opposite", "straight beyond an end (2)"}}) {
     rows.push_back({words});
     numbers.rows.push_back({static_cast<double>(numbers.rows.size() + 1)});
-    for (const Member* member : {&members.butterfly, &whole, &members.quarter, &members.eighth,
-                                 &members.sixteenths}) {
+    for (const Member* member :
+         {&members.butterfly, &whole, &members.quarter, &members.eighth, &members.sixteenths}) {
       const Result<std::string> weight = edge_weight(*member, role);
       if (!weight) return weight.error();
       rows.back().push_back(*weight);
@@ -150,17 +150,20 @@ Status add_differences(PaperPage& page, const Members& members) {
     if (!limit) return limit.error();
     const AffineFit found = fit(*limit);
     worst = std::max(worst, found.distance);
-    if (n % 2 == 1 && n < 10) axes += fmt::format("{}{:.2f} at k = {}", axes.empty() ? "" : ", ", found.axes, n);
+    if (n % 2 == 1 && n < 10)
+      axes += fmt::format("{}{:.2f} at k = {}", axes.empty() ? "" : ", ", found.axes, n);
   }
   return page.add_figure(
       {"Figure 36", "fig36"}, figure, numbers,
-      "difference vectors at the limit: a regular k-gon or its expansion in one direction where k is "
+      "difference vectors at the limit: a regular k-gon or its expansion in one direction where k "
+      "is "
       "even, a regular k-gon where k is odd.",
-      fmt::format("an affine image of the regular k-gon for every k, even or odd: the tangent pair's "
-                  "two eigenvectors have independent coefficients. From random vectors at k = 5 … 20 "
-                  "the limit is such an image to {:.0e}, and the half-axes of the ellipse through it "
-                  "have the ratios {}.",
-                  worst, axes));
+      fmt::format(
+          "an affine image of the regular k-gon for every k, even or odd: the tangent pair's "
+          "two eigenvectors have independent coefficients. From random vectors at k = 5 … 20 "
+          "the limit is such an image to {:.0e}, and the half-axes of the ellipse through it "
+          "have the ratios {}.",
+          worst, axes));
 }
 
 }  // namespace limn::ks

@@ -20,29 +20,16 @@ constexpr double kResolution = 200;
 constexpr double kSupport = 3.01;  // where basis functions are not 0
 constexpr double kFar = std::numeric_limits<double>::infinity();
 
-/// The box of the control points.
-SpaceBox frame_of(const Control& control) {
-  SpaceBox box{{kFar, kFar, kFar}, {-kFar, -kFar, -kFar}};
-  for (const Point3& point : control.points) {
-    const SpaceVector p{point.x, point.y, point.z};
-    for (std::size_t i = 0; i < 3; ++i) {
-      box.low[i] = std::min(box.low[i], p[i]);
-      box.high[i] = std::max(box.high[i], p[i]);
-    }
-  }
-  return box;
-}
-
-SurfaceScene empty_scene(const Control& control) {
+SurfaceScene empty_scene(const Control& control, const ViewFrame& frame) {
   SurfaceScene scene;
   scene.azimuth = control.azimuth;
   scene.elevation = control.elevation;
-  scene.frame = frame_of(control);
+  scene.seen_frame = frame;
   return scene;
 }
 
 /// The control mesh with flat faces.
-ShadedPanel control_panel(const Control& control) {
+ShadedPanel control_panel(const Control& control, const ViewFrame& frame) {
   SmoothSurface faces;
   for (Index f = 0; f < control.mesh.face_count(); ++f) {
     const Index first = control.mesh.face_begin(f);
@@ -56,7 +43,7 @@ ShadedPanel control_panel(const Control& control) {
     }
     faces.triangles.push_back({at, at + 1, at + 2});
   }
-  SurfaceScene scene = empty_scene(control);
+  SurfaceScene scene = empty_scene(control, frame);
   scene.surfaces.push_back(std::move(faces));
   scene.net = control_net(control.mesh, control.points);
   return {.scene = std::move(scene), .resolution = kResolution};
@@ -86,13 +73,29 @@ std::string found_words(const Control& control, const Plate& plate, const DataTa
   return words + ".";
 }
 
+/// What shows all that is in a plate.
+Result<ViewFrame> frame_of(Studio& studio, const Control& control, const Plate& plate) {
+  SurfaceScene all;
+  all.azimuth = control.azimuth;
+  all.elevation = control.elevation;
+  if (plate.shows_control) all.net = control_net(control.mesh, control.points);
+  std::vector<Member> members = plate.alone;
+  for (const auto& [green, pink] : plate.overlaid) members.insert(members.end(), {green, pink});
+  for (const Member& member : members) {
+    const auto surface = studio.surface(control, member);
+    if (!surface) return surface.error();
+    all.surfaces.emplace_back().vertices = (*surface)->vertices;
+  }
+  return limn::frame_of(all);
+}
+
 Status add_alone(Figure& figure, DataTable& numbers, Studio& studio, const Control& control,
-                 const Plate& plate) {
+                 const Plate& plate, const ViewFrame& frame) {
   numbers.columns = {"surface", "area", "volume", "lowest", "highest"};
   for (const Member& member : plate.alone) {
     const auto surface = studio.surface(control, member);
     if (!surface) return surface.error();
-    SurfaceScene scene = empty_scene(control);
+    SurfaceScene scene = empty_scene(control, frame);
     scene.surfaces.push_back(**surface);
     figure.add(ShadedPanel{.scene = std::move(scene), .resolution = kResolution}, member.words);
     const SurfaceSize size = size_of(**surface);
@@ -105,22 +108,27 @@ Status add_alone(Figure& figure, DataTable& numbers, Studio& studio, const Contr
 /// The part of a surface beyond the vertical plane through the middle of its control mesh, as the
 /// viewer sees it: what it covers comes to light.
 SmoothSurface far_half(const SmoothSurface& surface, const Control& control) {
-  const SpaceBox box = frame_of(control);
   const double azimuth = control.azimuth * std::numbers::pi / 180;
-  const auto nearness = [&](int v) {
-    const SpaceVector& p = surface.vertices[static_cast<std::size_t>(v)];
-    return std::cos(azimuth) * (p[0] - (box.low[0] + box.high[0]) / 2) +
-           std::sin(azimuth) * (p[1] - (box.low[1] + box.high[1]) / 2);
+  const auto nearness = [&](double x, double y) {
+    return std::cos(azimuth) * x + std::sin(azimuth) * y;
   };
+  double middle = 0;
+  for (const Point3& p : control.points) middle += nearness(p.x, p.y);
+  middle /= static_cast<double>(control.points.size());
   SmoothSurface half = surface;
   std::erase_if(half.triangles, [&](const std::array<int, 3>& t) {
-    return nearness(t[0]) + nearness(t[1]) + nearness(t[2]) > 0;
+    double sum = 0;
+    for (const int v : t) {
+      const SpaceVector& p = surface.vertices[static_cast<std::size_t>(v)];
+      sum += nearness(p[0], p[1]);
+    }
+    return sum > 3 * middle;
   });
   return half;
 }
 
 Status add_overlays(Figure& figure, DataTable& numbers, Studio& studio, const Control& control,
-                    const Plate& plate) {
+                    const Plate& plate, const ViewFrame& frame) {
   numbers.columns = {"pair", "largest_distance", "mean_distance", "diagonal"};
   for (const auto& [green, pink] : plate.overlaid) {
     const auto first = studio.surface(control, green), second = studio.surface(control, pink);
@@ -130,7 +138,7 @@ Status add_overlays(Figure& figure, DataTable& numbers, Studio& studio, const Co
         approx_surface_distance(polygons_of(**first), polygons_of(**second));
     if (!apart) return apart.error();
     ShadedPanel panel = overlaid({green.words, **first}, {pink.words, **second});
-    SurfaceScene scene = empty_scene(control);
+    SurfaceScene scene = empty_scene(control, frame);
     scene.surfaces = std::move(panel.scene.surfaces);
     panel.scene = std::move(scene);
     panel.resolution = kResolution;
@@ -149,12 +157,15 @@ Status add_overlays(Figure& figure, DataTable& numbers, Studio& studio, const Co
 Status add_plate(PaperPage& page, Studio& studio, const Control& control, const Plate& plate) {
   Figure figure(2);
   DataTable numbers;
-  if (plate.shows_control) figure.add(control_panel(control), control.title);
+  const Result<ViewFrame> frame = frame_of(studio, control, plate);
+  if (!frame) return frame.error();
+  if (plate.shows_control) figure.add(control_panel(control, *frame), control.title);
   const Status status = plate.overlaid.empty()
-                            ? add_alone(figure, numbers, studio, control, plate)
-                            : add_overlays(figure, numbers, studio, control, plate);
+                            ? add_alone(figure, numbers, studio, control, plate, *frame)
+                            : add_overlays(figure, numbers, studio, control, plate, *frame);
   if (!status) return status;
-  return page.add_figure(plate.item, figure, numbers, plate.printed, found_words(control, plate, numbers));
+  return page.add_figure(plate.item, figure, numbers, plate.printed,
+                         found_words(control, plate, numbers));
 }
 
 /// The figures of one section, in the paper's order.
@@ -165,7 +176,8 @@ Status add_torus_and_cube(PaperPage& page, Studio& studio) {
   for (const auto& [control, plate] : std::vector<std::pair<const Control*, Plate>>{
            {&studio.torus,
             {{"Figures 6 to 9", "fig06-09"},
-             "a torus and its limit surfaces: Loop, high pass with a = kβ − 2/8 + 2/8 cos(3π/k), low "
+             "a torus and its limit surfaces: Loop, high pass with a = kβ − 2/8 + 2/8 cos(3π/k), "
+             "low "
              "pass with á = 1.",
              true,
              loops}},
@@ -226,26 +238,26 @@ Status add_butterflies(PaperPage& page, Studio& studio) {
   const std::vector<Member> butterflies{m.butterfly, m.eighth, m.sixteenths};
   const std::vector<std::pair<Member, Member>> pairs{{m.butterfly, m.eighth},
                                                      {m.eighth, m.sixteenths}};
-  for (const auto& [control, plate] : std::vector<std::pair<const Control*, Plate>>{
-           {&studio.raised,
-            {{"Figures 23 to 26", "fig23-26"},
-             "a flat mesh with one vertex raised, and the basis functions of the butterfly and of "
-             "the low pass with b = 1/8 and b = 3/16.",
-             true,
-             butterflies}},
-           {&studio.raised,
-            {{"Figures 27 and 28", "fig27-28"},
-             "pairs of basis functions in green and pink.",
-             false,
-             {},
-             pairs}},
-           {&studio.cube,
-            {{"Figures 29 to 32", "fig29-32"},
-             "the same schemes of a cube, with the stencil of Zorin et al. at extraordinary points.",
-             true,
-             butterflies}},
-           {&studio.cube,
-            {{"Figures 33 and 34", "fig33-34"}, "pairs of those.", false, {}, pairs}}})
+  for (
+      const auto& [control, plate] : std::vector<std::pair<const Control*, Plate>>{
+          {&studio.raised,
+           {{"Figures 23 to 26", "fig23-26"},
+            "a flat mesh with one vertex raised, and the basis functions of the butterfly and of "
+            "the low pass with b = 1/8 and b = 3/16.",
+            true,
+            butterflies}},
+          {&studio.raised,
+           {{"Figures 27 and 28", "fig27-28"},
+            "pairs of basis functions in green and pink.",
+            false,
+            {},
+            pairs}},
+          {&studio.cube,
+           {{"Figures 29 to 32", "fig29-32"},
+            "the same schemes of a cube, with the stencil of Zorin et al. at extraordinary points.",
+            true,
+            butterflies}},
+          {&studio.cube, {{"Figures 33 and 34", "fig33-34"}, "pairs of those.", false, {}, pairs}}})
     if (Status status = add_plate(page, studio, *control, plate); !status) return status;
   return Done{};
 }
@@ -282,8 +294,7 @@ Status add_optimal(PaperPage& page, Studio& studio) {
 Status add_control_files(PaperPage& page, const Studio& studio) {
   page.add_heading("Control meshes");
   for (const Control* control : {&studio.torus, &studio.cube, &studio.raised}) {
-    const Result<std::string> text =
-        format_mesh("obj", control->mesh.polygons(control->points));
+    const Result<std::string> text = format_mesh("obj", control->mesh.polygons(control->points));
     if (!text) return text.error();
     if (Status status = page.add_file(control->name + ".obj", *text, control->title); !status)
       return status;

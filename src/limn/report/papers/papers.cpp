@@ -14,7 +14,8 @@ namespace limn {
 const std::vector<Paper>& papers() {
   static const std::vector<Paper> list{
       {"augsdorfer", "U. H. Augsdörfer, N. A. Dodgson, M. A. Sabin",
-       "Artifact analysis on triangular box-spline and subdivision meshes", "fig07", write_augsdorfer},
+       "Artifact analysis on triangular box-spline and subdivision meshes", "fig07",
+       write_augsdorfer},
       {"barthe", "L. Barthe, C. Gérot, M. Sabin, L. Kobbelt",
        "Simple computation of the eigencomponents of a subdivision matrix in the Fourier domain",
        "fig01", write_barthe},
@@ -24,9 +25,10 @@ const std::vector<Paper>& papers() {
 }
 
 Status write_paper_list(const std::string& directory, const std::vector<const Paper*>& written) {
-  std::string body = "<p>Every figure, table and claim of these papers, computed by limn from scheme "
-                     "files. Each page says what the paper prints and what limn finds; figures come "
-                     "as PDF and SVG, their numbers as CSV and JSON.</p>\n";
+  std::string body =
+      "<p>Every figure, table and claim of these papers, computed by limn from scheme "
+      "files. Each page says what the paper prints and what limn finds; figures come "
+      "as PDF and SVG, their numbers as CSV and JSON.</p>\n";
   for (const Paper* paper : written)
     body += fmt::format(
         "<h2><a href=\"{0}/index.html\">{2}</a></h2>\n<p class=\"cite\">{1}</p>\n<figure><a "
