@@ -160,9 +160,9 @@ Status add_plate(PaperPage& page, Studio& studio, const Control& control, const 
   const Result<ViewFrame> frame = frame_of(studio, control, plate);
   if (!frame) return frame.error();
   if (plate.shows_control) figure.add(control_panel(control, *frame), control.title);
-  const Status status = plate.overlaid.empty()
-                            ? add_alone(figure, numbers, studio, control, plate, *frame)
-                            : add_overlays(figure, numbers, studio, control, plate, *frame);
+  Status status = plate.overlaid.empty()
+                      ? add_alone(figure, numbers, studio, control, plate, *frame)
+                      : add_overlays(figure, numbers, studio, control, plate, *frame);
   if (!status) return status;
   return page.add_figure(plate.item, figure, numbers, plate.printed,
                          found_words(control, plate, numbers));
