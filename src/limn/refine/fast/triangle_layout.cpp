@@ -1,0 +1,96 @@
+#include "limn/refine/fast/triangle_layout.h"
+
+#include <cassert>
+#include <numeric>
+
+namespace limn::fast {
+
+Index TriangleLayout::point(Index h, Index x, Index y) const {
+  assert(x >= 0 && y >= 0 && x + y <= n_);
+  const Index f = mesh_->face(h);
+  const Index first = 3 * f;
+  for (Index k = h - first; k > 0; --k) {  // a corner back: the origin was at (n, 0)
+    const Index old = x;
+    x = n_ - x - y;
+    y = old;
+  }
+  if (y == 0) {
+    if (x == 0) return mesh_->origin(first);
+    return x == n_ ? mesh_->origin(first + 1) : edge_point(first, x);
+  }
+  if (x == 0) return y == n_ ? mesh_->origin(first + 2) : edge_point(first + 2, n_ - y);
+  if (x + y == n_) return edge_point(first + 1, y);
+  return face_begin(f) + row_begin(y) + x - 1;
+}
+
+Index TriangleLayout::point_beyond(Index h, Index x, Index y) const {
+  if (x >= 0 && y >= 0 && x + y <= n_) return point(h, x, y);
+  if (x < 0) {  // the next sector of the frame's corner
+    const Index turned = mesh_->twin(mesh_->prev(h));
+    return turned == kNone ? kNone : point(turned, x + y, -x);
+  }
+  if (y < 0) {  // the sector before it
+    const Index across = mesh_->twin(h);
+    return across == kNone ? kNone : point(mesh_->next(across), -y, x + y);
+  }
+  const Index across = mesh_->twin(mesh_->next(h));
+  return across == kNone ? kNone : point(mesh_->next(across), x + y - n_, n_ - x);
+}
+
+void TriangleLayout::column(Index h, Index x, Index* out, std::ptrdiff_t stride) const {
+  const Index f = mesh_->face(h), k = h - 3 * f, last = n_ - x;
+  *out = x == n_ ? mesh_->target(h) : edge_point(h, x);
+  if (last == 0) return;
+  out[last * stride] = edge_point(mesh_->next(h), last);
+  // the inner points' numbers are a quadratic sequence, in whatever frame
+  Index number = last > 1 ? point(h, x, 1) : 0;
+  Index step = k == 0 ? n_ - 2 : k == 1 ? -1 : -x;
+  const Index bend = k == 1 ? 0 : -1;
+  for (Index y = 1; y < last; ++y) {
+    out[y * stride] = number;
+    number += step;
+    step += bend;
+  }
+}
+
+void TriangleLayout::fill_row(Index f, Index y, Index* row) const {
+  const Index h = 3 * f, last = n_ - y;
+  row[0] = point(h, 0, y);
+  row[last] = point(h, last, y);
+  if (last < 2) return;
+  if (y > 0) {
+    std::iota(row + 1, row + last, face_begin(f) + row_begin(y));
+  } else if (const Index begin = edge_begin(mesh_->edge(h)); edge_point(h, 1) == begin) {
+    std::iota(row + 1, row + last, begin);
+  } else {
+    for (Index x = 1; x < last; ++x) row[x] = begin + last - 1 - x;
+  }
+}
+
+void TriangleLayout::write_faces(Index first, Index last, Index* out) const {
+  std::vector<Index> rows(2 * static_cast<std::size_t>(n_) + 2);
+  for (Index f = first; f < last; ++f) {
+    Index* low = rows.data();
+    Index* high = low + n_ + 1;
+    fill_row(f, 0, low);
+    for (Index y = 0; y < n_; ++y) {
+      fill_row(f, y + 1, high);
+      const Index length = n_ - y;
+      for (Index x = 0; x + 1 < length; ++x, out += 6) {
+        out[0] = low[x];
+        out[1] = low[x + 1];
+        out[2] = high[x];
+        out[3] = low[x + 1];
+        out[4] = high[x + 1];
+        out[5] = high[x];
+      }
+      out[0] = low[length - 1];
+      out[1] = low[length];
+      out[2] = high[length - 1];
+      out += 3;
+      std::swap(low, high);
+    }
+  }
+}
+
+}  // namespace limn::fast
