@@ -65,7 +65,9 @@ Status FastRefiner::State::prepare(const Scheme& scheme) {
   if (Status status = check_refinable(scheme, control, levels, sizeof(Point3), kUnlimited); !status)
     return status;
   int first = levels;
-  if (Result<fast::StencilTables> read = fast::read_stencils(scheme, control)) {
+  // without faces the levels would not grow, as evaluate supposes
+  const bool any = control.face_count() > 0;
+  if (Result<fast::StencilTables> read = fast::read_stencils(scheme, control); any && read) {
     tables = std::move(*read);
     const Index grid = std::max(tables.reach.smallest_grid, tables.halo);
     first = 0;

@@ -9,43 +9,84 @@
 namespace limn::fast {
 namespace {
 
-constexpr Index kChunkPoints = 16384;  // fine points that one call of a parallel loop makes
-constexpr int kUnrolled = 16;          // stencils of up to so many taps are unrolled
+constexpr Index kChunkPoints = 16384;   // fine points that one call of a parallel loop makes
+constexpr std::size_t kLargestSum = 8;  // terms that are summed before they are weighed
 
-/// A stencil with its weights in every lane.
+/// Terms of a stencil that have one weight: by symmetry most come in such groups, and adding is
+/// half the work of weighing.
 template <class Real>
-struct LaneStencil {
-  std::vector<Index> slots;
-  std::vector<Vector<Real>> weights;
+struct EqualTerms {
+  std::array<Index, kLargestSum> slots{};  ///< relative to the anchor's
+  std::size_t size = 0;
+  Real weight = 0;
 };
 
-/// Sums of `taps` terms at count anchors, `step` apart, into every second element of `to`.
-/// `unrolled` > 0: taps is known beforehand.
-template <class Real, int unrolled>
-void apply_stencil(const LanePoint<Real>* anchor, std::ptrdiff_t step, Index count,
-                   const LaneStencil<Real>& stencil, LanePoint<Real>* to) {
-  const int taps = unrolled > 0 ? unrolled : static_cast<int>(stencil.slots.size());
-  const Index* slots = stencil.slots.data();
-  const Vector<Real>* weights = stencil.weights.data();
+/// Adds weight · (sum of the terms), or with `first` puts it in place of what is there, at count
+/// anchors, `step` apart, to every second element of `to`.
+template <class Real, std::size_t size, bool first>
+void add_terms(const LanePoint<Real>* anchor, std::ptrdiff_t step, Index count,
+               const EqualTerms<Real>& terms, LanePoint<Real>* to) {
+  std::array<std::ptrdiff_t, size> slots;
+  std::copy_n(terms.slots.begin(), size, slots.begin());
+  const Vector<Real> weight = Vector<Real>{} + terms.weight;
   for (Index i = 0; i < count; ++i, anchor += step, to += 2) {
-    const LanePoint<Real>& first = anchor[slots[0]];
-    LanePoint<Real> sum{weights[0] * first.x, weights[0] * first.y, weights[0] * first.z};
-    for (int t = 1; t < taps; ++t) {
-      const LanePoint<Real>& point = anchor[slots[t]];
-      sum.x += weights[t] * point.x;
-      sum.y += weights[t] * point.y;
-      sum.z += weights[t] * point.z;
+    LanePoint<Real> sum = anchor[slots[0]];
+    for (std::size_t t = 1; t < size; ++t) {
+      sum.x += anchor[slots[t]].x;
+      sum.y += anchor[slots[t]].y;
+      sum.z += anchor[slots[t]].z;
     }
-    *to = sum;
+    if constexpr (first) {
+      *to = {weight * sum.x, weight * sum.y, weight * sum.z};
+    } else {
+      to->x += weight * sum.x;
+      to->y += weight * sum.y;
+      to->z += weight * sum.z;
+    }
   }
 }
 
 template <class Real>
-using Applier = void (*)(const LanePoint<Real>*, std::ptrdiff_t, Index, const LaneStencil<Real>&,
-                         LanePoint<Real>*);
-template <class Real, std::size_t... taps>
-constexpr std::array<Applier<Real>, sizeof...(taps)> make_appliers(std::index_sequence<taps...>) {
-  return {apply_stencil<Real, static_cast<int>(taps)>...};
+using Adder = void (*)(const LanePoint<Real>*, std::ptrdiff_t, Index, const EqualTerms<Real>&,
+                       LanePoint<Real>*);
+template <class Real, bool first, std::size_t... less>
+constexpr std::array<Adder<Real>, sizeof...(less)> make_adders(std::index_sequence<less...>) {
+  return {add_terms<Real, less + 1, first>...};
+}
+
+/// The adder for the terms.
+template <class Real>
+Adder<Real> adder_of(const EqualTerms<Real>& terms, bool first) {
+  constexpr auto kSizes = std::make_index_sequence<kLargestSum>();
+  static constexpr auto kFirst = make_adders<Real, true>(kSizes);
+  static constexpr auto kLater = make_adders<Real, false>(kSizes);
+  return (first ? kFirst : kLater)[terms.size - 1];
+}
+
+template <class Real>
+struct LaneStencil {
+  std::vector<EqualTerms<Real>> groups;
+  std::vector<Adder<Real>> adders;  ///< of each
+};
+
+/// Groups in the order of their first terms.
+template <class Real>
+LaneStencil<Real> make_lane_stencil(const Stencil& stencil, const PatchProgram& program) {
+  LaneStencil<Real> lanes;
+  for (const Tap& tap : stencil) {
+    const Real weight = static_cast<Real>(tap.weight);
+    auto group = std::find_if(lanes.groups.begin(), lanes.groups.end(), [&](const auto& known) {
+      return known.weight == weight && known.size < kLargestSum;
+    });
+    if (group == lanes.groups.end()) {
+      group = lanes.groups.emplace(group);
+      group->weight = weight;
+    }
+    group->slots[group->size++] = program.slot_step(tap.place);
+  }
+  for (const EqualTerms<Real>& group : lanes.groups)
+    lanes.adders.push_back(adder_of(group, lanes.adders.empty()));
+  return lanes;
 }
 
 /// One level's step; all that does not depend on the patch.
@@ -58,23 +99,14 @@ struct LevelStep {
         program(make_patch_program(coarse.n(), tables.halo)),
         in(in_),
         out(out_) {
-    static constexpr auto kAppliers =
-        make_appliers<Real>(std::make_index_sequence<kUnrolled + 1>());
-    for (std::size_t c = 0; c < kClasses; ++c) {
-      for (const Tap& tap : tables.interior[c]) {
-        stencils[c].slots.push_back(program.slot_step(tap.place));
-        stencils[c].weights.push_back(Vector<Real>{} + static_cast<Real>(tap.weight));
-      }
-      const std::size_t taps = stencils[c].slots.size();
-      appliers[c] = kAppliers[taps <= kUnrolled ? taps : 0];
-    }
+    for (std::size_t c = 0; c < kClasses; ++c)
+      stencils[c] = make_lane_stencil<Real>(tables.interior[c], program);
   }
 
   const TriangleLayout& coarse;
   const TriangleLayout& fine;
   PatchProgram program;
   std::array<LaneStencil<Real>, kClasses> stencils;
-  std::array<Applier<Real>, kClasses> appliers{};
   const Real* in;
   Real* out;
 };
@@ -193,22 +225,28 @@ class PatchWorker {
   /// The run's points into the line.
   void evaluate(const PatchRun& run) {
     for (std::size_t i = 0; i < 2; ++i) {
-      const std::size_t c = run.classes[i];
-      step_.appliers[c](&grid_[static_cast<std::size_t>(run.anchors[i])], run.anchor_step,
-                        (run.count + 1 - static_cast<Index>(i)) / 2, step_.stencils[c], &line_[i]);
+      const LaneStencil<Real>& stencil = step_.stencils[run.classes[i]];
+      const LanePoint<Real>* anchor = &grid_[static_cast<std::size_t>(run.anchors[i])];
+      const Index count = (run.count + 1 - static_cast<Index>(i)) / 2;
+      for (std::size_t g = 0; g < stencil.groups.size(); ++g)
+        stencil.adders[g](anchor, run.anchor_step, count, stencil.groups[g], &line_[i]);
     }
   }
 
-  /// The line's first points to consecutive places; of the very last one nothing spills over.
-  void put(Index count, Targets& to, const Strides& stride, bool spill_last) {
-    const auto advance = [&] {
-      for (std::size_t lane = 0; lane < kLaneCount; ++lane) to[lane] += stride[lane];
+  /// The line's first points to consecutive places, or of lanes with `stride` 0 all to one; of the
+  /// very last point nothing spills over where `spill_last` is false.
+  template <class Stride>
+  void put(Index count, const Targets& to, Stride stride, bool spill_last) {
+    const LanePoint<Real>* line = line_.data();
+    const std::ptrdiff_t spilling = spill_last ? count : count - 1;
+    const auto place = [&](std::ptrdiff_t i) {
+      Targets places;
+      for (std::size_t lane = 0; lane < kLaneCount; ++lane)
+        places[lane] = to[lane] + i * stride(lane);
+      return places;
     };
-    const Index spilling = spill_last ? count : count - 1;
-    for (Index i = 0; i < spilling; ++i, advance())
-      scatter<true>(line_[static_cast<std::size_t>(i)], to);
-    for (Index i = spilling; i < count; ++i, advance())
-      scatter<false>(line_[static_cast<std::size_t>(i)], to);
+    for (std::ptrdiff_t i = 0; i < spilling; ++i) scatter<true>(line[i], place(i));
+    if (spilling < count) scatter<false>(line[spilling], place(spilling));
   }
 
   /// A side's points are written by the patch whose half-edge stands for the edge.
@@ -227,18 +265,19 @@ class PatchWorker {
     if (!any) return;
     const PatchRun& run = program_.sides[static_cast<std::size_t>(side)];
     evaluate(run);
-    put(run.count, to, stride, false);
+    put(
+        run.count, to, [&](std::size_t lane) { return stride[lane]; }, false);
   }
 
   void make_inside() {
     Targets to;
-    Strides stride;
-    stride.fill(3);
     for (std::size_t lane = 0; lane < kLaneCount; ++lane)
       to[lane] = step_.out + 3 * static_cast<std::ptrdiff_t>(step_.fine.face_begin(faces_[lane]));
     for (const PatchRun& run : program_.rows) {
       evaluate(run);
-      put(run.count, to, stride, &run != &program_.rows.back());
+      put(
+          run.count, to, [](std::size_t) { return 3; }, &run != &program_.rows.back());
+      for (Real*& next : to) next += 3 * static_cast<std::ptrdiff_t>(run.count);
     }
   }
 

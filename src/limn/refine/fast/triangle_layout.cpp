@@ -1,9 +1,45 @@
 #include "limn/refine/fast/triangle_layout.h"
 
+#include <array>
 #include <cassert>
+#include <cstring>
 #include <numeric>
+#include <utility>
+#include <vector>
 
 namespace limn::fast {
+namespace {
+
+/// The faces between two rows, begin ≤ x < end; returns past the last.
+Index* write_pairs(const Index* low, const Index* high, Index begin, Index end, Index* out) {
+  for (Index x = begin; x < end; ++x, out += 6) {
+    out[0] = low[x];
+    out[1] = low[x + 1];
+    out[2] = high[x];
+    out[3] = low[x + 1];
+    out[4] = high[x + 1];
+    out[5] = high[x];
+  }
+  return out;
+}
+
+/// The same for an even number of pairs between rows low, low + 1, … and high, high + 1, …
+Index* write_consecutive(Index low, Index high, Index pairs, Index* out) {
+  typedef Index Four __attribute__((vector_size(16)));
+  std::array<Four, 3> corners{{{low, low + 1, high, low + 1},
+                               {high + 1, high, low + 1, low + 2},
+                               {high + 1, low + 2, high + 2, high + 1}}};
+  for (Index x = 0; x < pairs; x += 2) {
+    for (Four& four : corners) {
+      std::memcpy(out, &four, sizeof four);
+      four += 2;
+      out += 4;
+    }
+  }
+  return out;
+}
+
+}  // namespace
 
 Index TriangleLayout::point(Index h, Index x, Index y) const {
   assert(x >= 0 && y >= 0 && x + y <= n_);
@@ -75,18 +111,17 @@ void TriangleLayout::write_faces(Index first, Index last, Index* out) const {
     fill_row(f, 0, low);
     for (Index y = 0; y < n_; ++y) {
       fill_row(f, y + 1, high);
-      const Index length = n_ - y;
-      for (Index x = 0; x + 1 < length; ++x, out += 6) {
-        out[0] = low[x];
-        out[1] = low[x + 1];
-        out[2] = high[x];
-        out[3] = low[x + 1];
-        out[4] = high[x + 1];
-        out[5] = high[x];
+      const Index pairs = n_ - y - 1;  // of a face that points up and one that points down
+      // the inner points of a row have consecutive numbers
+      const Index even = y > 0 && pairs > 2 ? (pairs - 2) & ~1 : 0;
+      if (even > 0) {
+        out = write_pairs(low, high, 0, 1, out);
+        out = write_consecutive(low[1], high[1], even, out);
       }
-      out[0] = low[length - 1];
-      out[1] = low[length];
-      out[2] = high[length - 1];
+      out = write_pairs(low, high, even > 0 ? even + 1 : 0, pairs, out);
+      out[0] = low[pairs];
+      out[1] = low[pairs + 1];
+      out[2] = high[pairs];
       out += 3;
       std::swap(low, high);
     }
