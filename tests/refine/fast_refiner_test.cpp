@@ -122,6 +122,20 @@ TEST(FastEngineRules, MayLookFar) {
     }
 }
 
+/// Where the end's rule applies at regular vertices, an edge depends on whether an end is on the
+/// boundary, however near its stencil stays.
+TEST(FastEngineRules, MayDependOnAnEdgesEnds) {
+  for (const std::string rule :
+       {"when = \"n == 6\"\nself = \"1/2\"\nring = \"1/(2*n) + cos(2*pi*k/n)/12\"\n",
+        "when = \"n < 7\"\nself = 1\n"}) {
+    const Scheme scheme = parsed("extends = \"loop\"\n[[edge-end]]\n" + rule);
+    for (unsigned seed = 0; seed < 30; ++seed)
+      expect_same(scheme, RandomMesh(seed).triangles(), static_cast<int>(1 + seed % 4), seed);
+    for (const Index faces : {1, 2, 3, 4, 6})
+      EXPECT_LT(expect_same(scheme, fan(Lattice::triangle, faces, 2), 3, 2), 3);
+  }
+}
+
 /// Whatever the weights: each mutant moves some of them.
 TEST(FastEngineRules, MayHaveAnyWeights) {
   std::mt19937 random(7);
