@@ -40,9 +40,9 @@ struct FastRefiner::State {
   std::optional<fast::PlainSteps> plain;
   fast::StencilTables tables;
   std::vector<fast::ZoneGroup> groups;
-  std::vector<Index> boundary;                ///< half-edges
-  std::vector<fast::TriangleLayout> layouts;  ///< of levels plain->count() … levels
-  std::vector<fast::ZoneNumbers> zones;       ///< of the steps between them
+  std::vector<Index> boundary;                        ///< half-edges
+  std::vector<fast::TriangleLayout> layouts;          ///< of levels plain->count() … levels
+  std::vector<std::vector<fast::ZoneNumbers>> zones;  ///< of the steps between them, by group
 
   Status prepare(const Scheme& scheme);
   void prepare_zones();
@@ -91,8 +91,12 @@ void FastRefiner::State::prepare_zones() {
   groups = fast::group_vertices(tables, control);
   for (Index e = 0; e < control.edge_count(); ++e)
     if (control.is_boundary_edge(e)) boundary.push_back(control.halfedge_of_edge(e));
-  for (std::size_t i = 0; i + 1 < layouts.size(); ++i)
-    zones.push_back(fast::number_zones(groups, layouts[i], layouts[i + 1]));
+  zones.resize(layouts.size() - 1);
+  for (const fast::ZoneGroup& group : groups) {
+    const std::vector<Index> sectors = fast::sectors_of(group, control);
+    for (std::size_t i = 0; i < zones.size(); ++i)
+      zones[i].push_back(fast::number_zones(group, sectors, layouts[i], layouts[i + 1]));
+  }
 }
 
 FastRefiner::FastRefiner(std::unique_ptr<State> state) : state_(std::move(state)) {}
@@ -153,9 +157,8 @@ std::size_t FastRefiner::bytes() const {
   std::size_t indices = 3 * static_cast<std::size_t>(mesh.halfedge_count()) +
                         static_cast<std::size_t>(mesh.edge_count() + 2 * mesh.vertex_count()) +
                         state.boundary.size();
-  for (const fast::ZoneNumbers& zone : state.zones)
-    for (const auto* lists : {&zone.sources, &zone.targets})
-      for (const std::vector<Index>& list : *lists) indices += list.size();
+  for (const std::vector<fast::ZoneNumbers>& step : state.zones)
+    for (const fast::ZoneNumbers& zone : step) indices += zone.sources.size() + zone.targets.size();
   return indices * sizeof(Index) + state.plain->bytes();
 }
 

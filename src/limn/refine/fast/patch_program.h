@@ -1,6 +1,6 @@
 #pragma once
 /// What is to be done for each patch of a level, as data: which points are read into a local grid,
-/// and which runs of fine points are made from it. The same for all patches of the level.
+/// and which fine points are made from it. The same for all patches of the level.
 
 #include <vector>
 
@@ -8,22 +8,27 @@
 
 namespace limn::fast {
 
-/// Consecutive fine points of a patch whose stencils alternate between two classes.
-struct PatchRun {
-  std::array<std::size_t, 2> classes{};  ///< of the first and the second, third and fourth, …
-  std::array<Index, 2> anchors{};        ///< local slots of the first two points' anchors
-  Index anchor_step = 0;                 ///< from the first's to the third's
-  Index count = 0;
+/// Fine points of one class: the local slots of their anchors, and where they go in the line.
+struct ClassPoints {
+  std::vector<Index> anchors, places;
+};
+
+/// Fine points that are made together and put into a line: first those along the sides, if any,
+/// then inner ones.
+struct PatchBlock {
+  std::array<ClassPoints, kClasses> classes;
+  Index side = 0;  ///< points along each of the three sides, from one end to the other without them
+  Index inner = 0;  ///< inner points, row by row, from where the block before ends
 };
 
 struct PatchProgram {
   Index n = 1;     ///< coarse edges along a side
   Index halo = 0;  ///< rows beyond the sides
   Index pitch = 1;
-  Index slots = 1;  ///< of the local grid
-  /// Along each side, from one end to the other without the ends; then the inner rows, in order.
-  std::array<PatchRun, 3> sides;
-  std::vector<PatchRun> rows;
+  Index slots = 1;                 ///< of the local grid
+  std::vector<Index> inner_slots;  ///< of the coarse inner points, row by row
+  std::vector<PatchBlock> blocks;  ///< the first has the sides
+  Index line = 0;                  ///< the largest block's points
 
   /// The local slot of coarse point (x, y) of the patch, or beyond it.
   [[nodiscard]] Index slot(Index x, Index y) const { return (y + halo) * pitch + x + halo; }

@@ -21,15 +21,20 @@ struct EqualTerms {
   Real weight = 0;
 };
 
-/// Adds weight · (sum of the terms), or with `first` puts it in place of what is there, at count
-/// anchors, `step` apart, to every second element of `to`.
+/// Adds weight · (sum of the terms), or with `first` puts it in place of what is there, for the
+/// points of a class.
 template <class Real, std::size_t size, bool first>
-void add_terms(const LanePoint<Real>* anchor, std::ptrdiff_t step, Index count,
-               const EqualTerms<Real>& terms, LanePoint<Real>* to) {
+void add_terms(const LanePoint<Real>* grid, const ClassPoints& points,
+               const EqualTerms<Real>& terms, LanePoint<Real>* line) {
   std::array<std::ptrdiff_t, size> slots;
   std::copy_n(terms.slots.begin(), size, slots.begin());
   const Vector<Real> weight = Vector<Real>{} + terms.weight;
-  for (Index i = 0; i < count; ++i, anchor += step, to += 2) {
+  const Index* anchors = points.anchors.data();
+  const Index* places = points.places.data();
+  const std::size_t count = points.anchors.size();
+  for (std::size_t i = 0; i < count; ++i) {
+    const LanePoint<Real>* anchor = grid + anchors[i];
+    LanePoint<Real>* to = line + places[i];
     LanePoint<Real> sum = anchor[slots[0]];
     for (std::size_t t = 1; t < size; ++t) {
       sum.x += anchor[slots[t]].x;
@@ -47,7 +52,7 @@ void add_terms(const LanePoint<Real>* anchor, std::ptrdiff_t step, Index count,
 }
 
 template <class Real>
-using Adder = void (*)(const LanePoint<Real>*, std::ptrdiff_t, Index, const EqualTerms<Real>&,
+using Adder = void (*)(const LanePoint<Real>*, const ClassPoints&, const EqualTerms<Real>&,
                        LanePoint<Real>*);
 template <class Real, bool first, std::size_t... less>
 constexpr std::array<Adder<Real>, sizeof...(less)> make_adders(std::index_sequence<less...>) {
@@ -120,21 +125,20 @@ class PatchWorker {
         program_(step.program),
         control_(step.coarse.control()),
         grid_(static_cast<std::size_t>(program_.slots)),
-        line_(2 * static_cast<std::size_t>(program_.n) + 1),
-        numbers_(static_cast<std::size_t>(program_.n + 1) * kLaneCount) {}
+        line_(static_cast<std::size_t>(program_.line)),
+        numbers_(static_cast<std::size_t>(3 * program_.halo * (program_.n + 1)) * kLaneCount) {}
 
   /// Faces first … first + lanes - 1; those past the last face are the last one again.
   void run(Index first) {
     for (std::size_t lane = 0; lane < kLaneCount; ++lane)
       faces_[lane] = std::min(first + static_cast<Index>(lane), control_.face_count() - 1);
+    // the neighbours' points lie anywhere: they are called for before all others are read
+    each_halo_row([&](Index side, Index r, Index* numbers) { number_halo(side, r, numbers); });
     load_corners();
-    for (Index side = 0; side < 3; ++side) {
-      load_side(side);
-      for (Index r = 1; r <= program_.halo; ++r) load_halo(side, r);
-    }
+    for (Index side = 0; side < 3; ++side) load_side(side);
     load_inside();
-    for (Index side = 0; side < 3; ++side) make_side(side);
-    make_inside();
+    each_halo_row([&](Index side, Index r, Index* numbers) { load_halo(side, r, numbers); });
+    make();
   }
 
  private:
@@ -191,53 +195,76 @@ class PatchWorker {
     Sources from;
     for (std::size_t lane = 0; lane < kLaneCount; ++lane)
       from[lane] = old_point(step_.coarse.face_begin(faces_[lane]));
-    for (Index y = 1; y + 1 < program_.n; ++y) {
-      LanePoint<Real>* to = &grid_[static_cast<std::size_t>(program_.slot(1, y))];
-      for (Index x = 1; x + y < program_.n; ++x, ++to) {
-        gather(from, *to);
-        for (std::size_t lane = 0; lane < kLaneCount; ++lane) from[lane] += 3;
-      }
+    for (const Index slot : program_.inner_slots) {
+      gather(from, grid_[static_cast<std::size_t>(slot)]);
+      for (const Real*& next : from) next += 3;
     }
   }
 
-  /// Row r of the neighbours across a side; where there is none, anything.
-  void load_halo(Index side, Index r) {
+  /// visit(side, r, the row's part of numbers_) for every row of the halo.
+  template <class Visit>
+  void each_halo_row(Visit visit) {
+    Index* numbers = numbers_.data();
+    for (Index side = 0; side < 3; ++side)
+      for (Index r = 1; r <= program_.halo; ++r, numbers += (program_.n + 1) * kLanes<Real>)
+        visit(side, r, numbers);
+  }
+
+  /// The vertices of row r of the neighbours across a side, lane by lane; where there is none,
+  /// anything.
+  void number_halo(Index side, Index r, Index* numbers) {
     const Index count = program_.n - r + 1;
     for (std::size_t lane = 0; lane < kLaneCount; ++lane) {
       const Index h = halfedge(lane, side);
       const Index across = control_.twin(h);
       if (across != kNone) {
-        step_.coarse.column(control_.next(across), r, &numbers_[lane], kLaneCount);
+        step_.coarse.column(control_.next(across), r, numbers + lane, kLanes<Real>);
       } else {
-        for (Index i = 0; i < count; ++i)
-          numbers_[static_cast<std::size_t>(i) * kLaneCount + lane] = control_.origin(h);
+        for (Index i = 0; i < count; ++i) numbers[i * kLanes<Real> + lane] = control_.origin(h);
       }
     }
+    for (Index i = 0; i < count * kLanes<Real>; ++i) __builtin_prefetch(old_point(numbers[i]));
+  }
+
+  void load_halo(Index side, Index r, const Index* numbers) {
+    const Index count = program_.n - r + 1;
     auto [slot, slot_step] = slots_along(side, {r, -r});
-    const Index* number = numbers_.data();
-    for (Index i = 0; i < count; ++i, slot += slot_step, number += kLaneCount) {
+    for (Index i = 0; i < count; ++i, slot += slot_step, numbers += kLanes<Real>) {
       Sources from;
-      for (std::size_t lane = 0; lane < kLaneCount; ++lane) from[lane] = old_point(number[lane]);
+      for (std::size_t lane = 0; lane < kLaneCount; ++lane) from[lane] = old_point(numbers[lane]);
       gather(from, grid_[static_cast<std::size_t>(slot)]);
     }
   }
 
-  /// The run's points into the line.
-  void evaluate(const PatchRun& run) {
-    for (std::size_t i = 0; i < 2; ++i) {
-      const LaneStencil<Real>& stencil = step_.stencils[run.classes[i]];
-      const LanePoint<Real>* anchor = &grid_[static_cast<std::size_t>(run.anchors[i])];
-      const Index count = (run.count + 1 - static_cast<Index>(i)) / 2;
+  /// A block's points into the line.
+  void evaluate(const PatchBlock& block) {
+    for (std::size_t c = 0; c < kClasses; ++c) {
+      const LaneStencil<Real>& stencil = step_.stencils[c];
       for (std::size_t g = 0; g < stencil.groups.size(); ++g)
-        stencil.adders[g](anchor, run.anchor_step, count, stencil.groups[g], &line_[i]);
+        stencil.adders[g](grid_.data(), block.classes[c], stencil.groups[g], line_.data());
     }
   }
 
-  /// The line's first points to consecutive places, or of lanes with `stride` 0 all to one; of the
-  /// very last point nothing spills over where `spill_last` is false.
+  void make() {
+    Targets to;
+    for (std::size_t lane = 0; lane < kLaneCount; ++lane)
+      to[lane] = step_.out + 3 * static_cast<std::ptrdiff_t>(step_.fine.face_begin(faces_[lane]));
+    for (const PatchBlock& block : program_.blocks) {
+      evaluate(block);
+      const LanePoint<Real>* line = line_.data();
+      for (Index side = 0; block.side > 0 && side < 3; ++side, line += block.side)
+        put_side(side, line, block.side);
+      put(
+          line, block.inner, to, [](std::size_t) { return 3; }, &block != &program_.blocks.back());
+      for (Real*& next : to) next += 3 * static_cast<std::ptrdiff_t>(block.inner);
+    }
+  }
+
+  /// Points to consecutive places, or of lanes with `stride` 0 all to one; of the very last point
+  /// nothing spills over where `spill_last` is false.
   template <class Stride>
-  void put(Index count, const Targets& to, Stride stride, bool spill_last) {
-    const LanePoint<Real>* line = line_.data();
+  static void put(const LanePoint<Real>* line, Index count, const Targets& to, Stride stride,
+                  bool spill_last) {
     const std::ptrdiff_t spilling = spill_last ? count : count - 1;
     const auto place = [&](std::ptrdiff_t i) {
       Targets places;
@@ -246,11 +273,11 @@ class PatchWorker {
       return places;
     };
     for (std::ptrdiff_t i = 0; i < spilling; ++i) scatter<true>(line[i], place(i));
-    if (spilling < count) scatter<false>(line[spilling], place(spilling));
+    if (spilling >= 0 && spilling < count) scatter<false>(line[spilling], place(spilling));
   }
 
   /// A side's points are written by the patch whose half-edge stands for the edge.
-  void make_side(Index side) {
+  void put_side(Index side, const LanePoint<Real>* line, Index count) {
     Targets to;
     Strides stride;
     bool any = false;
@@ -262,31 +289,17 @@ class PatchWorker {
                      : unwanted_[lane].data();
       stride[lane] = own ? 3 : 0;
     }
-    if (!any) return;
-    const PatchRun& run = program_.sides[static_cast<std::size_t>(side)];
-    evaluate(run);
-    put(
-        run.count, to, [&](std::size_t lane) { return stride[lane]; }, false);
-  }
-
-  void make_inside() {
-    Targets to;
-    for (std::size_t lane = 0; lane < kLaneCount; ++lane)
-      to[lane] = step_.out + 3 * static_cast<std::ptrdiff_t>(step_.fine.face_begin(faces_[lane]));
-    for (const PatchRun& run : program_.rows) {
-      evaluate(run);
+    if (any)
       put(
-          run.count, to, [](std::size_t) { return 3; }, &run != &program_.rows.back());
-      for (Real*& next : to) next += 3 * static_cast<std::ptrdiff_t>(run.count);
-    }
+          line, count, to, [&](std::size_t lane) { return stride[lane]; }, false);
   }
 
   const LevelStep<Real>& step_;
   const PatchProgram& program_;
   const Mesh& control_;
   std::vector<LanePoint<Real>> grid_;  // coarse points of the patch and its halo
-  std::vector<LanePoint<Real>> line_;  // fine points of a run
-  std::vector<Index> numbers_;         // vertices of a halo row, lane by lane
+  std::vector<LanePoint<Real>> line_;  // fine points of a block
+  std::vector<Index> numbers_;         // vertices of the halo's rows
   PerLane<Real, Index> faces_{};
   PerLane<Real, std::array<Real, 4>> unwanted_{};
 };

@@ -21,11 +21,14 @@ Result<PlainSteps> PlainSteps::make(const Scheme& scheme, const Mesh& control, i
   PlainSteps steps(scheme, control);
   for (int step = 0; step < count; ++step) {
     const Mesh& mesh = steps.mesh(static_cast<std::size_t>(step));
-    SplitResult split = scheme.split->apply(mesh, step);
+    // nobody looks at the mesh that a single step makes
+    SplitResult split = count > 1 ? scheme.split->apply(mesh, step) : SplitResult{};
+    split.births.from_vertices = mesh.vertex_count();
+    split.births.from_edges = mesh.edge_count();
     if (Status status = steps.tables_.prepare(mesh, split.births); !status) return status.error();
     steps.splits_.push_back(std::move(split));
   }
-  if (count > 0) steps.number_vertices();
+  if (count > 1) steps.number_vertices();
   return steps;
 }
 
@@ -66,10 +69,11 @@ void PlainSteps::evaluate(const Real* control, Real* fine) const {
     points[v] = {double(control[0]), double(control[1]), double(control[2])};
   for (std::size_t step = 0; step < splits_.size(); ++step)
     points = refine_values(*scheme_, mesh(step), splits_[step].births, tables_, points);
-  for (const Index v : order_) {
-    *fine++ = static_cast<Real>(points[v].x);
-    *fine++ = static_cast<Real>(points[v].y);
-    *fine++ = static_cast<Real>(points[v].z);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const Point3& point = points[order_.empty() ? i : static_cast<std::size_t>(order_[i])];
+    *fine++ = static_cast<Real>(point.x);
+    *fine++ = static_cast<Real>(point.y);
+    *fine++ = static_cast<Real>(point.z);
   }
 }
 

@@ -33,7 +33,8 @@ class PlainSteps {
   const Mesh* control_;
   RuleTables<double> tables_;
   std::vector<SplitResult> splits_;
-  std::vector<Index> order_;  ///< the plain engine's vertex at each place of the layout
+  /// The plain engine's vertex at each place of the layout; empty where it has the same numbers.
+  std::vector<Index> order_;
 };
 
 extern template void PlainSteps::evaluate<float>(const float*, float*) const;

@@ -1,6 +1,7 @@
 #include "limn/refine/fast/stencil_tables.h"
 
 #include <algorithm>
+#include <numeric>
 #include <set>
 
 #include <fmt/core.h>
@@ -41,6 +42,7 @@ class Reader {
                                  const std::vector<Index>& wanted) {
     if (Status status = tables.prepare(coarse, births); !status) return status.error();
     std::vector<Index> vertices;
+    vertices.reserve(wanted.size());
     for (const Index i : wanted) vertices.push_back(images[i]);
     return refine_values_at(scheme_, coarse, births, tables,
                             unit_forms<double>(coarse.vertex_count()), vertices);
@@ -71,6 +73,7 @@ ZoneTable to_table(const std::vector<Form>& forms, Index sectors, bool open) {
       if (weight != 0) used.insert(vertex);
   std::map<Index, int> slot;
   ZoneTable table;
+  table.sectors = sectors;
   for (const Index v : used) {
     slot[v] = static_cast<int>(table.sources.size());
     table.sources.push_back(sector_point(sectors, open, v));
@@ -151,8 +154,8 @@ class TableMaker {
     const Index size = zone == 0 ? 1
                        : open    ? fan_size(Lattice::triangle, sectors, zone)
                                  : star_size(Lattice::triangle, sectors, zone);
-    std::vector<Index> wanted;
-    for (Index i = 0; i < size; ++i) wanted.push_back(i);
+    std::vector<Index> wanted(static_cast<std::size_t>(size));
+    std::iota(wanted.begin(), wanted.end(), 0);
     const Result<std::vector<Form>> forms =
         open ? reader_.fan(sectors, rings, wanted) : reader_.star(sectors, rings, wanted);
     if (!forms) return forms.error();

@@ -19,6 +19,7 @@ using Stencil = std::vector<Tap>;  ///< sorted by place
 
 /// The fine points round a vertex, as sums over the old ones round it.
 struct ZoneTable {
+  Index sectors = 0;
   std::vector<SectorPoint> sources;  ///< old points, sector by sector
   std::vector<SectorPoint> targets;  ///< fine points, the centre first
   /// Target i has the terms row_begin[i] … row_begin[i+1]-1: weight times source number `source`.

@@ -3,7 +3,6 @@
 #include <array>
 #include <cassert>
 #include <cstring>
-#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -89,28 +88,51 @@ void TriangleLayout::column(Index h, Index x, Index* out, std::ptrdiff_t stride)
   }
 }
 
-void TriangleLayout::fill_row(Index f, Index y, Index* row) const {
-  const Index h = 3 * f, last = n_ - y;
-  row[0] = point(h, 0, y);
-  row[last] = point(h, last, y);
-  if (last < 2) return;
-  if (y > 0) {
-    std::iota(row + 1, row + last, face_begin(f) + row_begin(y));
-  } else if (const Index begin = edge_begin(mesh_->edge(h)); edge_point(h, 1) == begin) {
-    std::iota(row + 1, row + last, begin);
-  } else {
-    for (Index x = 1; x < last; ++x) row[x] = begin + last - 1 - x;
+/// A patch's rows of numbers, one after the other.
+class TriangleLayout::Rows {
+ public:
+  Rows(const TriangleLayout& layout, Index f) : n_(layout.n_), inside_(layout.face_begin(f)) {
+    for (Index side = 0; side < 3; ++side) {
+      const Index h = 3 * f + side;
+      corners_[side] = layout.mesh_->origin(h);
+      if (n_ < 2) continue;
+      firsts_[side] = layout.edge_point(h, 1);
+      steps_[side] = firsts_[side] == layout.edge_begin(layout.mesh_->edge(h)) ? 1 : -1;
+    }
   }
-}
+
+  /// The next row: n + 1 numbers, then n, … down to one.
+  void next(Index* row) {
+    const Index y = y_++, last = n_ - y;
+    row[0] = y == 0 ? corners_[0] : last == 0 ? corners_[2] : along(2, last);
+    if (last == 0) return;
+    row[last] = y == 0 ? corners_[1] : along(1, y);
+    if (y == 0) {
+      for (Index x = 1; x < last; ++x) row[x] = along(0, x);
+    } else {
+      for (Index x = 1; x < last; ++x) row[x] = inside_++;
+    }
+  }
+
+ private:
+  /// Point t along a side.
+  [[nodiscard]] Index along(std::size_t side, Index t) const {
+    return firsts_[side] + (t - 1) * steps_[side];
+  }
+
+  Index n_, inside_, y_ = 0;
+  std::array<Index, 3> corners_{}, firsts_{}, steps_{};
+};
 
 void TriangleLayout::write_faces(Index first, Index last, Index* out) const {
   std::vector<Index> rows(2 * static_cast<std::size_t>(n_) + 2);
   for (Index f = first; f < last; ++f) {
     Index* low = rows.data();
     Index* high = low + n_ + 1;
-    fill_row(f, 0, low);
+    Rows patch(*this, f);
+    patch.next(low);
     for (Index y = 0; y < n_; ++y) {
-      fill_row(f, y + 1, high);
+      patch.next(high);
       const Index pairs = n_ - y - 1;  // of a face that points up and one that points down
       // the inner points of a row have consecutive numbers
       const Index even = y > 0 && pairs > 2 ? (pairs - 2) & ~1 : 0;

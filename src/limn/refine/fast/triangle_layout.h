@@ -57,7 +57,7 @@ class TriangleLayout {
   void write_faces(Index first, Index last, Index* out) const;
 
  private:
-  void fill_row(Index f, Index y, Index* row) const;
+  class Rows;
 
   const Mesh* mesh_;
   Index n_, face_size_, edges_at_, faces_at_;

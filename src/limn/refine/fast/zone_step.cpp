@@ -21,29 +21,27 @@ struct Quad {
 
 /// A vertex that no face uses keeps its place.
 const ZoneTable& identity_table() {
-  static const ZoneTable table{{SectorPoint{}}, {SectorPoint{}}, {0, 1}, {{0, 1.0}}};
+  static const ZoneTable table{0, {SectorPoint{}}, {SectorPoint{}}, {0, 1}, {{0, 1.0}}};
   return table;
 }
 
-/// The numbers of points round v.
-void append_numbers(const TriangleLayout& layout, Index v, const std::vector<SectorPoint>& points,
-                    std::vector<Index>& sectors, std::vector<Index>& numbers) {
-  const Mesh& mesh = layout.control();
-  sectors.clear();
-  const Index first = mesh.halfedge_of_vertex(v);
-  for (Index h = first; h != kNone; h = mesh.rotate(h)) {
-    sectors.push_back(h);
-    if (mesh.rotate(h) == first) break;
-  }
-  for (const SectorPoint& p : points)
-    numbers.push_back(p.x + p.y == 0 ? v : layout.point(sectors[p.sector], p.x, p.y));
-}
-
-std::vector<Index> all_numbers(const ZoneGroup& group, const TriangleLayout& layout,
-                               const std::vector<SectorPoint>& points) {
-  std::vector<Index> numbers, sectors;
-  numbers.reserve(group.vertices.size() * points.size());
-  for (const Index v : group.vertices) append_numbers(layout, v, points, sectors, numbers);
+/// The numbers of the points round each of a group's vertices.
+std::vector<Index> number_points(const ZoneGroup& group, const std::vector<Index>& sectors,
+                                 const TriangleLayout& layout,
+                                 const std::vector<SectorPoint>& points) {
+  std::vector<Index> numbers(group.vertices.size() * points.size());
+  parallel_for(
+      Index{0}, static_cast<Index>(group.vertices.size()),
+      [&](Index first, Index last) {
+        Index* number = numbers.data() + first * std::ssize(points);
+        for (Index i = first; i < last; ++i) {
+          const Index* out = sectors.data() + static_cast<std::ptrdiff_t>(i) * group.table->sectors;
+          for (const SectorPoint& p : points)
+            *number++ = p.x + p.y == 0 ? group.vertices[static_cast<std::size_t>(i)]
+                                       : layout.point(out[p.sector], p.x, p.y);
+        }
+      },
+      kVertexGrain);
   return numbers;
 }
 
@@ -127,6 +125,7 @@ std::vector<ZoneGroup> group_vertices(const StencilTables& tables, const Mesh& c
     members[&table].push_back(v);
   }
   std::vector<ZoneGroup> groups;
+  groups.reserve(members.size());
   for (auto& [table, vertices] : members) groups.push_back({table, std::move(vertices)});
   // not in the order of addresses, which differs from run to run
   std::sort(groups.begin(), groups.end(), [](const ZoneGroup& a, const ZoneGroup& b) {
@@ -135,26 +134,39 @@ std::vector<ZoneGroup> group_vertices(const StencilTables& tables, const Mesh& c
   return groups;
 }
 
-ZoneNumbers number_zones(const std::vector<ZoneGroup>& groups, const TriangleLayout& coarse,
-                         const TriangleLayout& fine) {
-  ZoneNumbers numbers;
-  for (const ZoneGroup& group : groups) {
-    numbers.sources.push_back(all_numbers(group, coarse, group.table->sources));
-    numbers.targets.push_back(all_numbers(group, fine, group.table->targets));
-  }
-  return numbers;
+std::vector<Index> sectors_of(const ZoneGroup& group, const Mesh& control) {
+  const Index sectors = group.table->sectors;
+  std::vector<Index> list(group.vertices.size() * static_cast<std::size_t>(sectors));
+  parallel_for(
+      Index{0}, static_cast<Index>(group.vertices.size()),
+      [&](Index first, Index last) {
+        Index* out = list.data() + static_cast<std::ptrdiff_t>(first) * sectors;
+        for (Index i = first; i < last; ++i) {
+          Index h = control.halfedge_of_vertex(group.vertices[static_cast<std::size_t>(i)]);
+          for (Index s = 0; s < sectors; ++s, h = control.rotate(h)) *out++ = h;
+        }
+      },
+      kVertexGrain);
+  return list;
+}
+
+ZoneNumbers number_zones(const ZoneGroup& group, const std::vector<Index>& sectors,
+                         const TriangleLayout& coarse, const TriangleLayout& fine) {
+  return {number_points(group, sectors, coarse, group.table->sources),
+          number_points(group, sectors, fine, group.table->targets)};
 }
 
 template <class Real>
-void refine_zones(const std::vector<ZoneGroup>& groups, const ZoneNumbers& numbers, bool overlap,
-                  const Real* in, Real* out) {
+void refine_zones(const std::vector<ZoneGroup>& groups, const std::vector<ZoneNumbers>& numbers,
+                  bool overlap, const Real* in, Real* out) {
   for (std::size_t g = 0; g < groups.size(); ++g) {
     const ZoneTable& table = *groups[g].table;
     std::vector<Real> weights;
+    weights.reserve(table.terms.size());
     for (const ZoneTable::Term& term : table.terms)
       weights.push_back(static_cast<Real>(term.weight));
-    const Index* sources = numbers.sources[g].data();
-    const Index* targets = numbers.targets[g].data();
+    const Index* sources = numbers[g].sources.data();
+    const Index* targets = numbers[g].targets.data();
     const auto count = static_cast<Index>(groups[g].vertices.size());
     parallel_for(
         Index{0}, count,
@@ -181,10 +193,10 @@ void refine_strips(const StencilTables& tables, const std::vector<Index>& sides,
       kSideGrain);
 }
 
-template void refine_zones<float>(const std::vector<ZoneGroup>&, const ZoneNumbers&, bool,
-                                  const float*, float*);
-template void refine_zones<double>(const std::vector<ZoneGroup>&, const ZoneNumbers&, bool,
-                                   const double*, double*);
+template void refine_zones<float>(const std::vector<ZoneGroup>&, const std::vector<ZoneNumbers>&,
+                                  bool, const float*, float*);
+template void refine_zones<double>(const std::vector<ZoneGroup>&, const std::vector<ZoneNumbers>&,
+                                   bool, const double*, double*);
 template void refine_strips<float>(const StencilTables&, const std::vector<Index>&,
                                    const TriangleLayout&, const TriangleLayout&, const float*,
                                    float*);

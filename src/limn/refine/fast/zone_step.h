@@ -17,20 +17,24 @@ struct ZoneGroup {
 [[nodiscard]] std::vector<ZoneGroup> group_vertices(const StencilTables& tables,
                                                     const Mesh& control);
 
-/// The vertices that the groups' tables name, in the numbers of a level and the next: for each
-/// group, for each of its vertices, the table's sources (targets) in order. About 4 bytes for each
-/// point of each table and vertex.
+/// The half-edges out of a group's vertices, counterclockwise, as many for each as the table has
+/// sectors.
+[[nodiscard]] std::vector<Index> sectors_of(const ZoneGroup& group, const Mesh& control);
+
+/// The vertices that a group's table names, in the numbers of a level and the next: for each
+/// vertex, the table's sources (targets) in order, 4 bytes each.
 struct ZoneNumbers {
-  std::vector<std::vector<Index>> sources, targets;
+  std::vector<Index> sources, targets;
 };
-[[nodiscard]] ZoneNumbers number_zones(const std::vector<ZoneGroup>& groups,
+[[nodiscard]] ZoneNumbers number_zones(const ZoneGroup& group, const std::vector<Index>& sectors,
                                        const TriangleLayout& coarse, const TriangleLayout& fine);
 
 /// Overwrites the points of the zones in `out`. Arrays as for refine_patches (patch_step.h), which
-/// goes before. `overlap`: zones may share points; then they are done one after the other.
+/// goes before; numbers[i] belongs to group i. `overlap`: zones may share points; then they are
+/// done one after the other.
 template <class Real>
-void refine_zones(const std::vector<ZoneGroup>& groups, const ZoneNumbers& numbers, bool overlap,
-                  const Real* in, Real* out);
+void refine_zones(const std::vector<ZoneGroup>& groups, const std::vector<ZoneNumbers>& numbers,
+                  bool overlap, const Real* in, Real* out);
 
 /// Overwrites the points along the boundary sides but for those in zones, which come after.
 /// `sides` are the boundary half-edges.
@@ -39,10 +43,12 @@ void refine_strips(const StencilTables& tables, const std::vector<Index>& sides,
                    const TriangleLayout& coarse, const TriangleLayout& fine, const Real* in,
                    Real* out);
 
-extern template void refine_zones<float>(const std::vector<ZoneGroup>&, const ZoneNumbers&, bool,
-                                         const float*, float*);
-extern template void refine_zones<double>(const std::vector<ZoneGroup>&, const ZoneNumbers&, bool,
-                                          const double*, double*);
+extern template void refine_zones<float>(const std::vector<ZoneGroup>&,
+                                         const std::vector<ZoneNumbers>&, bool, const float*,
+                                         float*);
+extern template void refine_zones<double>(const std::vector<ZoneGroup>&,
+                                          const std::vector<ZoneNumbers>&, bool, const double*,
+                                          double*);
 extern template void refine_strips<float>(const StencilTables&, const std::vector<Index>&,
                                           const TriangleLayout&, const TriangleLayout&,
                                           const float*, float*);
