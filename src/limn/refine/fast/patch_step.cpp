@@ -4,96 +4,12 @@
 #include <utility>
 
 #include "limn/base/parallel.h"
-#include "limn/refine/fast/lanes.h"
+#include "limn/refine/fast/lane_stencil.h"
 
 namespace limn::fast {
 namespace {
 
-constexpr Index kChunkPoints = 16384;   // fine points that one call of a parallel loop makes
-constexpr std::size_t kLargestSum = 8;  // terms that are summed before they are weighed
-
-/// Terms of a stencil that have one weight: by symmetry most come in such groups, and adding is
-/// half the work of weighing.
-template <class Real>
-struct EqualTerms {
-  std::array<Index, kLargestSum> slots{};  ///< relative to the anchor's
-  std::size_t size = 0;
-  Real weight = 0;
-};
-
-/// Adds weight · (sum of the terms), or with `first` puts it in place of what is there, for the
-/// points of a class.
-template <class Real, std::size_t size, bool first>
-void add_terms(const LanePoint<Real>* grid, const ClassPoints& points,
-               const EqualTerms<Real>& terms, LanePoint<Real>* line) {
-  std::array<std::ptrdiff_t, size> slots;
-  std::copy_n(terms.slots.begin(), size, slots.begin());
-  const Vector<Real> weight = Vector<Real>{} + terms.weight;
-  const Index* anchors = points.anchors.data();
-  const Index* places = points.places.data();
-  const std::size_t count = points.anchors.size();
-  for (std::size_t i = 0; i < count; ++i) {
-    const LanePoint<Real>* anchor = grid + anchors[i];
-    LanePoint<Real>* to = line + places[i];
-    LanePoint<Real> sum = anchor[slots[0]];
-    for (std::size_t t = 1; t < size; ++t) {
-      sum.x += anchor[slots[t]].x;
-      sum.y += anchor[slots[t]].y;
-      sum.z += anchor[slots[t]].z;
-    }
-    if constexpr (first) {
-      *to = {weight * sum.x, weight * sum.y, weight * sum.z};
-    } else {
-      to->x += weight * sum.x;
-      to->y += weight * sum.y;
-      to->z += weight * sum.z;
-    }
-  }
-}
-
-template <class Real>
-using Adder = void (*)(const LanePoint<Real>*, const ClassPoints&, const EqualTerms<Real>&,
-                       LanePoint<Real>*);
-template <class Real, bool first, std::size_t... less>
-constexpr std::array<Adder<Real>, sizeof...(less)> make_adders(std::index_sequence<less...>) {
-  return {add_terms<Real, less + 1, first>...};
-}
-
-/// The adder for the terms.
-template <class Real>
-Adder<Real> adder_of(const EqualTerms<Real>& terms, bool first) {
-  constexpr auto kSizes = std::make_index_sequence<kLargestSum>();
-  static constexpr auto kFirst = make_adders<Real, true>(kSizes);
-  static constexpr auto kLater = make_adders<Real, false>(kSizes);
-  return (first ? kFirst : kLater)[terms.size - 1];
-}
-
-template <class Real>
-struct LaneStencil {
-  std::vector<EqualTerms<Real>> groups;
-  std::vector<Adder<Real>> adders;  ///< of each
-};
-
-/// Groups in the order of their first terms.
-template <class Real>
-LaneStencil<Real> make_lane_stencil(const Stencil& stencil, const PatchProgram& program) {
-  LaneStencil<Real> lanes;
-  for (const Tap& tap : stencil) {
-    const Real weight = static_cast<Real>(tap.weight);
-    auto group = std::find_if(lanes.groups.begin(), lanes.groups.end(), [&](const auto& known) {
-      return known.weight == weight && known.size < kLargestSum;
-    });
-    if (group == lanes.groups.end()) {
-      group = lanes.groups.emplace(group);
-      group->weight = weight;
-    }
-    group->slots[group->size++] = program.slot_step(tap.place);
-  }
-  for (const EqualTerms<Real>& group : lanes.groups)
-    lanes.adders.push_back(adder_of(group, lanes.adders.empty()));
-  return lanes;
-}
-
+constexpr Index kChunkPoints = 16384;  // fine points that one call of a parallel loop makes
 /// One level's step; all that does not depend on the patch.
 template <class Real>
 struct LevelStep {
@@ -105,7 +21,7 @@ struct LevelStep {
         in(in_),
         out(out_) {
     for (std::size_t c = 0; c < kClasses; ++c)
-      stencils[c] = make_lane_stencil<Real>(tables.interior[c], program);
+      stencils[c] = LaneStencil<Real>(tables.interior[c], program);
   }
 
   const TriangleLayout& coarse;
@@ -182,7 +98,7 @@ class PatchWorker {
     for (std::size_t lane = 0; lane < kLaneCount; ++lane) {
       const Index h = halfedge(lane, side);
       from[lane] = old_point(step_.coarse.edge_point(h, 1));
-      stride[lane] = control_.halfedge_of_edge(control_.edge(h)) == h ? 3 : -3;
+      stride[lane] = step_.coarse.leads(h) ? 3 : -3;
     }
     auto [slot, slot_step] = slots_along(side, {1, 0});
     for (Index t = 1; t < program_.n; ++t, slot += slot_step) {
@@ -238,11 +154,8 @@ class PatchWorker {
 
   /// A block's points into the line.
   void evaluate(const PatchBlock& block) {
-    for (std::size_t c = 0; c < kClasses; ++c) {
-      const LaneStencil<Real>& stencil = step_.stencils[c];
-      for (std::size_t g = 0; g < stencil.groups.size(); ++g)
-        stencil.adders[g](grid_.data(), block.classes[c], stencil.groups[g], line_.data());
-    }
+    for (std::size_t c = 0; c < kClasses; ++c)
+      step_.stencils[c].apply(grid_.data(), block.classes[c], line_.data());
   }
 
   void make() {
@@ -283,7 +196,7 @@ class PatchWorker {
     bool any = false;
     for (std::size_t lane = 0; lane < kLaneCount; ++lane) {
       const Index h = halfedge(lane, side), e = control_.edge(h);
-      const bool own = control_.halfedge_of_edge(e) == h;
+      const bool own = step_.fine.leads(h);
       any = any || own;
       to[lane] = own ? step_.out + 3 * static_cast<std::ptrdiff_t>(step_.fine.edge_begin(e))
                      : unwanted_[lane].data();

@@ -97,7 +97,7 @@ class TriangleLayout::Rows {
       corners_[side] = layout.mesh_->origin(h);
       if (n_ < 2) continue;
       firsts_[side] = layout.edge_point(h, 1);
-      steps_[side] = firsts_[side] == layout.edge_begin(layout.mesh_->edge(h)) ? 1 : -1;
+      steps_[side] = layout.leads(h) ? 1 : -1;
     }
   }
 

@@ -10,6 +10,8 @@
 /// Faces come patch by patch, row by row: (x, y) (x+1, y) (x, y+1), and but for the last of a row
 /// (x+1, y) (x+1, y+1) (x, y+1), then the next x.
 
+#include <cstdint>
+
 #include "limn/mesh/mesh.h"
 
 namespace limn::fast {
@@ -37,10 +39,16 @@ class TriangleLayout {
   /// Inner points of a patch before row y ≥ 1.
   [[nodiscard]] Index row_begin(Index y) const { return (y - 1) * (n_ - 1) - (y - 1) * y / 2; }
 
+  /// Whether h stands for its edge, the lower half-edge of the two (mesh.h): the points of the edge
+  /// are numbered along it.
+  [[nodiscard]] bool leads(Index h) const {
+    // on the boundary the twin is the largest number of all
+    return static_cast<std::uint32_t>(h) < static_cast<std::uint32_t>(mesh_->twin(h));
+  }
+
   /// The t-th point along h, 0 < t < n.
   [[nodiscard]] Index edge_point(Index h, Index t) const {
-    const Index e = mesh_->edge(h);
-    return edge_begin(e) + (mesh_->halfedge_of_edge(e) == h ? t : n_ - t) - 1;
+    return edge_begin(mesh_->edge(h)) + (leads(h) ? t : n_ - t) - 1;
   }
 
   /// Point (x, y) in the frame of h: x, y ≥ 0, x + y ≤ n.
