@@ -1,7 +1,6 @@
 #include "limn/refine/fast/star_places.h"
 
 #include <array>
-#include <cassert>
 
 namespace limn::fast {
 namespace {
@@ -36,17 +35,6 @@ Offset on_plane(const SectorPoint& point) {
   const Offset first = kSpokes[static_cast<std::size_t>(point.sector)];
   const Offset second = kSpokes[static_cast<std::size_t>(point.sector) + 1];
   return {point.x * first.a + point.y * second.a, point.x * first.b + point.y * second.b};
-}
-
-SectorPoint off_plane(Index sectors, bool open, Offset place) {
-  for (Index s = 0; s < sectors; ++s) {
-    // a turn by one sector back carries (a, b) to (a + b, -a)
-    if (place.a >= 0 && place.b >= 0 && (place.a > 0 || place.b == 0 || (open && s + 1 == sectors)))
-      return {s, place.a, place.b};
-    place = {place.a + place.b, -place.a};
-  }
-  assert(false && "outside the fan");
-  return {};
 }
 
 }  // namespace limn::fast

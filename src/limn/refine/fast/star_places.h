@@ -32,8 +32,4 @@ struct SectorPoint {
 /// The place on the plane; sector < 6.
 [[nodiscard]] Offset on_plane(const SectorPoint& point);
 
-/// The inverse; a point of a spoke is in the sector that starts there, but in a fan of `sectors`
-/// (at most 3, half the plane) the last spoke's are in the last sector.
-[[nodiscard]] SectorPoint off_plane(Index sectors, bool open, Offset place);
-
 }  // namespace limn::fast
