@@ -10,6 +10,7 @@ namespace limn::fast {
 namespace {
 
 constexpr Index kChunkPoints = 65536;  // fine points that one call of a parallel loop makes
+
 /// One level's step; all that does not depend on the patch.
 template <class Real>
 struct LevelStep {
