@@ -29,9 +29,9 @@ Status check_room(const fast::TriangleLayout& last, int levels) {
 }  // namespace
 
 bool has_fast_layout(const Split& split) {
-  // the layout below cuts triangles in four
+  // what triangle_layout.h numbers: triangles cut in four at the midpoints of their edges
   return split.lattice == Lattice::triangle && split.births_vertices && split.births_edges &&
-         !split.births_faces;
+         !split.births_faces && split.dilation.growth() == 4;
 }
 
 struct FastRefiner::State {
