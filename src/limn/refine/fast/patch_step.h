@@ -7,8 +7,8 @@
 namespace limn::fast {
 
 /// From a level to the next: every fine point but those at control vertices, by interior
-/// stencils. Near control vertices and boundaries what is written is of no use: zone_step.h and
-/// strip_step.h come after. `in` has coarse.vertex_count() points of three numbers and one number
+/// stencils. Near control vertices and boundaries what is written is of no use: zone_step.h comes
+/// after. `in` has coarse.vertex_count() points of three numbers and one number
 /// of padding, `out` room for fine.vertex_count() points; they do not overlap. Each value is summed
 /// by one thread in a fixed order. For float and double.
 template <class Real>
