@@ -1,5 +1,6 @@
 #include <chrono>
 #include <memory>
+#include <optional>
 
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
@@ -9,6 +10,7 @@
 #include "limn/base/progress.h"
 #include "limn/extraordinary/limit_points.h"
 #include "limn/mesh/io/mesh_file.h"
+#include "limn/refine/fast/fast_refiner.h"
 #include "limn/refine/refine.h"
 #include "limn/report/data_table.h"
 
@@ -25,21 +27,27 @@ struct RefineOptions {
   std::string curvatures;
   bool triangulate = false;
   bool json = false;
+  std::string engine = "quick";
+
+  /// Whether anything is asked of the limit surface.
+  [[nodiscard]] bool wants_limit() const { return limit || normals || !curvatures.empty(); }
 };
 
-void print_result(const RefineOptions& options, const Scheme& scheme, const Mesh& mesh,
+void print_result(const RefineOptions& options, const Scheme& scheme, const Polygons& result,
                   double seconds) {
   if (options.json) {
-    const nlohmann::ordered_json json{
-        {"vertices", mesh.vertex_count()}, {"faces", mesh.face_count()},
-        {"levels", options.levels},        {"seconds", seconds},
-        {"scheme", scheme.name},           {"output", options.output}};
+    const nlohmann::ordered_json json{{"vertices", result.vertex_count()},
+                                      {"faces", result.face_count()},
+                                      {"levels", options.levels},
+                                      {"seconds", seconds},
+                                      {"scheme", scheme.name},
+                                      {"output", options.output}};
     fmt::print("{}\n", json.dump());
     return;
   }
   fmt::print("{}: {} vertices, {} faces, after {} level{} of {} in {:.3g} s\n", options.output,
-             mesh.vertex_count(), mesh.face_count(), options.levels, options.levels == 1 ? "" : "s",
-             scheme.name, seconds);
+             result.vertex_count(), result.face_count(), options.levels,
+             options.levels == 1 ? "" : "s", scheme.name, seconds);
 }
 
 /// A row for each vertex of the refined mesh; empty numbers where there is no curvature.
@@ -53,10 +61,17 @@ Status write_curvatures(const std::string& path, const LimitPoints& limit) {
   return write_table(path, table);
 }
 
+/// The quick engine's result as one of the plain engine's kind; nothing where polygons do not tell
+/// what the mesh is, two edges of it having the same ends.
+std::optional<Refined<Point3>> with_connectivity(Polygons& polygons) {
+  Result<Mesh> mesh = Mesh::build(polygons);
+  if (!mesh) return std::nullopt;
+  return Refined<Point3>{*std::move(mesh), std::move(polygons.positions)};
+}
+
 /// Moves the points to the limit surface and finds normals there, as the options ask.
 Status take_to_limit(const RefineOptions& options, const Scheme& scheme, Refined<Point3>& refined,
                      WriteOptions& extras, ProgressLine& line) {
-  if (!options.limit && !options.normals && options.curvatures.empty()) return Done{};
   LimitOptions limit_options;
   limit_options.steps_made = options.levels;
   limit_options.curvatures = !options.curvatures.empty();
@@ -65,15 +80,45 @@ Status take_to_limit(const RefineOptions& options, const Scheme& scheme, Refined
   };
   Result<LimitPoints> limit =
       approx_limit_points(scheme, refined.mesh, refined.values, limit_options);
-  if (!limit) {
-    if (limit.error().file.empty()) limit.error().file = options.mesh;
-    return limit.error();
-  }
+  if (!limit) return limit.error();
   if (!options.curvatures.empty())
     if (Status status = write_curvatures(options.curvatures, *limit); !status) return status;
   if (options.limit) refined.values = std::move(limit->positions);
   if (options.normals) extras.normals = std::move(limit->normals);
   return Done{};
+}
+
+/// The refined mesh, by the engine that was asked for where there is a choice, and what the options
+/// ask of the limit. `seconds` is the time of refinement alone.
+Result<Polygons> refined_polygons(const RefineOptions& options, const Scheme& scheme,
+                                  ControlMesh& control, WriteOptions& extras, ProgressLine& line,
+                                  double& seconds) {
+  const auto start = std::chrono::steady_clock::now();
+  const auto stop = [&] {
+    seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  };
+  std::optional<Refined<Point3>> refined;
+  if (options.engine == "quick" && has_fast_layout(*scheme.split)) {
+    Result<Polygons> fine = fast_refine(scheme, control.mesh, control.points, options.levels);
+    stop();
+    if (!fine || !options.wants_limit()) return fine;
+    refined = with_connectivity(*fine);
+  }
+  if (!refined) {
+    Result<Refined<Point3>> plain =
+        refine(scheme, std::move(control.mesh), std::move(control.points), options.levels,
+               [&](int done, int levels, const Mesh& fine) {
+                 line.show(fmt::format("refining: {} of {} levels, {} vertices", done, levels,
+                                       fine.vertex_count()));
+               });
+    stop();
+    if (!plain) return plain.error();
+    refined = *std::move(plain);
+  }
+  if (options.wants_limit())
+    if (Status status = take_to_limit(options, scheme, *refined, extras, line); !status)
+      return status.error();
+  return refined->mesh.polygons(std::move(refined->values));
 }
 
 int refine_mesh(const RefineOptions& options) {
@@ -92,27 +137,19 @@ int refine_mesh(const RefineOptions& options) {
   if (!control) return report(control.error());
 
   ProgressLine line;
-  const auto start = std::chrono::steady_clock::now();
-  Result<Refined<Point3>> refined =
-      refine(*scheme, std::move(control->mesh), std::move(control->points), options.levels,
-             [&](int done, int levels, const Mesh& fine) {
-               line.show(fmt::format("refining: {} of {} levels, {} vertices", done, levels,
-                                     fine.vertex_count()));
-             });
-  const std::chrono::duration<double> time = std::chrono::steady_clock::now() - start;
-  if (!refined) {
-    Error error = refined.error();
+  WriteOptions extras;
+  double seconds = 0;
+  const Result<Polygons> result =
+      refined_polygons(options, *scheme, *control, extras, line, seconds);
+  if (!result) {
+    Error error = result.error();
     if (error.file.empty()) error.file = options.mesh;
     return report(error);
   }
-  WriteOptions extras;
-  if (Status status = take_to_limit(options, *scheme, *refined, extras, line); !status)
-    return report(status.error());
   line.show("writing " + options.output);
-  const Polygons result = refined->mesh.polygons(std::move(refined->values));
-  if (Status status = write_mesh(options.output, result, extras); !status)
+  if (Status status = write_mesh(options.output, *result, extras); !status)
     return report(status.error());
-  print_result(options, *scheme, refined->mesh, time.count());
+  print_result(options, *scheme, *result, seconds);
   return kDone;
 }
 
@@ -140,6 +177,13 @@ void declare_refine(CLI::App& parser, Action& action) {
                       "where they are bounded");
   command->add_flag("--triangulate", options->triangulate,
                     "cut polygons into triangles first, each from its first corner");
+  command
+      ->add_option("--engine", options->engine,
+                   "quick: grids on the control faces, where the split has them "
+                   "(triangle-dyadic); plain: step by step. The same surface to rounding, its "
+                   "vertices and faces in another order")
+      ->capture_default_str()
+      ->check(CLI::IsMember({"quick", "plain"}));
   command->add_flag("--json", options->json, "print one JSON object");
   command->footer(
       "Example: limn refine mesh.obj -s catmull-clark -n 4 -o fine.ply\n"

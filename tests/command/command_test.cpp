@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <fstream>
 #include <nlohmann/json.hpp>
 
@@ -105,6 +107,38 @@ TEST(Command, OneThreadAndManyWriteTheSameBytes) {
     ASSERT_EQ(folder.limn("--threads 2 " + job + " -o two.ply").code, 0);
     EXPECT_EQ(folder.read("one.ply"), folder.read("two.ply")) << scheme;
   }
+}
+
+/// Each coordinate of all vertices, sorted: what does not depend on their order.
+std::array<std::vector<double>, 3> sorted_coordinates(const Polygons& polygons) {
+  std::array<std::vector<double>, 3> lists;
+  for (const Point3& p : polygons.positions) {
+    lists[0].push_back(p.x);
+    lists[1].push_back(p.y);
+    lists[2].push_back(p.z);
+  }
+  for (std::vector<double>& list : lists) std::sort(list.begin(), list.end());
+  return lists;
+}
+
+TEST(Command, BothEnginesMakeTheSameSurface) {
+  const Folder folder;
+  for (const std::string job : {"-s loop -n 3", "-s butterfly-modified -n 3",
+                                "-s loop -n 2 --limit --normals", "-s catmull-clark -n 2"}) {
+    const std::string refine = "refine " + kBracket + " " + job + " --engine ";
+    ASSERT_EQ(folder.limn(refine + "quick -o quick.obj").code, 0) << job;
+    ASSERT_EQ(folder.limn(refine + "plain -o plain.obj").code, 0) << job;
+    const Polygons quick = *read_mesh(folder.file("quick.obj"));
+    const Polygons plain = *read_mesh(folder.file("plain.obj"));
+    ASSERT_EQ(quick.vertex_count(), plain.vertex_count()) << job;
+    EXPECT_EQ(quick.face_count(), plain.face_count()) << job;
+    EXPECT_TRUE(Mesh::build(quick).ok()) << job;
+    const auto a = sorted_coordinates(quick), b = sorted_coordinates(plain);
+    for (std::size_t c = 0; c < 3; ++c)
+      for (std::size_t i = 0; i < a[c].size(); ++i) EXPECT_NEAR(a[c][i], b[c][i], 1e-12) << job;
+  }
+  expect_refused(folder.limn("refine " + kBracket + " -s loop --engine fast -o y.obj"),
+                 {"engine", "plain"});
 }
 
 TEST(Command, TakesASchemeFileItHasNeverSeen) {

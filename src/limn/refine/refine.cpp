@@ -58,6 +58,11 @@ std::string bytes_text(double bytes) {
   return fmt::format("{:.1f} MiB", bytes / (1024.0 * 1024.0));
 }
 
+std::string size_text(double vertices, double faces, int levels) {
+  return fmt::format("{} levels would make about {:.3g} vertices and {:.3g} faces", levels,
+                     vertices, faces);
+}
+
 struct Forecast {
   Counts last;
   double peak_bytes = 0;
@@ -85,6 +90,17 @@ RefineEstimate estimate_refinement(const Split& split, const Mesh& mesh, int lev
   return {result.last.vertices, result.last.faces, result.peak_bytes};
 }
 
+Status check_memory(const RefineEstimate& estimate, int levels, double memory_limit) {
+  if (estimate.peak_bytes <= memory_limit) return Done{};
+  return Error{fmt::format("{} and need about {} of memory; {} are free",
+                           size_text(estimate.vertices, estimate.faces, levels),
+                           bytes_text(estimate.peak_bytes), bytes_text(memory_limit)),
+               "use fewer levels",
+               {},
+               0,
+               0};
+}
+
 double available_memory() {
   std::ifstream meminfo("/proc/meminfo");
   std::string word;
@@ -110,19 +126,15 @@ Status check_refinable(const Scheme& scheme, const Mesh& mesh, int levels,
                      0,
                      0};
   const Forecast result = forecast(split, mesh, levels, bytes_per_value);
-  const std::string size =
-      fmt::format("{} levels would make about {:.3g} vertices and {:.3g} faces", levels,
-                  result.last.vertices, result.last.faces);
   if (result.last.halfedges > kLargestHalfedgeCount)
-    return Error{size + ", more than 2^31 half-edges", "use fewer levels", {}, 0, 0};
-  if (result.peak_bytes > memory_limit)
-    return Error{fmt::format("{} and need about {} of memory; {} are free", size,
-                             bytes_text(result.peak_bytes), bytes_text(memory_limit)),
-                 "use fewer levels",
-                 {},
-                 0,
-                 0};
-  return Done{};
+    return Error{
+        size_text(result.last.vertices, result.last.faces, levels) + ", more than 2^31 half-edges",
+        "use fewer levels",
+        {},
+        0,
+        0};
+  return check_memory({result.last.vertices, result.last.faces, result.peak_bytes}, levels,
+                      memory_limit);
 }
 
 template Result<Refined<Point3>> refine<Point3, double>(const Scheme&, Mesh, std::vector<Point3>,

@@ -19,6 +19,9 @@ struct RefineEstimate {
 /// Memory that this machine can give us now, in bytes; infinity where it cannot be told.
 [[nodiscard]] double available_memory();
 
+/// That an estimate for so many levels is within `memory_limit` bytes; the error names it.
+[[nodiscard]] Status check_memory(const RefineEstimate& estimate, int levels, double memory_limit);
+
 /// Whether `levels` steps can be taken: triangles for a scheme that needs them, fewer than
 /// 2^31 half-edges, and the estimated memory within `memory_limit` bytes. The error names the
 /// estimate.

@@ -39,6 +39,15 @@ class ValueStep {
         isolated_at_(corners_at_ + births.from_corners),
         fresh_(static_cast<std::size_t>(isolated_at_) + births.isolated.size()) {}
 
+  /// Only the new vertices of the list, in its order.
+  std::vector<Value> run_at(const std::vector<Index>& wanted) {
+    fill(faces_at_, births_.from_faces, [this](Index i) { return of_face(i); });
+    std::vector<Value> values;
+    values.reserve(wanted.size());
+    for (const Index i : wanted) values.push_back(of_any(i));
+    return values;
+  }
+
   std::vector<Value> run() {
     fill(faces_at_, births_.from_faces, [this](Index i) { return of_face(i); });
     fill(corners_at_, births_.from_corners, [this](Index i) { return of_corner(i); });
@@ -55,6 +64,13 @@ class ValueStep {
     parallel_for(Index{0}, count, [&](Index begin, Index end) {
       for (Index i = begin; i < end; ++i) fresh_[first + i] = of(i);
     });
+  }
+
+  [[nodiscard]] Value of_any(Index i) const {
+    if (i >= isolated_at_) return old_[births_.isolated[i - isolated_at_]];
+    if (i >= corners_at_) return of_corner(i - corners_at_);
+    if (i >= faces_at_) return fresh_[i];
+    return i >= births_.from_vertices ? of_edge(i - births_.from_vertices) : of_vertex(i);
   }
 
   [[nodiscard]] Value apply_row(RuleKind kind, Index h, bool at_target,
@@ -142,6 +158,17 @@ template <class Number, class Value>
                                                const RuleTables<Number>& tables,
                                                const std::vector<Value>& old) {
   return detail::ValueStep<Number, Value>(scheme, mesh, births, tables, old).run();
+}
+
+/// The same at the new vertices of a list alone, on this thread. Cost O(length of the list), and of
+/// all faces where these have rules.
+template <class Number, class Value>
+[[nodiscard]] std::vector<Value> refine_values_at(const Scheme& scheme, const Mesh& mesh,
+                                                  const Births& births,
+                                                  const RuleTables<Number>& tables,
+                                                  const std::vector<Value>& old,
+                                                  const std::vector<Index>& wanted) {
+  return detail::ValueStep<Number, Value>(scheme, mesh, births, tables, old).run_at(wanted);
 }
 
 }  // namespace limn

@@ -1,0 +1,133 @@
+// The quick engine: a control mesh refined to the end (topology, positions, faces), and positions
+// evaluated again for one topology; ns per output vertex, beside what writing the same bytes
+// takes. Memory is kept between runs, but in the rows that say cold.
+
+#include <benchmark/benchmark.h>
+
+#include <array>
+#include <cstring>
+#include <memory>
+#include <string>
+
+#include <fmt/core.h>
+
+#include "limn/base/parallel.h"
+#include "limn/refine/fast/fast_refiner.h"
+#include "peers/control_meshes.h"
+
+namespace limn {
+namespace {
+
+constexpr std::array kSchemes{"loop", "butterfly-modified", "laplacian-butterfly"};
+
+struct Job {
+  Scheme scheme;
+  Mesh mesh;
+  std::vector<float> positions;
+  int levels = 0;
+
+  [[nodiscard]] Result<FastRefiner> refiner() const {
+    return FastRefiner::make(scheme, mesh, levels);
+  }
+};
+
+struct Output {
+  HugeArray<float> positions;
+  HugeArray<Index> corners;
+
+  explicit Output(const FastRefiner& refiner)
+      : positions(3 * static_cast<std::size_t>(refiner.vertex_count())),
+        corners(3 * static_cast<std::size_t>(refiner.face_count())) {}
+};
+
+void report(benchmark::State& state, const FastRefiner& refiner) {
+  using benchmark::Counter;
+  const double vertices = refiner.vertex_count();
+  state.counters["vertices"] = vertices;
+  state.counters["s/vertex"] =
+      Counter(vertices, Counter::kIsIterationInvariantRate | Counter::kInvert);
+  state.counters["held_bytes/vertex"] = static_cast<double>(refiner.bytes()) / vertices;
+}
+
+/// The floor: the bytes of the result, written once.
+void write_bytes(benchmark::State& state, const Job& job, bool faces) {
+  const FastRefiner refiner = job.refiner().value();
+  Output output(refiner);
+  for (auto _ : state) {
+    std::memset(output.positions.data(), 1, output.positions.size() * sizeof(float));
+    if (faces) std::memset(output.corners.data(), 1, output.corners.size() * sizeof(Index));
+    benchmark::ClobberMemory();
+  }
+  report(state, refiner);
+}
+
+void refine_fully(benchmark::State& state, const Job& job, int threads, bool cold) {
+  set_thread_limit(threads);
+  const FastRefiner first = job.refiner().value();
+  auto output = std::make_unique<Output>(first);
+  FastRefiner::Scratch<float> scratch;
+  for (auto _ : state) {
+    if (cold) {
+      output = std::make_unique<Output>(first);
+      scratch = {};
+    }
+    const FastRefiner refiner = job.refiner().value();
+    refiner.evaluate<float>(job.positions, output->positions, scratch);
+    refiner.write_faces(output->corners);
+    benchmark::ClobberMemory();
+  }
+  set_thread_limit(0);
+  report(state, first);
+}
+
+void evaluate_again(benchmark::State& state, const Job& job, int threads) {
+  set_thread_limit(threads);
+  const FastRefiner refiner = job.refiner().value();
+  Output output(refiner);
+  FastRefiner::Scratch<float> scratch;
+  for (auto _ : state) {
+    refiner.evaluate<float>(job.positions, output.positions, scratch);
+    benchmark::ClobberMemory();
+  }
+  set_thread_limit(0);
+  report(state, refiner);
+}
+
+void add(const std::string& mesh_name, const Polygons& control, int levels) {
+  const auto row = [&](const std::string& what, auto body) {
+    benchmark::RegisterBenchmark(fmt::format("{}/level:{}/{}", mesh_name, levels, what).c_str(),
+                                 body)
+        ->UseRealTime()
+        ->Unit(benchmark::kMillisecond);
+  };
+  for (const char* name : kSchemes) {
+    const auto job = std::make_shared<Job>();
+    job->scheme = find_scheme(name).value();
+    job->mesh = Mesh::build(control).value();
+    job->levels = levels;
+    for (const Point3& p : control.positions)
+      for (const double c : {p.x, p.y, p.z}) job->positions.push_back(static_cast<float>(c));
+    using State = benchmark::State;
+    for (const int threads : {1, 0}) {
+      const std::string on =
+          fmt::format("{}/{}", name, threads == 1 ? "one_thread" : "all_threads");
+      row(on + "/full", [=](State& state) { refine_fully(state, *job, threads, false); });
+      row(on + "/again", [=](State& state) { evaluate_again(state, *job, threads); });
+    }
+    row(fmt::format("{}/one_thread/full_cold", name),
+        [=](State& state) { refine_fully(state, *job, 1, true); });
+    if (name != kSchemes.front()) continue;
+    row("floor/full", [=](State& state) { write_bytes(state, *job, true); });
+    row("floor/again", [=](State& state) { write_bytes(state, *job, false); });
+  }
+}
+
+const bool kAdded = [] {
+  constexpr unsigned kSeed = 1;
+  add("sphere-2562", peers::random_sphere(4, 800, 12, kSeed), 5);
+  add("sphere-40962", peers::random_sphere(6, 12800, 12, kSeed), 3);
+  return true;
+}();
+
+}  // namespace
+}  // namespace limn

@@ -1,0 +1,80 @@
+#pragma once
+/// The quick engine: refinement of a control mesh by a fixed number of steps, several times as fast
+/// as the plain engine (refine/refine.h), whose results it gives to rounding, for every scheme of a
+/// split that has a layout: triangle-dyadic.
+///
+/// The finer the mesh, the more of it is regular: each control face is a patch whose inside needs
+/// one stencil for each parity, and its connectivity is arithmetic (triangle_layout.h). Nothing is
+/// typed in for a scheme: all stencils are read by refining linear forms with the plain engine
+/// (stencil_tables.h), which also makes the first steps where rules look farther than a control
+/// edge. Topology is worked out once; positions may be evaluated often.
+///
+/// Numbers of the refined mesh: see triangle_layout.h. The control vertices keep theirs, so vertex
+/// v < V is the image of control vertex v; the vertices of the levels in between do not come first.
+/// The order is another than the plain engine's.
+
+#include <memory>
+#include <span>
+
+#include "limn/base/huge_array.h"
+#include "limn/scheme/scheme.h"
+
+namespace limn {
+
+/// Whether there is a quick engine for schemes of this split.
+[[nodiscard]] bool has_fast_layout(const Split& split);
+
+class FastRefiner {
+ public:
+  /// Precondition: has_fast_layout(*scheme.split); `scheme` must outlive the refiner. Fails as
+  /// `refine` (refine.h) does, with the same errors but for the memory that it says is needed.
+  /// Cost: reading the tables, some 0.1 ms for each valence that is in the mesh, the plain steps,
+  /// and for each further level some 0.1 µs a control vertex.
+  [[nodiscard]] static Result<FastRefiner> make(const Scheme& scheme, Mesh control, int levels);
+
+  FastRefiner(FastRefiner&&) noexcept;
+  FastRefiner& operator=(FastRefiner&&) noexcept;
+  ~FastRefiner();
+
+  [[nodiscard]] Index vertex_count() const;  ///< of the refined mesh
+  [[nodiscard]] Index face_count() const;    ///< all of three corners
+  /// How many of the steps the plain engine makes: as a rule 0 or 1; all of them, where
+  /// the rules look too far, or a vertex has fewer than 3 or more than 1000 faces round it.
+  [[nodiscard]] int plain_steps() const;
+
+  /// Memory for intermediate levels, kept from one evaluation to the next: a quarter of the
+  /// result's. One is for one thread at a time.
+  template <class Real>
+  struct Scratch {
+    HugeArray<Real> numbers;
+  };
+
+  /// Positions of the refined vertices from those of the control vertices: x, y, z of each, one
+  /// after the other; `fine` holds 3 · vertex_count() numbers and does not overlap `control`. Sums
+  /// are made in `Real`, float or double (the plain steps in double), each by one thread in a
+  /// fixed order, so one thread and many give the same bits. Not-a-numbers pass through.
+  template <class Real>
+  void evaluate(std::span<const Real> control, std::span<Real> fine, Scratch<Real>& scratch) const;
+  template <class Real>
+  void evaluate(std::span<const Real> control, std::span<Real> fine) const {
+    Scratch<Real> scratch;
+    evaluate(control, fine, scratch);
+  }
+
+  /// The refined faces: 3 · face_count() vertices.
+  void write_faces(std::span<Index> corners) const;
+
+  /// What the refiner itself holds, in bytes.
+  [[nodiscard]] std::size_t bytes() const;
+
+ private:
+  struct State;
+  explicit FastRefiner(std::unique_ptr<State> state);
+  std::unique_ptr<const State> state_;
+};
+
+/// The refined mesh as polygons. Fails as FastRefiner::make.
+[[nodiscard]] Result<Polygons> fast_refine(const Scheme& scheme, Mesh control,
+                                           const std::vector<Point3>& positions, int levels);
+
+}  // namespace limn

@@ -1,0 +1,100 @@
+#include "limn/refine/fast/walk_hull.h"
+
+#include "limn/scheme/placement.h"
+
+namespace limn::fast {
+namespace {
+
+class Explorer {
+ public:
+  Explorer(const Scheme& scheme, const Mesh& mesh) : scheme_(scheme), mesh_(mesh) {}
+
+  /// The walks of a rule from all flags of its anchor.
+  void explore(RuleKind kind, Index h, bool at_target = false) {
+    const std::optional<Rule>& rule = scheme_.rule(kind);
+    if (!rule) return;
+    const AnchorFlags anchor = anchor_flags(kind, mesh_, h, at_target);
+    for (int i = 0; i < anchor.count; ++i) {
+      see(anchor.flags[i].halfedge);
+      for (const RuleCase& rule_case : *rule)
+        for (const Weight& weight : rule_case.weights) walk(weight.walk, anchor.flags[i]);
+    }
+  }
+
+  std::set<Index> seen;
+
+ private:
+  void see(Index h) {
+    const Index f = mesh_.face(h);
+    for (Index k = mesh_.face_begin(f); k < mesh_.face_begin(f + 1); ++k)
+      seen.insert(mesh_.origin(k));
+  }
+
+  void see_round(Index v) {
+    const Index first = mesh_.halfedge_of_vertex(v);
+    Index h = first;
+    do {
+      see(h);
+      h = mesh_.rotate(h);
+    } while (h != kNone && h != first);
+  }
+
+  /// Follows the moves as far as they go.
+  bool follow(const Moves& moves, Flag& flag) {
+    for (const Move move : moves) {
+      if (move == Move::boundary) {
+        if (mesh_.twin(flag.halfedge) != kNone) return false;
+        see_round(vertex_of(mesh_, flag));
+      }
+      if (!apply(mesh_, move, flag)) return false;
+      see(flag.halfedge);
+    }
+    return true;
+  }
+
+  void walk(const Walk& walk, Flag flag) {
+    if (!follow(walk.before, flag) || !walk.repeated) return;
+    const Index turns = mesh_.valence(vertex_of(mesh_, flag));
+    for (Index k = 0; k < turns; ++k) {
+      Flag end = flag;
+      (void)follow(walk.after, end);
+      if (!follow(walk.step, flag)) return;
+    }
+  }
+
+  const Scheme& scheme_;
+  const Mesh& mesh_;
+};
+
+}  // namespace
+
+std::set<Index> vertex_hull(const Scheme& scheme, const Mesh& mesh, Index h) {
+  Explorer explorer(scheme, mesh);
+  const Index v = mesh.origin(h);
+  const Index first = mesh.halfedge_of_vertex(v);
+  if (mesh.is_boundary_vertex(v)) {
+    explorer.explore(RuleKind::boundary_vertex, first);
+    return explorer.seen;
+  }
+  Index sector = first;
+  do {
+    explorer.explore(RuleKind::vertex, sector);
+    sector = mesh.rotate(sector);
+  } while (sector != first);
+  return explorer.seen;
+}
+
+std::set<Index> edge_hull(const Scheme& scheme, const Mesh& mesh, Index h) {
+  Explorer explorer(scheme, mesh);
+  const Index twin = mesh.twin(h);
+  if (twin == kNone) {
+    explorer.explore(RuleKind::boundary_edge, h);
+    return explorer.seen;
+  }
+  explorer.explore(RuleKind::edge, h);
+  for (const Index end : {h, twin})
+    if (!mesh.is_boundary_vertex(mesh.origin(end))) explorer.explore(RuleKind::edge_end, end);
+  return explorer.seen;
+}
+
+}  // namespace limn::fast

@@ -1,0 +1,130 @@
+#pragma once
+/// The quick engine beside the plain one: the vertices of both refined meshes are matched by
+/// walking both in step, from the face at each control face's first corner on.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+#include <vector>
+
+#include "limn/refine/fast/fast_refiner.h"
+#include "limn/refine/refine.h"
+#include "mesh/random_mesh.h"
+
+namespace limn::test {
+
+inline std::vector<Point3> random_points(Index count, unsigned seed) {
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> one(-1, 1);
+  std::vector<Point3> points(static_cast<std::size_t>(count));
+  for (Point3& p : points) p = {one(random), one(random), one(random)};
+  return points;
+}
+
+/// partner[v] is the vertex of `mesh` at the place of v of `other`. Both were refined from
+/// `faces` control faces, one keeping the faces of each together, the first at its first corner
+/// and begun there. Fails the test where the meshes differ.
+inline std::vector<Index> match(const Mesh& other, const Mesh& mesh, Index faces) {
+  std::vector<Index> partner(static_cast<std::size_t>(other.vertex_count()), kNone);
+  if (other.vertex_count() != mesh.vertex_count() || other.face_count() != mesh.face_count()) {
+    ADD_FAILURE() << "sizes differ";
+    return partner;
+  }
+  std::vector<Index> image(static_cast<std::size_t>(other.halfedge_count()), kNone);
+  std::vector<Index> queue;
+  bool same = true;
+  const auto meet = [&](Index h, Index k) {
+    if (h == kNone || k == kNone) {
+      same = same && h == k;
+    } else if (image[h] == kNone) {
+      image[h] = k;
+      queue.push_back(h);
+    } else {
+      same = same && image[h] == k;
+    }
+  };
+  const Index each = faces == 0 ? 0 : other.face_count() / faces;
+  for (Index f = 0; f < faces; ++f) meet(3 * f * each, 3 * f * each);
+  for (std::size_t i = 0; i < queue.size(); ++i) {
+    const Index h = queue[i], k = image[h];
+    Index& at = partner[other.origin(h)];
+    same = same && (at == kNone || at == mesh.origin(k));
+    at = mesh.origin(k);
+    meet(other.next(h), mesh.next(k));
+    meet(other.twin(h), mesh.twin(k));
+  }
+  EXPECT_TRUE(same) << "connectivity differs";
+  EXPECT_EQ(std::ssize(queue), other.halfedge_count());
+  for (Index v = 0; v < other.vertex_count(); ++v)
+    if (other.is_isolated(v)) partner[v] = v;  // they are control vertices
+  return partner;
+}
+
+inline double distance(Point3 a, Point3 b) {
+  return std::max({std::abs(a.x - b.x), std::abs(a.y - b.y), std::abs(a.z - b.z)});
+}
+
+/// Numbers as points.
+template <class Real>
+std::vector<Point3> as_points(const std::vector<Real>& numbers) {
+  std::vector<Point3> points;
+  for (std::size_t i = 0; i < numbers.size(); i += 3)
+    points.push_back({double(numbers[i]), double(numbers[i + 1]), double(numbers[i + 2])});
+  return points;
+}
+
+template <class Real>
+std::vector<Real> as_numbers(const std::vector<Point3>& points) {
+  std::vector<Real> numbers;
+  for (const Point3& p : points)
+    for (const double c : {p.x, p.y, p.z}) numbers.push_back(static_cast<Real>(c));
+  return numbers;
+}
+
+template <class Real>
+std::vector<Real> evaluate(const FastRefiner& refiner, const std::vector<Point3>& control) {
+  std::vector<Real> fine(3 * static_cast<std::size_t>(refiner.vertex_count()), Real(7e7));
+  const std::vector<Real> numbers = as_numbers<Real>(control);
+  refiner.evaluate<Real>(numbers, fine);
+  return fine;
+}
+
+/// Both engines on random positions: the same mesh, the same points to rounding; or the same error.
+/// Returns how many steps the quick engine left to the plain one, or -1.
+inline int expect_same(const Scheme& scheme, const Mesh& control, int levels, unsigned seed) {
+  const std::vector<Point3> points = random_points(control.vertex_count(), seed);
+  const auto plain = refine(scheme, control, points, levels);
+  const auto quick = FastRefiner::make(scheme, control, levels);
+  EXPECT_EQ(plain.ok(), quick.ok());
+  if (!plain || !quick) {
+    if (!plain && !quick) EXPECT_EQ(plain.error().text(), quick.error().text());
+    return -1;
+  }
+  // a vertex of two faces keeps two edges between its neighbours, which polygons cannot tell apart
+  if (!is_simple(plain->mesh)) return quick->plain_steps();
+  Polygons polygons;
+  polygons.positions.resize(static_cast<std::size_t>(quick->vertex_count()));
+  polygons.corners.resize(3 * static_cast<std::size_t>(quick->face_count()));
+  quick->write_faces(polygons.corners);
+  for (Index f = 1; f <= quick->face_count(); ++f) polygons.face_begin.push_back(3 * f);
+  const Result<Mesh> mesh = Mesh::build(polygons);
+  EXPECT_TRUE(mesh.ok()) << (mesh ? "" : mesh.error().text());
+  if (!mesh) return -1;
+  const std::vector<Index> partner = match(plain->mesh, *mesh, control.face_count());
+  const std::vector<Point3> doubles = as_points(evaluate<double>(*quick, points));
+  const std::vector<Point3> floats = as_points(evaluate<float>(*quick, points));
+  double worst = 0, worst_float = 0;
+  for (Index v = 0; v < plain->mesh.vertex_count(); ++v) {
+    if (partner[v] == kNone) return -1;
+    worst = std::max(worst, distance(plain->values[v], doubles[partner[v]]));
+    worst_float = std::max(worst_float, distance(plain->values[v], floats[partner[v]]));
+    // control vertices keep their numbers
+    if (v < control.vertex_count()) EXPECT_EQ(partner[v], v);
+  }
+  EXPECT_LT(worst, 1e-12);
+  EXPECT_LT(worst_float, 1e-5);
+  return quick->plain_steps();
+}
+
+}  // namespace limn::test
