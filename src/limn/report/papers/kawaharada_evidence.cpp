@@ -75,17 +75,26 @@ Status add_range_table(PaperPage& page, const std::vector<ValenceRange>& ranges,
           kLastRangeValence, worst));
 }
 
-/// μ1 of Loop, which the high pass does not change, at the valences of the ranges.
-Result<std::vector<double>> loop_tangents() {
-  const Result<Scheme> loop = find_scheme("loop");
-  if (!loop) return loop.error();
-  FrequencyAnalysis analysis(*loop);
-  std::vector<double> tangents;
-  for (int n = kFirstValence; n <= kLastRangeValence; ++n) {
+/// At the valences kFirstValence … last.
+Result<std::vector<Eigencomponents>> components_of(const Scheme& scheme, int last) {
+  FrequencyAnalysis analysis(scheme);
+  std::vector<Eigencomponents> valences;
+  for (int n = kFirstValence; n <= last; ++n) {
     const Result<FrequencyBlocks> blocks = analysis.blocks(n);
     if (!blocks) return blocks.error();
-    tangents.push_back(approx_eigencomponents(*blocks).tangent.value_or(NAN));
+    valences.push_back(approx_eigencomponents(*blocks));
   }
+  return valences;
+}
+
+/// μ1 of Loop, which the high pass does not change, at the valences of the ranges.
+Result<std::vector<double>> loop_tangents(const Member& member) {
+  const Result<Scheme> loop = member.load();
+  if (!loop) return loop.error();
+  const Result<std::vector<Eigencomponents>> valences = components_of(*loop, kLastRangeValence);
+  if (!valences) return valences.error();
+  std::vector<double> tangents;
+  for (const Eigencomponents& found : *valences) tangents.push_back(found.tangent.value_or(NAN));
   return tangents;
 }
 
@@ -142,14 +151,9 @@ Result<Evidence> evidence_of(const Member& member) {
   if (!mask) return mask.error();
   Result<Regularity> regularity = enclose_regularity(*mask);
   if (!regularity) return regularity.error();
-  Evidence evidence{member, std::move(*regularity), {}};
-  FrequencyAnalysis analysis(*scheme);
-  for (int n = kFirstValence; n <= kLastValence; ++n) {
-    const Result<FrequencyBlocks> blocks = analysis.blocks(n);
-    if (!blocks) return blocks.error();
-    evidence.valences.push_back(approx_eigencomponents(*blocks));
-  }
-  return evidence;
+  Result<std::vector<Eigencomponents>> valences = components_of(*scheme, kLastValence);
+  if (!valences) return valences.error();
+  return Evidence{member, std::move(*regularity), std::move(*valences)};
 }
 
 std::string bracket_text(const HolderBracket& bracket) {
@@ -216,7 +220,7 @@ Result<Findings> find_all(PaperPage& page, Studio& studio) {
     if (!one) return one.error();
     *ranges = std::move(*one);
   }
-  const Result<std::vector<double>> tangents = loop_tangents();
+  const Result<std::vector<double>> tangents = loop_tangents(m.loop);
   if (!tangents) return tangents.error();
   if (Status status = add_range_table(page, found.a_of_high, *tangents); !status)
     return status.error();
