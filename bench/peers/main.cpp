@@ -6,6 +6,7 @@
 // is a process of its own (measure.h); the tables have the least of all rounds.
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cstdio>
 #include <exception>
 #include <stdexcept>
@@ -64,14 +65,18 @@ Outcome outcome_of(const Race& race, const Control& control, int rounds, bool fu
       full ? full_refinement(race, control) : repeated_evaluation(race, control);
   Outcome outcome{race.name, race.steps(control.level), {}, {}, 0};
   Trial::Size size;
-  for (const Contender& c : contenders) outcome.entries.push_back({c.name, c.ours, c.threads, {}, {}});
+  for (const Contender& c : contenders)
+    outcome.entries.push_back({c.name, c.ours, c.threads, {}, {}});
   for (int round = 0; round < rounds; ++round)
     for (std::size_t i = 0; i < contenders.size(); ++i) {
       Entry& entry = outcome.entries[i];
-      if (full) entry.cold.keep_least(measure(contenders[i], Manner::cold));
       entry.warm.keep_least(measure(contenders[i], full ? Manner::warm : Manner::again));
-      if (entry.ours) size = entry.warm.size;
+      // after its own warm runs, so that all find the system's free pages in a like state
+      if (full) entry.cold.keep_least(measure(contenders[i], Manner::cold));
+      size.vertices = std::max(size.vertices, entry.warm.size.vertices);
+      size.corners = std::max(size.corners, entry.warm.size.corners);
     }
+  if (size.vertices == 0) return outcome;
   outcome.floor = measure(floor_of(size), Manner::again);
   outcome.floor_bytes = floor_bytes(size);
   return outcome;
@@ -79,17 +84,17 @@ Outcome outcome_of(const Race& race, const Control& control, int rounds, bool fu
 
 void print_part(const Settings& settings, const std::vector<Race>& all, const Control& control,
                 bool full, std::vector<Summary>& summaries) {
-  (full ? print_full_head : print_again_head)(control.name);
   Summary summary{fmt::format("{}, {}", full ? "Full refinement" : "Positions again", control.name),
                   {}};
   for (const Race& race : all) {
     Outcome outcome = outcome_of(race, control, settings.rounds, full);
-    if (outcome.entries.empty()) continue;
+    if (outcome.floor_bytes == 0) continue;  // nobody can do it
+    if (summary.outcomes.empty()) (full ? print_full_head : print_again_head)(control.name);
     (full ? print_full : print_again)(outcome);
     std::fflush(stdout);
     summary.outcomes.push_back(std::move(outcome));
   }
-  summaries.push_back(std::move(summary));
+  if (!summary.outcomes.empty()) summaries.push_back(std::move(summary));
 }
 
 void run(const Settings& settings) {

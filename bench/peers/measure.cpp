@@ -15,8 +15,8 @@ namespace limn::peers {
 namespace {
 
 // Several runs are as many as fit into this time, but at least and at most so many.
-constexpr double kNanoseconds = 0.5e9;
-constexpr int kLeastRuns = 2, kMostRuns = 12;
+constexpr double kNanoseconds = 0.4e9;
+constexpr int kLeastRuns = 1, kMostRuns = 10;
 
 double resident_bytes() {
   std::ifstream statm("/proc/self/statm");

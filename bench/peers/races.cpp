@@ -27,8 +27,8 @@ class PlainTrial final : public Trial {
         result_{value_or_throw(Mesh::build(control)), control.positions} {}
 
   void run() override {
-    result_ = value_or_throw(
-        refine(scheme_, std::move(result_.mesh), std::move(result_.values), steps_));
+    result_ =
+        value_or_throw(refine(scheme_, std::move(result_.mesh), std::move(result_.values), steps_));
   }
   [[nodiscard]] Size size() const override {
     return {double(result_.mesh.vertex_count()), double(result_.mesh.halfedge_count())};
@@ -46,11 +46,6 @@ std::vector<Real> numbers_of(const std::vector<Point3>& points) {
   for (const Point3& p : points)
     for (const double c : {p.x, p.y, p.z}) numbers.push_back(static_cast<Real>(c));
   return numbers;
-}
-
-/// The corners of all faces, which are triangles in every layout there is.
-std::size_t corner_count(const FastRefiner& refiner) {
-  return 3 * static_cast<std::size_t>(refiner.face_count());
 }
 
 template <class Real>
@@ -72,9 +67,12 @@ class QuickTrial final : public Trial {
     const FastRefiner refiner =
         value_or_throw(FastRefiner::make(scheme_, std::move(control_), steps_));
     fine_ = fine_positions<Real>(refiner);
-    corners_ = HugeArray<Index>(corner_count(refiner));
+    corners_ = HugeArray<Index>(static_cast<std::size_t>(refiner.corner_count()));
     refiner.template evaluate<Real>(points_, fine_);
     refiner.write_faces(corners_);
+    if (refiner.corners_per_face() > 0) return;
+    face_begin_ = HugeArray<Index>(static_cast<std::size_t>(refiner.face_count()) + 1);
+    refiner.write_face_begin(face_begin_);
   }
   [[nodiscard]] Size size() const override {
     return {double(fine_.size()) / 3, double(corners_.size())};
@@ -86,15 +84,15 @@ class QuickTrial final : public Trial {
   Mesh control_;
   std::vector<Real> points_;
   HugeArray<Real> fine_;
-  HugeArray<Index> corners_;
+  HugeArray<Index> corners_, face_begin_;
 };
 
 template <class Real>
 class QuickAgain final : public Trial {
  public:
   QuickAgain(const Scheme& scheme, const Polygons& control, int steps)
-      : refiner_(value_or_throw(
-            FastRefiner::make(scheme, value_or_throw(Mesh::build(control)), steps))),
+      : refiner_(
+            value_or_throw(FastRefiner::make(scheme, value_or_throw(Mesh::build(control)), steps))),
         points_(numbers_of<Real>(control.positions)),
         fine_(fine_positions<Real>(refiner_)) {}
 
@@ -131,18 +129,27 @@ class PeerAgain final : public Trial {
 
 class FloorTrial final : public Trial {
  public:
-  explicit FloorTrial(Size size)
-      : size_(size), bytes_(static_cast<std::size_t>(floor_bytes(size))) {}
+  explicit FloorTrial(Size size) : size_(size) {
+    const auto bytes = static_cast<std::size_t>(floor_bytes(size));
+    do {
+      results_.emplace_back(bytes);
+      std::memset(results_.back().data(), 0, bytes);
+    } while (results_.size() * bytes < kMoreThanCaches);
+  }
 
+  /// In turns, so that no cache holds what is written.
   void run() override {
-    std::memset(bytes_.data(), 1, bytes_.size());
-    asm volatile("" : : "r"(bytes_.data()) : "memory");  // somebody might read it
+    HugeArray<char>& result = results_[next_++ % results_.size()];
+    std::memset(result.data(), 1, result.size());
+    asm volatile("" : : "r"(result.data()) : "memory");  // somebody might read it
   }
   [[nodiscard]] Size size() const override { return size_; }
 
  private:
+  static constexpr std::size_t kMoreThanCaches = std::size_t{512} << 20U;
   Size size_;
-  HugeArray<char> bytes_;
+  std::vector<HugeArray<char>> results_;
+  std::size_t next_ = 0;
 };
 
 /// A contender of ours: a trial of type T, made from these arguments, on so many threads.
@@ -183,6 +190,12 @@ Contender of_theirs_again(std::string name, int threads, const Race& race, const
           }};
 }
 
+/// A function of tests/peers with its last argument given.
+template <class Make>
+auto on_floats(Make make) {
+  return [make](const auto&... rest) { return make(rest..., Precision::single_float); };
+}
+
 }  // namespace
 
 int Race::steps(int level) const { return level + (scheme.split->dilation.growth() == 3 ? 1 : 0); }
@@ -211,14 +224,9 @@ std::vector<Contender> full_refinement(const Race& race, const Control& control)
     add_ours<QuickTrial<float>>(all, "limn quick, float", race, control);
   }
   if (!race.method) return all;
-  const auto with = [](auto make, Precision precision) {
-    return [=](Method method, const Polygons& mesh) { return make(method, mesh, precision); };
-  };
-  constexpr Precision kFloat = Precision::single_float, kDouble = Precision::double_float;
-  all.push_back(of_theirs("OpenSubdiv, float", race, control, with(opensubdiv_peer, kFloat)));
+  all.push_back(of_theirs("OpenSubdiv, float", race, control, on_floats(opensubdiv_peer)));
   all.push_back(of_theirs("CGAL", race, control, cgal_peer));
-  all.push_back(of_theirs("OpenMesh", race, control, with(openmesh_peer, kDouble)));
-  all.push_back(of_theirs("OpenMesh, float", race, control, with(openmesh_peer, kFloat)));
+  all.push_back(of_theirs("OpenMesh, float", race, control, on_floats(openmesh_peer)));
   return all;
 }
 
@@ -229,16 +237,12 @@ std::vector<Contender> repeated_evaluation(const Race& race, const Control& cont
     add_ours<QuickAgain<double>>(all, "limn quick", race, control);
   }
   if (!race.method) return all;
-  const auto stencils = [](Method method, const Polygons& mesh, int steps) {
-    return opensubdiv_stencils(method, mesh, steps, Precision::single_float);
-  };
-  const auto primvars = [](Method method, const Polygons& mesh, int steps) {
-    return opensubdiv_primvars(method, mesh, steps, Precision::single_float);
-  };
   const std::string name = "OpenSubdiv StencilTable, float";
-  all.push_back(of_theirs_again(name, 1, race, control, stencils));
-  all.push_back(of_theirs_again(name + ", 2 threads", 2, race, control, stencils));
-  all.push_back(of_theirs_again("OpenSubdiv PrimvarRefiner, float", 1, race, control, primvars));
+  all.push_back(of_theirs_again(name, 1, race, control, on_floats(opensubdiv_stencils)));
+  all.push_back(
+      of_theirs_again(name + ", 2 threads", 2, race, control, on_floats(opensubdiv_stencils)));
+  all.push_back(of_theirs_again("OpenSubdiv PrimvarRefiner, float", 1, race, control,
+                                on_floats(opensubdiv_primvars)));
   return all;
 }
 

@@ -38,8 +38,8 @@ struct Control {
 
 /// Full refinement, topology and positions: the plain engine on doubles, the quick engine where it
 /// has a layout for the split, on doubles and floats, one thread and two; OpenSubdiv (uniform
-/// refinement, no code of which uses threads), CGAL, OpenMesh. `race` and `control` must outlive
-/// the contenders.
+/// refinement), CGAL and OpenMesh, none of which uses more than one thread. Floats where a library
+/// takes them: it is then a little faster. `race` and `control` must outlive the contenders.
 [[nodiscard]] std::vector<Contender> full_refinement(const Race& race, const Control& control);
 
 /// Positions alone, the topology being known: `prepare` works it out, `run` evaluates. The quick
@@ -48,7 +48,7 @@ struct Control {
 [[nodiscard]] std::vector<Contender> repeated_evaluation(const Race& race, const Control& control);
 
 /// The floor: positions as floats and, of full refinement, corners as 32-bit numbers, written once
-/// by one thread to memory that was written before.
+/// by one thread to memory that was written before, but is in no cache.
 [[nodiscard]] Contender floor_of(Trial::Size size);
 [[nodiscard]] double floor_bytes(Trial::Size size);
 

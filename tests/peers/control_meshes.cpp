@@ -27,9 +27,15 @@ class Editor {
 
   /// Tries to flip `count` random inner edges between triangles.
   Editor& flip(int count, Index max_valence) {
+    Mesh mesh = build(faces_);
+    // vertices whose faces are not those in `mesh` any more: it is built anew only near them
+    std::vector<bool> changed(positions_.size());
     for (; count > 0; --count) {
-      const Mesh mesh = build(faces_);
       const Index h = below(mesh.halfedge_count());
+      if (is_near(mesh, h, changed)) {
+        mesh = build(faces_);
+        changed.assign(positions_.size(), false);
+      }
       const Index t = mesh.twin(h);
       if (t == kNone) continue;
       const Index a = mesh.origin(h), b = mesh.origin(t);
@@ -38,6 +44,7 @@ class Editor {
       if (!can_lose_edge(mesh, a) || !can_lose_edge(mesh, b) || adjacent(mesh, c, d)) continue;
       faces_[mesh.face(h)] = {a, d, c};
       faces_[mesh.face(t)] = {b, c, d};
+      for (const Index v : {a, b, c, d}) changed[v] = true;
     }
     return *this;
   }
@@ -98,6 +105,19 @@ class Editor {
 
   [[nodiscard]] Mesh build(const Faces& faces) const {
     return test::must_build(static_cast<Index>(positions_.size()), faces);
+  }
+
+  /// Whether a corner of the faces beside h is marked.
+  static bool is_near(const Mesh& mesh, Index h, const std::vector<bool>& marked) {
+    for (const Index side : {h, mesh.twin(h)}) {
+      if (side == kNone) continue;
+      Index k = side;
+      do {
+        if (marked[mesh.origin(k)]) return true;
+        k = mesh.next(k);
+      } while (k != side);
+    }
+    return false;
   }
 
   static bool can_lose_edge(const Mesh& mesh, Index v) {

@@ -39,7 +39,8 @@ std::vector<Point3> points_of(const std::vector<OsdPoint<Real>>& points) {
   std::vector<Point3> result;
   result.reserve(points.size());
   for (const OsdPoint<Real>& p : points)
-    result.push_back({static_cast<double>(p.x), static_cast<double>(p.y), static_cast<double>(p.z)});
+    result.push_back(
+        {static_cast<double>(p.x), static_cast<double>(p.y), static_cast<double>(p.z)});
   return result;
 }
 
