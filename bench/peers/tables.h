@@ -25,7 +25,7 @@ struct Outcome {
   double floor_bytes = 0;  ///< of the whole result
 };
 
-/// Processor, compiler, date, and how busy the machine is.
+/// Processor, compiler, date, how busy the machine is, and what the times are.
 void print_machine();
 
 /// A table's title and head, and what one race adds to it. "–": no such method.
