@@ -8,6 +8,7 @@
 #include "command.h"
 #include "control_mesh.h"
 #include "limn/base/progress.h"
+#include "limn/extraordinary/fast_limit.h"
 #include "limn/extraordinary/limit_points.h"
 #include "limn/mesh/io/mesh_file.h"
 #include "limn/refine/fast/fast_refiner.h"
@@ -98,7 +99,19 @@ Result<Polygons> refined_polygons(const RefineOptions& options, const Scheme& sc
     seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   };
   std::optional<Refined<Point3>> refined;
-  if (options.engine == "quick" && has_fast_layout(*scheme.split)) {
+  const bool quick = options.engine == "quick" && has_fast_layout(*scheme.split);
+  if (quick && options.wants_limit() && options.curvatures.empty()) {
+    Result<std::optional<FastLimitMesh>> limit =
+        approx_fast_limit_mesh(scheme, control.mesh, control.points, options.levels);
+    if (!limit) return limit.error();
+    if (*limit) {
+      stop();
+      if (options.normals) extras.normals = std::move((*limit)->normals);
+      if (options.limit) (*limit)->refined.positions = std::move((*limit)->limit);
+      return std::move((*limit)->refined);
+    }
+  }
+  if (quick) {
     Result<Polygons> fine = fast_refine(scheme, control.mesh, control.points, options.levels);
     stop();
     if (!fine || !options.wants_limit()) return fine;

@@ -13,4 +13,13 @@ namespace limn {
 [[nodiscard]] Result<std::optional<FastRefiner::Limit>> approx_fast_limit(
     const Scheme& scheme, const FastRefiner& refiner);
 
+/// A refined mesh with limit positions and unit normals at its vertices.
+struct FastLimitMesh {
+  Polygons refined;
+  std::vector<Point3> limit, normals;
+};
+/// All of it in one call. Nothing as approx_fast_limit; fails as FastRefiner::make, too.
+[[nodiscard]] Result<std::optional<FastLimitMesh>> approx_fast_limit_mesh(
+    const Scheme& scheme, const Mesh& control, const std::vector<Point3>& positions, int levels);
+
 }  // namespace limn

@@ -4,6 +4,7 @@
 /// non-manifold; `Mesh::build` (mesh.h) is where that is refused.
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace limn {
@@ -23,6 +24,17 @@ inline Point3 operator*(double s, Point3 a) { return {s * a.x, s * a.y, s * a.z}
 inline double dot(Point3 a, Point3 b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
 inline Point3 cross(Point3 a, Point3 b) {
   return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+
+/// The coordinates of points, x, y, z of each, one after the other.
+[[nodiscard]] inline std::span<const double> numbers_of(const std::vector<Point3>& points) {
+  static_assert(sizeof(Point3) == 3 * sizeof(double));
+  return points.empty() ? std::span<const double>()
+                        : std::span<const double>(&points.front().x, 3 * points.size());
+}
+[[nodiscard]] inline std::span<double> numbers_of(std::vector<Point3>& points) {
+  return points.empty() ? std::span<double>()
+                        : std::span<double>(&points.front().x, 3 * points.size());
 }
 
 struct Polygons {

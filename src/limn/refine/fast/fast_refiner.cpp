@@ -196,21 +196,23 @@ template void FastRefiner::evaluate_limit<double>(const Limit&, std::span<const 
                                                   std::span<double>, std::span<double>,
                                                   Scratch<double>&) const;
 
+Polygons refined_polygons(const FastRefiner& refiner, std::vector<Point3> positions) {
+  Polygons polygons;
+  polygons.positions = std::move(positions);
+  polygons.corners.resize(static_cast<std::size_t>(refiner.corner_count()));
+  refiner.write_faces(polygons.corners);
+  polygons.face_begin.resize(static_cast<std::size_t>(refiner.face_count()) + 1);
+  refiner.write_face_begin(polygons.face_begin);
+  return polygons;
+}
+
 Result<Polygons> fast_refine(const Scheme& scheme, Mesh control,
                              const std::vector<Point3>& positions, int levels) {
-  static_assert(sizeof(Point3) == 3 * sizeof(double));
   Result<FastRefiner> refiner = FastRefiner::make(scheme, std::move(control), levels);
   if (!refiner) return refiner.error();
-  Polygons polygons;
-  polygons.positions.resize(static_cast<std::size_t>(refiner->vertex_count()));
-  if (!positions.empty())
-    refiner->evaluate<double>({&positions.front().x, 3 * positions.size()},
-                              {&polygons.positions.front().x, 3 * polygons.positions.size()});
-  polygons.corners.resize(static_cast<std::size_t>(refiner->corner_count()));
-  refiner->write_faces(polygons.corners);
-  polygons.face_begin.resize(static_cast<std::size_t>(refiner->face_count()) + 1);
-  refiner->write_face_begin(polygons.face_begin);
-  return polygons;
+  std::vector<Point3> fine(static_cast<std::size_t>(refiner->vertex_count()));
+  refiner->evaluate<double>(numbers_of(positions), numbers_of(fine));
+  return refined_polygons(*refiner, std::move(fine));
 }
 
 }  // namespace limn

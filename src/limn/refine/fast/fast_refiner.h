@@ -104,6 +104,9 @@ class FastRefiner {
   std::unique_ptr<const State> state_;
 };
 
+/// The refined faces, with these positions (one per vertex).
+[[nodiscard]] Polygons refined_polygons(const FastRefiner& refiner, std::vector<Point3> positions);
+
 /// The refined mesh as polygons. Fails as FastRefiner::make.
 [[nodiscard]] Result<Polygons> fast_refine(const Scheme& scheme, Mesh control,
                                            const std::vector<Point3>& positions, int levels);
