@@ -5,18 +5,9 @@
 /// and y steps along spoke s+1. On the plane, where a whole star has six sectors, (a, b) are the
 /// coordinates of sector 0: the neighbours of (0, 0) are ±(1, 0), ±(0, 1) and ±(1, -1).
 
-#include <vector>
-
-#include "limn/mesh/polygons.h"
+#include "limn/refine/fast/stencil.h"
 
 namespace limn::fast {
-
-/// A vertex of the lattice, or the offset between two.
-struct Offset {
-  Index a = 0, b = 0;
-  friend bool operator==(const Offset&, const Offset&) = default;
-  friend auto operator<=>(const Offset&, const Offset&) = default;
-};
 
 struct SectorPoint {
   Index sector = 0, x = 0, y = 0;

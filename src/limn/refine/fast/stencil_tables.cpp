@@ -78,12 +78,12 @@ ZoneTable to_table(const std::vector<Form>& forms, Index sectors, bool open) {
     slot[v] = static_cast<int>(table.sources.size());
     table.sources.push_back(sector_point(sectors, open, v));
   }
-  table.row_begin.push_back(0);
+  table.rows.sources = static_cast<int>(table.sources.size());
   for (std::size_t i = 0; i < forms.size(); ++i) {
     table.targets.push_back(sector_point(sectors, open, static_cast<Index>(i)));
     for (const auto& [vertex, weight] : forms[i].terms)
-      if (weight != 0) table.terms.push_back({slot[vertex], weight});
-    table.row_begin.push_back(static_cast<int>(table.terms.size()));
+      if (weight != 0) table.rows.terms.push_back({slot[vertex], weight});
+    table.rows.row_begin.push_back(static_cast<int>(table.rows.terms.size()));
   }
   return table;
 }

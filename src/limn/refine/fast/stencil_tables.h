@@ -10,25 +10,12 @@
 
 namespace limn::fast {
 
-/// What a fine point takes from the old vertex at `place`, an offset from its anchor.
-struct Tap {
-  Offset place;
-  double weight = 0;
-};
-using Stencil = std::vector<Tap>;  ///< sorted by place
-
 /// The fine points round a vertex, as sums over the old ones round it.
 struct ZoneTable {
   Index sectors = 0;
   std::vector<SectorPoint> sources;  ///< old points, sector by sector
   std::vector<SectorPoint> targets;  ///< fine points, the centre first
-  /// Target i has the terms row_begin[i] … row_begin[i+1]-1: weight times source number `source`.
-  struct Term {
-    int source = 0;
-    double weight = 0;
-  };
-  std::vector<int> row_begin;
-  std::vector<Term> terms;
+  RowTable rows;                     ///< of the targets over the sources
 };
 
 struct StencilTables {
