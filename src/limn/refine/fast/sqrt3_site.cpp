@@ -47,44 +47,51 @@ Index Sqrt3Site::old_vertex(const SectorPoint& place) const {
   return control_.vertex_count() + face;
 }
 
-/// Thirds of control edges are born from the faces of the level between that have the edge's half
-/// for their first side (split_sqrt3.cpp numbers them by half-edges), or on the boundary.
-Sqrt3Site::Origin Sqrt3Site::third(const SectorPoint& place) const {
+Sqrt3Site::Third Sqrt3Site::third(const SectorPoint& place) const {
   const auto& [sector, x, y] = place;
   const Index i = x % 3, j = y % 3;  // on a side of the triangle that points up here
   const Index side = j == 0 ? 0 : i == 0 ? 2 : 1;
-  const Index h = 3 * triangle_up(sector, x / 3, y / 3) + side;
-  const bool at_target = side == 0 ? i == 2 : side == 1 ? j == 2 : j == 1;
-  if (!at_target && control_.twin(h) != kNone) return {Birth::face, 3 * h, false};
-  if (control_.twin(h) != kNone) return {Birth::face, 3 * control_.twin(h), false};
-  return {Birth::edge_end, 3 * h, at_target};
+  const bool near_target = side == 0 ? i == 2 : side == 1 ? j == 2 : j == 1;
+  return {3 * triangle_up(sector, x / 3, y / 3) + side, near_target};
 }
 
 Sqrt3Site::Origin Sqrt3Site::origin(Sqrt3Step step, const SectorPoint& place) const {
   assert(is_new(step, place.x, place.y));
   if (is_old(step, place.x, place.y))
     return {Birth::vertex, mesh(step).halfedge_of_vertex(old_vertex(place)), false};
-  if (step == Sqrt3Step::thirds) return third(place);
-  return {Birth::face, 3 * (old_vertex(place) - control_.vertex_count()), false};
+  if (step == Sqrt3Step::centroids)
+    return {Birth::face, 3 * (old_vertex(place) - control_.vertex_count()), false};
+  const auto [h, near_target] = third(place);
+  const Index twin = control_.twin(h);
+  // face h of level 1 lies at the origin of h (split_sqrt3.cpp)
+  if (twin == kNone) return {Birth::edge_end, 3 * h, near_target};
+  return {Birth::face, 3 * (near_target ? twin : h), false};
 }
 
-Index Sqrt3Site::vertex(Sqrt3Step step, const SectorPoint& place) const {
+Index Sqrt3Site::vertex(const SectorPoint& place) const {
   if ((place.x - place.y) % 3 == 0) return old_vertex(place);
-  const Origin from = third(place);
-  if (from.kind == Birth::edge_end) {
-    const auto found = std::find(second_.edge_ends.begin(), second_.edge_ends.end(),
-                                 2 * from.halfedge + (from.at_target ? 1 : 0));
-    assert(found != second_.edge_ends.end());
-    return second_.from_vertices +
-           static_cast<Index>(std::distance(second_.edge_ends.begin(), found));
+  const auto [h, near_target] = third(place);
+  return third_along(control_, second_, h, near_target);
+}
+
+Index third_along(const Mesh& control, const Births& second, Index h, bool near_target) {
+  const auto position = [](const std::vector<Index>& list, auto found) {
+    return static_cast<Index>(std::distance(list.begin(), found));
+  };
+  if (control.twin(h) == kNone) {  // half-edge 3h of level 1; its edge keeps its number
+    const std::vector<Index>& ends = second.edge_ends;
+    const auto found =
+        std::lower_bound(ends.begin(), ends.end(), control.edge(h),
+                         [&](Index end, Index e) { return control.edge(end / 6) < e; });
+    assert(found != ends.end() && *found == 6 * h);
+    return second.from_vertices + position(ends, found) + (near_target ? 1 : 0);
   }
-  assert(step == Sqrt3Step::thirds);
-  (void)step;
-  const auto found =
-      std::lower_bound(second_.faces.begin(), second_.faces.end(), from.halfedge / 3);
-  assert(found != second_.faces.end() && *found == from.halfedge / 3);
-  return second_.from_vertices + second_.from_edges +
-         static_cast<Index>(std::distance(second_.faces.begin(), found));
+  const Index face = near_target ? control.twin(h) : h;
+  const Index first = second.from_vertices + second.from_edges;
+  if (second.faces.empty()) return first + face;
+  const auto found = std::lower_bound(second.faces.begin(), second.faces.end(), face);
+  assert(found != second.faces.end() && *found == face);
+  return first + position(second.faces, found);
 }
 
 }  // namespace limn::fast

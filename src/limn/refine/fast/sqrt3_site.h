@@ -26,6 +26,11 @@ enum class Sqrt3Step { centroids, thirds };
   return step == Sqrt3Step::thirds || (x - y) % 3 == 0;
 }
 
+/// The vertex of level 2 that lies a third along half-edge h of level 0, or where `near_target` two
+/// thirds; `second` is what the second step bears. Cost: logarithmic in the size of the mesh.
+[[nodiscard]] Index third_along(const Mesh& control, const Births& second, Index h,
+                                bool near_target = false);
+
 class Sqrt3Site {
  public:
   /// So many sectors (faces round the middle vertex) and rings of control edges; `open`: a fan.
@@ -41,8 +46,8 @@ class Sqrt3Site {
 
   /// Where an old vertex of either step lies.
   [[nodiscard]] const SectorPoint& place(Index old) const { return places_[old]; }
-  /// The vertex that a step makes at a place, number as in the refined mesh; not at the rim.
-  [[nodiscard]] Index vertex(Sqrt3Step step, const SectorPoint& place) const;
+  /// The vertex of level 2 at a place; where X ≡ Y (mod 3), also that of level 1.
+  [[nodiscard]] Index vertex(const SectorPoint& place) const;
 
   /// What a new vertex is born from, as a half-edge of mesh(step): one out of the old vertex, or of
   /// the old face, or of a boundary edge and the end that it is near.
@@ -60,7 +65,12 @@ class Sqrt3Site {
  private:
   [[nodiscard]] Index triangle_up(Index sector, Index x, Index y) const;
   [[nodiscard]] Index old_vertex(const SectorPoint& place) const;
-  [[nodiscard]] Origin third(const SectorPoint& place) const;
+  /// On which half-edge of level 0 a third lies, and whether near its target.
+  struct Third {
+    Index halfedge = kNone;
+    bool near_target = false;
+  };
+  [[nodiscard]] Third third(const SectorPoint& place) const;
   void place_all();
 
   Index sectors_, rings_;

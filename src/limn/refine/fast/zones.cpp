@@ -29,13 +29,15 @@ void find_sectors(ZoneGroup& group, const Mesh& control) {
 
 }  // namespace
 
-std::vector<ZoneGroup> group_vertices(const StencilTables& tables, const Mesh& control) {
+std::vector<ZoneGroup> group_vertices(const std::map<Index, ZoneTable>& stars,
+                                      const std::map<Index, ZoneTable>& fans,
+                                      const Mesh& control) {
   std::map<const ZoneTable*, std::vector<Index>> members;
   for (Index v = 0; v < control.vertex_count(); ++v) {
     const bool open = control.is_boundary_vertex(v);
     const ZoneTable& table = control.is_isolated(v) ? identity_table()
-                             : open                 ? tables.fans.at(control.valence(v) - 1)
-                                                    : tables.stars.at(control.valence(v));
+                             : open                 ? fans.at(control.valence(v) - 1)
+                                                    : stars.at(control.valence(v));
     members[&table].push_back(v);
   }
   std::vector<ZoneGroup> groups;

@@ -20,8 +20,13 @@ struct ZoneGroup {
 };
 
 /// All vertices of the control mesh; the tables must outlive the groups. An isolated vertex stays.
-[[nodiscard]] std::vector<ZoneGroup> group_vertices(const StencilTables& tables,
+[[nodiscard]] std::vector<ZoneGroup> group_vertices(const std::map<Index, ZoneTable>& stars,
+                                                    const std::map<Index, ZoneTable>& fans,
                                                     const Mesh& control);
+[[nodiscard]] inline std::vector<ZoneGroup> group_vertices(const StencilTables& tables,
+                                                           const Mesh& control) {
+  return group_vertices(tables.stars, tables.fans, control);
+}
 
 /// A layout numbers point (x, y) in the frame of half-edge h: `Index point(h, x, y) const`.
 /// The numbers of the points round each of a group's vertices, which have their own.

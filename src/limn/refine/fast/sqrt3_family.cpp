@@ -1,0 +1,416 @@
+#include "limn/refine/fast/sqrt3_family.h"
+
+#include <algorithm>
+
+#include "limn/refine/fast/sqrt3_layout.h"
+#include "limn/refine/fast/sqrt3_tables.h"
+#include "limn/refine/fast/zones.h"
+
+namespace limn::fast {
+namespace {
+
+constexpr Index kPatchGrain = 2048;
+constexpr Index kFaceChunk = 32768;  // refined faces that one call of a parallel loop writes
+
+Index power_of_3(int exponent) {
+  Index power = 1;
+  while (exponent-- > 0) power *= 3;
+  return power;
+}
+
+Sqrt3Step step_from(int level) {
+  return level % 2 == 0 ? Sqrt3Step::centroids : Sqrt3Step::thirds;
+}
+
+/// A step of a level; places are in its grid of thirds.
+struct LevelStep {
+  LevelStep(const Mesh& control, int level)
+      : step(step_from(level)), odd(control, power_of_3(level / 2)), thirds(control, side()) {}
+
+  [[nodiscard]] Index n() const { return odd.n(); }
+  [[nodiscard]] Index side() const { return 3 * odd.n(); }
+  /// Old points, also beyond the patch's sides.
+  [[nodiscard]] Index old_point(Index h, Index x, Index y) const {
+    return step == Sqrt3Step::thirds ? odd.point_beyond(h, x, y)
+                                     : odd.grid().point_beyond(h, x / 3, y / 3);
+  }
+  [[nodiscard]] Index new_point(Index h, Index x, Index y) const {
+    return step == Sqrt3Step::thirds ? thirds.point(h, x, y) : odd.point(h, x, y);
+  }
+
+  Sqrt3Step step;
+  CentroidLayout odd;
+  TriangleLayout thirds;
+};
+
+/// The two sides of a step for number_points (zones.h).
+struct OldPoints {
+  const LevelStep& level;
+  [[nodiscard]] Index point(Index h, Index x, Index y) const { return level.old_point(h, x, y); }
+};
+struct NewPoints {
+  const LevelStep& level;
+  [[nodiscard]] Index point(Index h, Index x, Index y) const { return level.new_point(h, x, y); }
+};
+
+/// What a patch's runs are, in the order of the numbers: its sides, what is inside of the grid, and
+/// the grid's centroids.
+enum class Run { side0, side1, side2, inside, centroids };
+
+/// The patch's shape, and the numbers for it.
+class Patches {
+ public:
+  Patches(const LevelStep& level, const Sqrt3Tables& tables) : level_(level), tables_(tables) {
+    make_runs();
+    find_halo();
+    make_frame();
+    make_inner();
+  }
+
+  PatchPlan plan() {
+    const Mesh& control = level_.odd.control();
+    PatchPlan plan;
+    plan.stencils.assign(tables_.interior.begin(), tables_.interior.end());
+    plan.patches = control.face_count();
+    plan.inner_begin = thirds() ? level_.odd.centroid_begin(0) : level_.odd.grid().face_begin(0);
+    const std::size_t frame = shape_.frame.size(), runs = shape_.runs.size();
+    plan.frame = HugeArray<Index>(static_cast<std::size_t>(plan.patches) * frame);
+    plan.runs = HugeArray<Index>(static_cast<std::size_t>(plan.patches) * runs);
+    parallel_for(
+        Index{0}, plan.patches,
+        [&](Index first, Index last) {
+          for (Index f = first; f < last; ++f) {
+            number_frame(f, plan.frame.data() + static_cast<std::size_t>(f) * frame);
+            number_runs(f, plan.runs.data() + static_cast<std::size_t>(f) * runs);
+          }
+        },
+        kPatchGrain);
+    plan.shape = std::move(shape_);
+    return plan;
+  }
+
+ private:
+  [[nodiscard]] bool thirds() const { return level_.step == Sqrt3Step::thirds; }
+  [[nodiscard]] Index side() const { return level_.side(); }
+
+  /// Where point p of the frame of a side lies in the patch.
+  [[nodiscard]] Offset in_patch(Index frame, Offset p) const {
+    for (; frame > 0; --frame) p = {side() - p.a - p.b, p.a};
+    return p;
+  }
+
+  void add_old(Offset p, std::vector<Offset>& places) const {
+    places.push_back(to_local(level_.step, p));
+  }
+
+  void add_run(Run run, const std::vector<Offset>& points) {
+    if (points.empty()) return;
+    runs_.push_back(run);
+    std::vector<FinePoint>& to = shape_.runs.emplace_back();
+    for (const Offset p : points) {
+      const auto c = static_cast<std::size_t>(sqrt3_class(level_.step, p));
+      to.push_back({c, to_local(level_.step, anchor_of(level_.step, p))});
+    }
+    made_.insert(made_.end(), points.begin(), points.end());
+  }
+
+  void make_runs() {
+    const Index last = side(), each = thirds() ? 1 : 3;  // the steps of the grid that is made
+    std::vector<Offset> points;
+    for (Index frame = 0; frame < 3; ++frame) {
+      points.clear();
+      for (Index t = each; t < last; t += each) points.push_back(in_patch(frame, {t, 0}));
+      add_run(static_cast<Run>(frame), points);
+    }
+    points.clear();
+    for (Index y = each; y < last; y += each)
+      for (Index x = each; x + y < last; x += each) points.push_back({x, y});
+    add_run(Run::inside, points);
+    if (!thirds()) add_run(Run::centroids, centroids());
+  }
+
+  /// In the order of their numbers.
+  [[nodiscard]] std::vector<Offset> centroids() const {
+    std::vector<Offset> points;
+    for (Index y = 0; y < side(); y += 3)
+      for (Index x = 0; x + y < side(); x += 3) {
+        points.push_back({x + 1, y + 1});
+        if (x + y + 3 < side()) points.push_back({x + 2, y + 2});
+      }
+    return points;
+  }
+
+  /// Rows beyond the sides that new points take from, as far as the neighbours go: what looks
+  /// farther is in a zone.
+  void find_halo() {
+    for (const Offset p : made_) {
+      const Offset anchor = anchor_of(level_.step, p);
+      for (const Tap& tap : tables_.interior[sqrt3_class(level_.step, p)]) {
+        const Offset at = from_local(tap.place);
+        const Index x = anchor.a + at.a, y = anchor.b + at.b;
+        const Index beyond = std::max({-x, -y, x + y - side()});
+        if (x <= side() && y <= side() && x + y >= 0) halo_ = std::max(halo_, beyond);
+      }
+    }
+  }
+
+  [[nodiscard]] Offset from_local(Offset place) const {
+    if (!thirds()) return {3 * place.a, 3 * place.b};
+    return {2 * place.a + place.b, place.b - place.a};
+  }
+
+  /// Old points of the corners, the sides, in steps of thirds the vertices inside, and rows beyond
+  /// the sides.
+  void make_frame() {
+    std::vector<Offset>& frame = shape_.frame;
+    for (Index i = 0; i < 3; ++i) add_old(in_patch(i, {0, 0}), frame);
+    for (Index i = 0; i < 3; ++i)
+      for (Index t = 3; t < side(); t += 3) add_old(in_patch(i, {t, 0}), frame);
+    if (thirds()) add_inner_vertices(frame);
+    for (Index i = 0; i < 3; ++i)
+      for (Index r = first_row(); r <= halo_; r += row_step())
+        for (Index y = r % 3; r + y <= side(); y += 3) add_old(in_patch(i, {r + y, -r}), frame);
+  }
+
+  void make_inner() {
+    if (!thirds()) return add_inner_vertices(shape_.inner);
+    for (const Offset p : centroids()) add_old(p, shape_.inner);
+  }
+
+  void add_inner_vertices(std::vector<Offset>& places) const {
+    for (Index y = 3; y < side(); y += 3)
+      for (Index x = 3; x + y < side(); x += 3) add_old({x, y}, places);
+  }
+
+  [[nodiscard]] Index first_row() const { return row_step(); }
+  [[nodiscard]] Index row_step() const { return thirds() ? 1 : 3; }
+
+  /// Numbers of the shape's frame for one patch, in its order.
+  void number_frame(Index f, Index* out) const {
+    const Mesh& control = level_.odd.control();
+    const TriangleLayout& grid = level_.odd.grid();
+    for (Index h = 3 * f; h < 3 * f + 3; ++h) *out++ = control.origin(h);
+    for (Index h = 3 * f; h < 3 * f + 3 && level_.n() > 1; ++h) {
+      const Index step = grid.leads(h) ? 1 : -1;
+      for (Index t = 1, number = grid.edge_point(h, 1); t < level_.n(); ++t, number += step)
+        *out++ = number;
+    }
+    if (thirds())
+      for (Index i = 0; i < grid.face_size(); ++i) *out++ = grid.face_begin(f) + i;
+    for (Index h = 3 * f; h < 3 * f + 3; ++h)
+      for (Index r = first_row(); r <= halo_; r += row_step()) out = number_row(h, r, out);
+  }
+
+  /// The old points of a row beyond a side, or where there are none, any.
+  Index* number_row(Index h, Index r, Index* out) const {
+    const Mesh& control = level_.odd.control();
+    const Index across = control.twin(h);
+    if (across != kNone) return level_.odd.column(control.next(across), r, out);
+    return std::fill_n(out, (side() - r - r % 3) / 3 + 1, control.origin(h));
+  }
+
+  void number_runs(Index f, Index* out) const {
+    const TriangleLayout& made = thirds() ? level_.thirds : level_.odd.grid();
+    for (const Run run : runs_) {
+      if (run == Run::inside) {
+        *out++ = made.face_begin(f);
+      } else if (run == Run::centroids) {
+        *out++ = level_.odd.centroid_begin(f);
+      } else {
+        const Index h = 3 * f + static_cast<Index>(run);
+        *out++ = made.leads(h) ? made.edge_begin(made.control().edge(h)) : kNone;
+      }
+    }
+  }
+
+  const LevelStep& level_;
+  const Sqrt3Tables& tables_;
+  PatchShape shape_;
+  std::vector<Run> runs_;
+  std::vector<Offset> made_;  // new points of all runs
+  Index halo_ = 0;
+};
+
+/// The points along boundary sides but for those in zones.
+void add_side_rows(const LevelStep& level, const Sqrt3Tables& tables,
+                   const std::vector<Index>& sides, std::vector<RowPlan>& plans) {
+  const Mesh& mesh = level.odd.control();
+  const Index n = level.side();
+  const auto zone_of = [&](Index v) {  // of two edges: one face
+    return mesh.valence(v) == 2 ? tables.reach.corner_zone : tables.reach.fan_zone;
+  };
+  std::vector<RowPlan> strips;
+  for (const Stencil& stencil : tables.strips) strips.push_back({to_rows(stencil), {}, {}, false});
+  for (const Index h : sides) {
+    const Index left = zone_of(mesh.origin(h)), right = zone_of(mesh.target(h));
+    for (Index y = 0; y <= tables.reach.strip_depth; ++y)
+      for (Index x = std::max(left - y, 0) + 1; x + y < n && n - x > right; ++x) {
+        if (!is_new(level.step, x, y)) continue;
+        const auto c = static_cast<std::size_t>(3 * y + x % 3);
+        for (const Tap& tap : tables.strips[c]) {
+          const Index source = level.old_point(h, x + tap.place.a, y + tap.place.b);
+          assert(source != kNone);
+          strips[c].sources.push_back(source);
+        }
+        strips[c].targets.push_back(level.new_point(h, x, y));
+      }
+  }
+  for (RowPlan& strip : strips)
+    if (!strip.targets.empty()) plans.push_back(std::move(strip));
+}
+
+/// The half-edge, two levels on from an even one, that starts as h does, on the same edge.
+Index first_third(const Mesh& coarse, const SplitResult& second, Index h) {
+  const Index end = third_along(coarse, second.births, h);
+  Index part = second.mesh.halfedge_of_vertex(coarse.origin(h));
+  while (second.mesh.target(part) != end) part = second.mesh.rotate(part);
+  return part;
+}
+
+/// The plain engine's vertices, by walking each control face of the last even level row by row.
+class PlainOrder {
+ public:
+  PlainOrder(const Mesh& control, const std::vector<SplitResult>& steps)
+      : control_(control),
+        steps_(steps),
+        odd_(steps.size() % 2 != 0),
+        layout_(control, power_of_3(static_cast<int>(steps.size()) / 2)),
+        even_(mesh(steps.size() - steps.size() % 2)) {}
+
+  std::vector<Index> make() {
+    const Index count = odd_ ? layout_.vertex_count() : layout_.grid().vertex_count();
+    order_.assign(static_cast<std::size_t>(count), kNone);
+    for (Index v = 0; v < control_.vertex_count(); ++v) order_[v] = v;
+    for (Index f = 0; f < control_.face_count(); ++f) walk(f);
+    return std::move(order_);
+  }
+
+ private:
+  [[nodiscard]] const Mesh& mesh(std::size_t level) const {
+    return level == 0 ? control_ : steps_[level - 1].mesh;
+  }
+
+  void walk(Index f) {
+    const Index n = layout_.n();
+    Index row = 3 * f;  // the half-edge from (0, y) to (1, y)
+    for (std::size_t level = 0; level + 1 < steps_.size(); level += 2)
+      row = first_third(mesh(level), steps_[level + 1], row);
+    centroid_ = layout_.centroid_begin(f);
+    for (Index y = 0; y < n; ++y) {
+      Index h = row;
+      for (Index x = 0; x + y < n; ++x) {
+        order_[layout_.grid().point(3 * f, x, y)] = even_.origin(h);
+        order_[layout_.grid().point(3 * f, x + 1, y)] = even_.target(h);
+        see_triangle(h);
+        if (x + y + 1 == n) break;
+        // over the triangle that points down, into the next one that points up
+        const Index down = even_.twin(even_.next(h));
+        see_triangle(down);
+        h = even_.next(even_.twin(even_.next(down)));
+      }
+      order_[layout_.grid().point(3 * f, 0, y + 1)] = even_.origin(even_.prev(row));
+      // the triangle that points down beside (0, y) has the next row's first edge opposite
+      if (y + 1 < n) row = even_.twin(even_.prev(even_.twin(even_.next(row))));
+    }
+  }
+
+  void see_triangle(Index h) {
+    if (odd_) order_[centroid_++] = even_.vertex_count() + even_.face(h);
+  }
+
+  const Mesh& control_;
+  const std::vector<SplitResult>& steps_;
+  bool odd_;
+  CentroidLayout layout_;
+  const Mesh& even_;
+  Index centroid_ = 0;
+  std::vector<Index> order_;
+};
+
+class Sqrt3Family final : public Family {
+ public:
+  Sqrt3Family(const Scheme& scheme, const Mesh& control, int levels)
+      : control_(control), plain_(levels) {
+    if (control.face_count() == 0) return;
+    Result<std::array<Sqrt3Tables, 2>> read = read_sqrt3_stencils(scheme, control);
+    if (!read) return;
+    tables_ = std::move(*read);
+    while (plain_ > 0 && fits(plain_ - 1)) --plain_;
+    if (plain_ == levels) return;
+    for (std::size_t i = 0; i < groups_.size(); ++i)
+      groups_[i] = group_vertices(tables_[i].stars, tables_[i].fans, control);
+    for (Index e = 0; e < control.edge_count(); ++e)
+      if (control.is_boundary_edge(e)) sides_.push_back(control.halfedge_of_edge(e));
+  }
+
+  [[nodiscard]] int plain_steps() const override { return plain_; }
+
+  [[nodiscard]] Size size(int level) const override {
+    const CentroidLayout at = layout(level);
+    const Index vertices = is_odd(level) ? at.vertex_count() : at.grid().vertex_count();
+    const Index faces = is_odd(level) ? at.face_count() : at.grid().face_count();
+    return {vertices, faces, 3 * faces};
+  }
+
+  [[nodiscard]] StepPlan plan(int level) const override {
+    const LevelStep step(control_, level);
+    const auto i = static_cast<std::size_t>(step.step);
+    const Sqrt3Reach& reach = tables_[i].reach;
+    const Index zone = std::max({reach.star_zone, reach.fan_zone, reach.corner_zone});
+    StepPlan plan;
+    plan.patches = Patches(step, tables_[i]).plan();
+    add_side_rows(step, tables_[i], sides_, plan.rows);
+    add_zones(groups_[i], OldPoints{step}, NewPoints{step}, 2 * zone >= step.side(), plan.rows);
+    return plan;
+  }
+
+  [[nodiscard]] std::vector<Index> plain_order(
+      const std::vector<SplitResult>& steps) const override {
+    if (steps.size() < 2 || control_.face_count() == 0) return {};
+    return PlainOrder(control_, steps).make();
+  }
+
+  void write_faces(int level, std::span<Index> corners) const override {
+    const CentroidLayout at = layout(level);
+    const std::ptrdiff_t triangles = std::ptrdiff_t{at.n()} * at.n() * (is_odd(level) ? 3 : 1);
+    parallel_for(
+        Index{0}, control_.face_count(),
+        [&](Index first, Index last) {
+          Index* out = corners.data() + 3 * triangles * first;
+          if (is_odd(level))
+            at.write_faces(first, last, out);
+          else
+            at.grid().write_faces(first, last, out);
+        },
+        std::max<std::ptrdiff_t>(1, kFaceChunk / triangles));
+  }
+  [[nodiscard]] Index corners_per_face() const override { return 3; }
+
+ private:
+  static bool is_odd(int level) { return level % 2 != 0; }
+
+  [[nodiscard]] CentroidLayout layout(int level) const {
+    // without faces nothing grows, whatever the level
+    return {control_, control_.face_count() == 0 ? 1 : power_of_3(level / 2)};
+  }
+
+  /// Whether vertices that are not regular lie far enough apart for the step.
+  [[nodiscard]] bool fits(int level) const {
+    const auto i = static_cast<std::size_t>(step_from(level));
+    return 3 * power_of_3(level / 2) >= tables_[i].reach.smallest_side;
+  }
+
+  const Mesh& control_;
+  int plain_;
+  std::array<Sqrt3Tables, 2> tables_;             // by Sqrt3Step
+  std::array<std::vector<ZoneGroup>, 2> groups_;  // the same
+  std::vector<Index> sides_;                      // half-edges on the boundary
+};
+
+}  // namespace
+
+std::unique_ptr<Family> make_sqrt3_family(const Scheme& scheme, const Mesh& control, int levels) {
+  return std::make_unique<Sqrt3Family>(scheme, control, levels);
+}
+
+}  // namespace limn::fast
