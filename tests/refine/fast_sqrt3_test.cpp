@@ -225,7 +225,7 @@ TEST(Sqrt3Reach, IsThatOfTheRules) {
     const auto outer = fast::find_sqrt3_reach(shipped("sqrt3"), step, open).value();
     EXPECT_EQ(outer.strip_depth, thirds ? 1 : 0);
     EXPECT_EQ(outer.fan_zone, thirds ? 1 : 0);
-    EXPECT_EQ(outer.corner_zone, thirds ? 2 : 0);
+    EXPECT_EQ(outer.corner_zone, thirds ? 1 : 0);
     EXPECT_EQ(outer.smallest_side, 3);
   }
 }

@@ -236,16 +236,14 @@ void add_side_rows(const LevelStep& level, const Sqrt3Tables& tables,
                    const std::vector<Index>& sides, std::vector<RowPlan>& plans) {
   const Mesh& mesh = level.odd.control();
   const Index n = level.side();
-  const auto zone_of = [&](Index v) {  // of two edges: one face
-    return mesh.valence(v) == 2 ? tables.reach.corner_zone : tables.reach.fan_zone;
-  };
+  const auto zone_of = [&](Index v) { return tables.reach.zone(mesh.valence(v) - 1, true); };
   std::vector<RowPlan> strips;
   for (const Stencil& stencil : tables.strips) strips.push_back({to_rows(stencil), {}, {}, false});
   for (const Index h : sides) {
-    const Index left = zone_of(mesh.origin(h)), right = zone_of(mesh.target(h));
+    const Sqrt3Zone left = zone_of(mesh.origin(h)), right = zone_of(mesh.target(h));
     for (Index y = 0; y <= tables.reach.strip_depth; ++y)
-      for (Index x = std::max(left - y, 0) + 1; x + y < n && n - x > right; ++x) {
-        if (!is_new(level.step, x, y)) continue;
+      for (Index x = 1; x + y < n; ++x) {
+        if (!is_new(level.step, x, y) || left.has(x, y) || right.has(y, n - x - y)) continue;
         const auto c = static_cast<std::size_t>(3 * y + x % 3);
         for (const Tap& tap : tables.strips[c]) {
           const Index source = level.old_point(h, x + tap.place.a, y + tap.place.b);
@@ -257,6 +255,12 @@ void add_side_rows(const LevelStep& level, const Sqrt3Tables& tables,
   }
   for (RowPlan& strip : strips)
     if (!strip.targets.empty()) plans.push_back(std::move(strip));
+}
+
+/// Whether zones of two vertices may have points in common.
+bool zones_meet(const Sqrt3Reach& reach, Index side) {
+  const Index zone = std::max({reach.star_zone, reach.fan_zone, 2 * reach.corner_zone});
+  return 2 * zone >= side;
 }
 
 /// The half-edge, two levels on from an even one, that starts as h does, on the same edge.
@@ -355,12 +359,11 @@ class Sqrt3Family final : public Family {
   [[nodiscard]] StepPlan plan(int level) const override {
     const LevelStep step(control_, level);
     const auto i = static_cast<std::size_t>(step.step);
-    const Sqrt3Reach& reach = tables_[i].reach;
-    const Index zone = std::max({reach.star_zone, reach.fan_zone, reach.corner_zone});
     StepPlan plan;
     plan.patches = Patches(step, tables_[i]).plan();
     add_side_rows(step, tables_[i], sides_, plan.rows);
-    add_zones(groups_[i], OldPoints{step}, NewPoints{step}, 2 * zone >= step.side(), plan.rows);
+    const bool overlap = zones_meet(tables_[i].reach, step.side());
+    add_zones(groups_[i], OldPoints{step}, NewPoints{step}, overlap, plan.rows);
     return plan;
   }
 

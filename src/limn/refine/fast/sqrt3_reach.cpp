@@ -47,17 +47,17 @@ class Finder {
     for (Index y = 0; y < 3; ++y)
       for (Index x = 0; x < 3; ++x) interior_.push_back(hull(star, x, y));
     find_star_zone();
-    reach_.star_rings = extent(star, reach_.star_zone).a;
+    reach_.star_rings = extent(star, {reach_.star_zone}).a;
     if (boundary_) {
       find_strips();
       find_fan_zones();
       const Sqrt3Site wide(*scheme_.split, kWideFan, true, kRings);
       reach_.fan_rings =
-          std::max(extent(star, reach_.fan_zone).a, extent(wide, reach_.fan_zone).a);
+          std::max(extent(star, {reach_.fan_zone}).a, extent(wide, {reach_.fan_zone}).a);
     }
     if (corners_) {
       const Sqrt3Site one(*scheme_.split, 1, true, kRings);
-      const Offset seen = extent(one, reach_.corner_zone);
+      const Offset seen = extent(one, {reach_.corner_zone, true});
       reach_.corner_rings = seen.a;
       reach_.corner_width = seen.b;
     }
@@ -93,12 +93,13 @@ class Finder {
     return offsets;
   }
 
-  /// The outermost ring that new points of rings 0 … `zone` see, and how far along a spoke.
-  Offset extent(const Sqrt3Site& site, Index zone) {
+  /// The outermost ring that a sector's new points of a zone see, and how far along a spoke.
+  Offset extent(const Sqrt3Site& site, Sqrt3Zone zone) {
     Offset most;
-    for (Index x = 0; x <= zone && x < site.rim() && !too_wide_; ++x)
-      for (Index y = 0; x + y <= zone && x + y < site.rim(); ++y) {
-        if (!made(x, y)) continue;
+    for (Index x = 0; x <= zone.size; ++x)
+      for (Index y = 0; zone.has(x, y) && !too_wide_; ++y) {
+        if (x + y >= site.rim()) too_wide_ = true;
+        if (too_wide_ || !made(x, y)) continue;
         for (const SectorPoint& point : seen(site, x, y))
           most = {std::max(most.a, point.x + point.y), std::max({most.b, point.x, point.y})};
       }
@@ -153,12 +154,12 @@ class Finder {
           wide = std::max(wide, t + y);
         if (made(t, y) && (t <= reach_.strip_depth ||
                            !all(left, t, y, [](Index a, Index) { return a >= 0; })))
-          corner = std::max(corner, t + y);
+          corner = std::max({corner, t, y});
         const Index x = -y - t;  // from the end of the side
         const Hull& right = strip(x, y);
         if (!all(right, x, y, [](Index a, Index) { return a <= 0; })) wide = std::max(wide, y + t);
         if (!all(right, x, y, [](Index a, Index b) { return a + b <= 0; }))
-          corner = std::max(corner, y + t);
+          corner = std::max({corner, t, y});
       }
     corner = std::max(corner, wide);
   }
@@ -169,7 +170,7 @@ class Finder {
     // two zones may overlap, but no point may be born of the next control vertex
     if (reach_.star_zone >= side || reach_.star_rings > side) return false;
     if (boundary_ && (reach_.fan_zone >= side || reach_.fan_rings > side)) return false;
-    if (corners_ && (reach_.corner_zone >= side || reach_.corner_width > side)) return false;
+    if (corners_ && (2 * reach_.corner_zone >= side || reach_.corner_width > side)) return false;
     if (sides_[3] && reach_.corner_rings > side) return false;
     for (int count = 0; count < 4; ++count)
       if (sides_[static_cast<std::size_t>(count)] && !fits_patch(count)) return false;
@@ -179,16 +180,15 @@ class Finder {
   /// The same for a patch whose first so many sides lie on the boundary.
   [[nodiscard]] bool fits_patch(int count) const {
     const Index side = reach_.smallest_side;
-    std::array<Index, 3> zones{};  // round the patch's corners
+    std::array<Sqrt3Zone, 3> zones;  // round the patch's corners
     for (int i = 0; i < 3; ++i) {
       const int closed = ((i + 2) % 3 < count ? 1 : 0) + (i < count ? 1 : 0);
-      zones[static_cast<std::size_t>(i)] = closed == 2   ? reach_.corner_zone
-                                           : closed == 1 ? reach_.fan_zone
-                                                         : reach_.star_zone;
+      zones[static_cast<std::size_t>(i)] = reach_.zone(3 - closed, closed > 0);
     }
     for (Index y = 0; y <= side; ++y)
       for (Index x = 0; x + y <= side; ++x) {
-        if (x + y <= zones[0] || side - x <= zones[1] || side - y <= zones[2]) continue;
+        const Index z = side - x - y;
+        if (zones[0].has(x, y) || zones[1].has(y, z) || zones[2].has(z, x)) continue;
         if (!fits_point(count, x, y)) return false;
       }
     return true;

@@ -15,23 +15,14 @@ using Form = LinearForm<double>;
 
 constexpr std::array<Sqrt3Step, 2> kSteps{Sqrt3Step::centroids, Sqrt3Step::thirds};
 
-/// The new points of a sector's rings 0 … `zone`, but those on its second spoke.
-std::vector<SectorPoint> sector_points(Sqrt3Step step, Index sector, Index zone) {
-  std::vector<SectorPoint> points;
-  for (Index x = 1; x <= zone; ++x)
-    for (Index y = 0; x + y <= zone; ++y)
-      if (is_new(step, x, y)) points.push_back({sector, x, y});
-  return points;
-}
-
-/// The new points of a star's or fan's rings 0 … `zone`, the centre first.
-std::vector<SectorPoint> zone_points(Sqrt3Step step, Index sectors, bool open, Index zone) {
+/// The new points of a zone, the centre first.
+std::vector<SectorPoint> zone_points(Sqrt3Step step, Index sectors, bool open, Sqrt3Zone zone) {
   std::vector<SectorPoint> points{{0, 0, 0}};
-  for (Index s = 0; s < sectors; ++s) {
-    const std::vector<SectorPoint> more = sector_points(step, s, zone);
-    points.insert(points.end(), more.begin(), more.end());
-  }
-  for (Index y = 1; open && y <= zone; ++y)
+  for (Index s = 0; s < sectors; ++s)
+    for (Index x = 1; x <= zone.size; ++x)
+      for (Index y = 0; zone.has(x, y); ++y)
+        if (is_new(step, x, y)) points.push_back({s, x, y});
+  for (Index y = 1; open && y <= zone.size; ++y)  // the last spoke
     if (is_new(step, 0, y)) points.push_back({sectors - 1, 0, y});
   return points;
 }
@@ -141,9 +132,8 @@ class TableMaker {
       return Error{fmt::format("no table for vertex {} of {} faces", v, sectors), {}, {}, 0, 0};
     const Sqrt3Site site(*scheme_.split, sectors, open, rings_seen(0));
     for (const Sqrt3Step step : kSteps) {
-      const Sqrt3Reach& reach = of(step).reach;
-      const Index zone = !open ? reach.star_zone : sectors == 1 ? reach.corner_zone : reach.fan_zone;
-      const std::vector<SectorPoint> wanted = zone_points(step, sectors, open, zone);
+      const std::vector<SectorPoint> wanted =
+          zone_points(step, sectors, open, of(step).reach.zone(sectors, open));
       const Result<std::vector<Form>> forms = read(site, open, step, wanted);
       if (!forms) return forms.error();
       known(step).emplace(sectors, to_table(*forms, site, sectors, wanted));
@@ -178,7 +168,7 @@ class TableMaker {
     Index seen = 0;
     for (const Sqrt3Tables& table : tables_) {
       const Sqrt3Reach& reach = table.reach;
-      seen = std::max({seen, reach.star_zone, reach.fan_zone, reach.corner_zone, reach.star_rings,
+      seen = std::max({seen, reach.star_zone, reach.fan_zone, 2 * reach.corner_zone, reach.star_rings,
                        reach.fan_rings, reach.corner_rings});
     }
     constexpr Index kMargin = 2;  // of which Sqrt3Site::rim is within
