@@ -1,5 +1,6 @@
 // The quick engine's family of √3 against the plain engine, and its numbers.
 
+#include "limn/base/parallel.h"
 #include "limn/refine/fast/sqrt3_layout.h"
 #include "limn/refine/fast/sqrt3_reach.h"
 #include "refine/fast_check.h"
@@ -47,84 +48,26 @@ struct PlainLevels {
   std::vector<Index> starts;
 };
 
-/// partner[v] is the vertex of `quick` at the place of v of the plain engine's mesh.
-std::vector<Index> match_sqrt3(const PlainLevels& plain, const Mesh& quick, bool odd) {
-  const Mesh& mesh = plain.mesh;
-  std::vector<Index> partner(static_cast<std::size_t>(mesh.vertex_count()), kNone);
-  if (mesh.vertex_count() != quick.vertex_count() || mesh.face_count() != quick.face_count()) {
-    ADD_FAILURE() << "sizes differ";
-    return partner;
+/// The quick engine's faces of a control face begin at its first corner; at odd levels the first of
+/// them ends with the way back there from its centroid.
+Starts start_sqrt3(const Mesh& control, int levels, const Mesh& quick) {
+  const PlainLevels plain(control, levels);
+  const bool odd = levels % 2 != 0;
+  Starts starts;
+  for (Index f = 0; f < control.face_count(); ++f) {
+    const Index first = 3 * f * (quick.face_count() / control.face_count()), h = plain.starts[f];
+    starts.emplace_back(odd ? plain.mesh.twin(h) : h, odd ? first + 2 : first);
   }
-  std::vector<Index> image(static_cast<std::size_t>(mesh.halfedge_count()), kNone), queue;
-  bool same = true;
-  const auto meet = [&](Index h, Index k) {
-    if (h == kNone || k == kNone) {
-      same = same && h == k;
-    } else if (image[h] == kNone) {
-      image[h] = k;
-      queue.push_back(h);
-    } else {
-      same = same && image[h] == k;
-    }
-  };
-  const Index faces = std::ssize(plain.starts);
-  const Index each = faces == 0 ? 0 : quick.face_count() / faces;
-  for (Index f = 0; f < faces; ++f)  // at odd levels a face ends with the way back from its centroid
-    meet(odd ? mesh.twin(plain.starts[f]) : plain.starts[f], 3 * f * each + (odd ? 2 : 0));
-  for (std::size_t i = 0; i < queue.size(); ++i) {
-    const Index h = queue[i], k = image[h];
-    Index& at = partner[mesh.origin(h)];
-    same = same && (at == kNone || at == quick.origin(k));
-    at = quick.origin(k);
-    meet(mesh.next(h), quick.next(k));
-    meet(mesh.twin(h), quick.twin(k));
-  }
-  EXPECT_TRUE(same) << "connectivity differs";
-  EXPECT_EQ(std::ssize(queue), mesh.halfedge_count());
-  for (Index v = 0; v < mesh.vertex_count(); ++v)
-    if (mesh.is_isolated(v)) partner[v] = v;  // they are control vertices
-  return partner;
+  return starts;
 }
 
-/// Both engines on random positions: the same mesh, the same points to rounding; or the same error.
-/// Returns how many steps the quick engine left to the plain one, or -1.
 int expect_same_sqrt3(const Scheme& scheme, const Mesh& control, int levels, unsigned seed) {
-  const std::vector<Point3> points = random_points(control.vertex_count(), seed);
-  const auto plain = refine(scheme, control, points, levels);
-  const auto quick = FastRefiner::make(scheme, control, levels);
-  EXPECT_EQ(plain.ok(), quick.ok());
-  if (!plain || !quick) {
-    if (!plain && !quick) EXPECT_EQ(plain.error().text(), quick.error().text());
-    return -1;
-  }
-  if (!is_simple(plain->mesh)) return quick->plain_steps();
-  Polygons polygons;
-  polygons.positions.resize(static_cast<std::size_t>(quick->vertex_count()));
-  polygons.corners.resize(static_cast<std::size_t>(quick->corner_count()));
-  quick->write_faces(polygons.corners);
-  for (Index f = 1; f <= quick->face_count(); ++f) polygons.face_begin.push_back(3 * f);
-  const Result<Mesh> mesh = Mesh::build(polygons);
-  EXPECT_TRUE(mesh.ok()) << (mesh ? "" : mesh.error().text());
-  if (!mesh) return -1;
-  const std::vector<Index> partner =
-      match_sqrt3(PlainLevels(control, levels), *mesh, levels % 2 != 0);
-  const std::vector<Point3> doubles = as_points(evaluate<double>(*quick, points));
-  const std::vector<Point3> floats = as_points(evaluate<float>(*quick, points));
-  double worst = 0, worst_float = 0;
-  for (Index v = 0; v < plain->mesh.vertex_count(); ++v) {
-    if (partner[v] == kNone) return -1;
-    worst = std::max(worst, distance(plain->values[v], doubles[partner[v]]));
-    worst_float = std::max(worst_float, distance(plain->values[v], floats[partner[v]]));
-    // control vertices keep their numbers
-    if (v < control.vertex_count()) EXPECT_EQ(partner[v], v);
-  }
-  EXPECT_LT(worst, 1e-12);
-  EXPECT_LT(worst_float, 1e-5);
-  return quick->plain_steps();
+  return expect_same(scheme, control, levels, seed, start_sqrt3);
 }
 
 std::vector<Mesh> some_meshes() {
-  std::vector<Mesh> meshes{icosahedron(), fan(Lattice::triangle, 1, 2), fan(Lattice::triangle, 1, 1)};
+  std::vector<Mesh> meshes{icosahedron(), fan(Lattice::triangle, 1, 2),
+                           fan(Lattice::triangle, 1, 1)};
   for (unsigned seed = 0; seed < 12; ++seed) meshes.push_back(RandomMesh(seed).triangles());
   return meshes;
 }
@@ -252,8 +195,8 @@ TEST(Sqrt3Engine, IsThePlainEngineRoundEveryValence) {
     for (const Index rings : {1, 2})
       for (const int levels : {1, 2, 3, 4}) {
         SCOPED_TRACE(n);
-        EXPECT_EQ(
-            expect_same_sqrt3(shipped("sqrt3"), star(Lattice::triangle, n, rings), levels, 3), 0);
+        EXPECT_EQ(expect_same_sqrt3(shipped("sqrt3"), star(Lattice::triangle, n, rings), levels, 3),
+                  0);
         EXPECT_EQ(expect_same_sqrt3(shipped("sqrt3"), fan(Lattice::triangle, n, rings), levels, 4),
                   0);
       }
@@ -268,6 +211,161 @@ TEST(Sqrt3Engine, LeavesStepsToThePlainEngineOnlyForLoneTriangles) {
   EXPECT_EQ(expect_same_sqrt3(shipped("sqrt3"), fan(Lattice::triangle, 1, 1), 5, 1), 2);
   EXPECT_EQ(expect_same_sqrt3(shipped("sqrt3"), fan(Lattice::triangle, 1, 2), 5, 1), 0);
   EXPECT_EQ(expect_same_sqrt3(shipped("sqrt3"), fan(Lattice::triangle, 2, 1), 5, 1), 0);
+}
+
+Scheme parsed(const std::string& rules) {
+  const Result<Scheme> scheme =
+      parse_scheme("split = \"sqrt3\"\nsource = \"a test\"\n" + rules, "test.toml");
+  EXPECT_TRUE(scheme.ok()) << (scheme ? "" : scheme.error().text());
+  return *scheme;
+}
+
+/// Rules that look as far as two rings, and differ by valence.
+constexpr const char* kWide = R"toml(
+[roles.vertex]
+straight = "vefefev"
+
+[roles.face]
+outer = "fvev"
+
+[[vertex]]
+when = "n == 5"
+self = "1/2"
+ring = "1/(4*n)"
+across = "1/(4*n)"
+
+[[vertex]]
+self = "5/8 - 1/16"
+ring = "3/(8*n)"
+straight = "1/(16*n)"
+
+[face]
+corner = "3/8"
+beyond = "1/96"
+outer = "-5/96"
+
+[[boundary.vertex]]
+when = "n < 4"
+self = "7/8"
+next = "1/16"
+
+[[boundary.vertex]]
+self = "3/4"
+next = "1/8"
+
+[boundary.edge-end]
+near = "3/4"
+far = "3/8"
+beyond = "-1/8"
+)toml";
+
+TEST(Sqrt3EngineRules, MayLookFar) {
+  const Scheme scheme = parsed(kWide);
+  for (unsigned seed = 0; seed < 60; ++seed) {
+    SCOPED_TRACE(seed);
+    expect_same_sqrt3(scheme, RandomMesh(seed).triangles(), static_cast<int>(1 + seed % 5), seed);
+  }
+  for (const Index n : {3, 5, 6, 7, 9})
+    for (const Index rings : {1, 2, 3})
+      for (const int levels : {4, 5}) {
+        EXPECT_LE(expect_same_sqrt3(scheme, star(Lattice::triangle, n, rings), levels, 2), 3);
+        // a triangle alone needs another two
+        const int most = n - 2 == 1 && rings == 1 ? 4 : 3;
+        EXPECT_LE(expect_same_sqrt3(scheme, fan(Lattice::triangle, n - 2, rings), levels, 2), most);
+      }
+}
+
+/// The mesh and a triangle that touches nothing, which needs the finest grids.
+Mesh with_lone_triangle(const Mesh& mesh) {
+  const Index first = mesh.vertex_count();
+  Faces faces = faces_of(polygons_of(mesh));
+  faces.push_back({first + 2, first, first + 1});
+  return must_build(first + 3, faces);
+}
+
+/// The plain engine may make an even or an odd number of steps; its vertices are found again.
+TEST(Sqrt3EngineRules, MayLeaveStepsToThePlainEngine) {
+  const Scheme far_vertices = parsed(
+      "extends = \"sqrt3\"\n"
+      "[vertex]\nself = \"1/2\"\nring = \"1/(4*n)\"\nacross = \"1/(4*n)\"\n");
+  const Scheme far_faces =
+      parsed("extends = \"sqrt3\"\n[face]\ncorner = \"1/4\"\nbeyond = \"1/12\"\n");
+  for (unsigned seed = 0; seed < 40; ++seed) {
+    SCOPED_TRACE(seed);
+    const Mesh mesh = RandomMesh(seed).triangles();
+    expect_same_sqrt3(far_vertices, mesh, 5, seed);
+    expect_same_sqrt3(far_faces, mesh, 5, seed);
+    const Mesh more = with_lone_triangle(mesh);
+    if (mesh.face_count() == 0 || !is_simple(mesh)) continue;
+    const int all = expect_same_sqrt3(shipped("sqrt3"), more, 5, seed) == 5 ? 5 : 0;
+    EXPECT_EQ(expect_same_sqrt3(shipped("sqrt3"), more, 4, seed), all > 0 ? 4 : 2);
+    EXPECT_EQ(expect_same_sqrt3(far_vertices, more, 5, seed), all > 0 ? 5 : 3);
+    EXPECT_EQ(expect_same_sqrt3(far_faces, more, 5, seed), all > 0 ? 5 : 2);
+  }
+}
+
+/// Whatever the weights: each mutant moves some of them, or gives a rule a role that it had not.
+TEST(Sqrt3EngineRules, MayHaveAnyWeights) {
+  unsigned seed = 0;
+  for (const RuleMutant& mutant : rule_mutants(shipped("sqrt3"))) {
+    SCOPED_TRACE(mutant.change);
+    expect_same_sqrt3(mutant.scheme, RandomMesh(++seed).triangles(), 4, 1);
+    expect_same_sqrt3(mutant.scheme, fan(Lattice::triangle, 7, 2), 3, 1);
+    expect_same_sqrt3(mutant.scheme, fan(Lattice::triangle, 1, 2), 4, 1);
+  }
+  EXPECT_GT(seed, 20U);
+}
+
+TEST(Sqrt3Engine, GivesTheSameBitsOnOneThreadAndMany) {
+  const Mesh mesh = torus(Lattice::triangle, 40, 41);
+  const Mesh open = fan(Lattice::triangle, 1, 20);
+  for (const Mesh* control : {&mesh, &open})
+    for (const int levels : {4, 5}) {
+      const FastRefiner refiner = FastRefiner::make(shipped("sqrt3"), *control, levels).value();
+      const std::vector<Point3> points = random_points(control->vertex_count(), 1);
+      set_thread_limit(1);
+      const std::vector<float> one = evaluate<float>(refiner, points);
+      std::vector<Index> faces(static_cast<std::size_t>(refiner.corner_count()));
+      refiner.write_faces(faces);
+      for (const int threads : {2, 0}) {
+        set_thread_limit(threads);
+        EXPECT_EQ(evaluate<float>(refiner, points), one);
+        std::vector<Index> again(faces.size());
+        refiner.write_faces(again);
+        EXPECT_EQ(again, faces);
+      }
+      set_thread_limit(0);
+    }
+}
+
+TEST(Sqrt3Engine, RefusesWhatThePlainEngineRefuses) {
+  expect_same_sqrt3(shipped("sqrt3"), cube(), 2, 1);
+  expect_same_sqrt3(shipped("sqrt3"), icosahedron(), -1, 1);
+  expect_same_sqrt3(shipped("sqrt3"), icosahedron(), 40, 1);
+  const Scheme closed = parsed("[vertex]\nself = 1\n[face]\ncorner = \"1/3\"\n");
+  for (const int levels : {1, 2, 3}) {
+    expect_same_sqrt3(closed, icosahedron(), levels, 1);
+    expect_same_sqrt3(closed, fan(Lattice::triangle, 3, 2), levels, 1);
+  }
+  const Scheme partial = parsed(
+      "extends = \"sqrt3\"\n[[vertex]]\nwhen = \"n < 25\"\nself = \"1/2\"\nring = \"1/(2*n)\"\n");
+  for (const int levels : {1, 2, 3})
+    for (const Index n : {12, 30}) {
+      expect_same_sqrt3(partial, star(Lattice::triangle, n, 1), levels, 1);
+      expect_same_sqrt3(partial, fan(Lattice::triangle, n, 1), levels, 1);
+    }
+}
+
+TEST(Sqrt3Engine, TakesMeshesWithoutFaces) {
+  for (const Index vertices : {0, 3}) {
+    const Mesh mesh = must_build(vertices, {});
+    const auto refiner = FastRefiner::make(shipped("sqrt3"), mesh, 3);
+    ASSERT_TRUE(refiner.ok());
+    EXPECT_EQ(refiner->vertex_count(), vertices);
+    EXPECT_EQ(refiner->face_count(), 0);
+    const std::vector<Point3> points = random_points(vertices, 1);
+    EXPECT_EQ(as_points(evaluate<double>(*refiner, points)), points);
+  }
 }
 
 }  // namespace

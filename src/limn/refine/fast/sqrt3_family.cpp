@@ -18,9 +18,7 @@ Index power_of_3(int exponent) {
   return power;
 }
 
-Sqrt3Step step_from(int level) {
-  return level % 2 == 0 ? Sqrt3Step::centroids : Sqrt3Step::thirds;
-}
+Sqrt3Step step_from(int level) { return level % 2 == 0 ? Sqrt3Step::centroids : Sqrt3Step::thirds; }
 
 /// A step of a level; places are in its grid of thirds.
 struct LevelStep {

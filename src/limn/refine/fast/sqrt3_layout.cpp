@@ -116,8 +116,7 @@ class CentroidLayout::Writer {
     return out + 3;
   }
 
-  Index* row(Index y, const Index* low, const Index* high, const Begins& begins,
-             Index* out) const {
+  Index* row(Index y, const Index* low, const Index* high, const Begins& begins, Index* out) const {
     const Index last = n_ - y - 1;  // the triangle that points up at the end of the row
     for (Index x = 0; x <= last; ++x) {
       const Index own = begins.own + 2 * x;

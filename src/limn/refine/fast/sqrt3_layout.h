@@ -3,8 +3,8 @@
 ///
 /// Two steps of the split cut every edge in three. So with n = 3^k the even level 2k is the grid of
 /// TriangleLayout(control, n), as it is; the odd level 2k+1 has the same vertices, with the same
-/// numbers, and after them the centroids of the grid's small triangles, n² for each control face, in
-/// the order of the faces there: row by row, triangles that point up and down by turns.
+/// numbers, and after them the centroids of the grid's small triangles, n² for each control face,
+/// in the order of the faces there: row by row, triangles that point up and down by turns.
 ///
 /// All places are given in the grid of the next even level, N = 3n edges a side: in the frame of a
 /// half-edge (triangle_layout.h) vertices lie at (3x, 3y), centroids of triangles that point up at
@@ -46,8 +46,8 @@ class CentroidLayout {
   /// kNone where there is no neighbour.
   [[nodiscard]] Index point_beyond(Index h, Index x, Index y) const;
 
-  /// The points (X, Y) of one X in the frame of h, Y ascending from X mod 3, into out[0], out[1], …;
-  /// 0 < X ≤ N. Returns past the last.
+  /// The points (X, Y) of one X in the frame of h, Y ascending from X mod 3, into out[0], out[1],
+  /// …; 0 < X ≤ N. Returns past the last.
   Index* column(Index h, Index x, Index* out) const;
 
   /// The corners of the faces of patches first … last-1: 9 n² indices each.

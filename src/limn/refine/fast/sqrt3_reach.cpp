@@ -117,9 +117,8 @@ class Finder {
   /// Whether every place seen from the new point satisfies the condition; of no point, all do.
   template <class Condition>
   static bool all(const Hull& hull, Index x, Index y, Condition condition) {
-    return std::all_of(hull.begin(), hull.end(), [&](const Offset& offset) {
-      return condition(x + offset.a, y + offset.b);
-    });
+    return std::all_of(hull.begin(), hull.end(),
+                       [&](const Offset& offset) { return condition(x + offset.a, y + offset.b); });
   }
 
   /// Beyond a corner there is no one patch: a + b < 0, and so on round it.
@@ -152,8 +151,8 @@ class Finder {
         const Hull& left = strip(t, y);
         if (!all(left, t, y, [](Index a, Index b) { return a + b >= 0; }))
           wide = std::max(wide, t + y);
-        if (made(t, y) && (t <= reach_.strip_depth ||
-                           !all(left, t, y, [](Index a, Index) { return a >= 0; })))
+        if (made(t, y) &&
+            (t <= reach_.strip_depth || !all(left, t, y, [](Index a, Index) { return a >= 0; })))
           corner = std::max({corner, t, y});
         const Index x = -y - t;  // from the end of the side
         const Hull& right = strip(x, y);

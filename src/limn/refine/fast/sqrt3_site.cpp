@@ -42,8 +42,8 @@ Index Sqrt3Site::triangle_up(Index sector, Index x, Index y) const {
 Index Sqrt3Site::old_vertex(const SectorPoint& place) const {
   const auto& [sector, x, y] = place;
   if (x % 3 == 0) return vertex_at(sectors_, open_, {sector, x / 3, y / 3});
-  const Index face = x % 3 == 1 ? triangle_up(sector, x / 3, y / 3)
-                                : triangle_up(sector, x / 3 + 1, y / 3) + 1;
+  const Index face =
+      x % 3 == 1 ? triangle_up(sector, x / 3, y / 3) : triangle_up(sector, x / 3 + 1, y / 3) + 1;
   return control_.vertex_count() + face;
 }
 

@@ -1,6 +1,6 @@
 #pragma once
-/// A star or fan taken through the two steps of √3 that make a grid of thirds, and where the vertices
-/// of the three levels lie.
+/// A star or fan taken through the two steps of √3 that make a grid of thirds, and where the
+/// vertices of the three levels lie.
 ///
 /// Places are those of sqrt3_layout.h with n = 1: thirds of a control edge in the sectors of the
 /// star (star_places.h). Level 0 is at the points whose coordinates are multiples of 3, level 1 at

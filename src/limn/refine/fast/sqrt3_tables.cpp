@@ -98,8 +98,7 @@ class TableMaker {
   }
 
   Status read_strips() {
-    const Index depth =
-        std::max(of(kSteps[0]).reach.strip_depth, of(kSteps[1]).reach.strip_depth);
+    const Index depth = std::max(of(kSteps[0]).reach.strip_depth, of(kSteps[1]).reach.strip_depth);
     const Sqrt3Site site(*scheme_.split, 3, true, rings_seen(depth + 3));
     for (const Sqrt3Step step : kSteps) {
       std::vector<SectorPoint> wanted;
@@ -168,8 +167,8 @@ class TableMaker {
     Index seen = 0;
     for (const Sqrt3Tables& table : tables_) {
       const Sqrt3Reach& reach = table.reach;
-      seen = std::max({seen, reach.star_zone, reach.fan_zone, 2 * reach.corner_zone, reach.star_rings,
-                       reach.fan_rings, reach.corner_rings});
+      seen = std::max({seen, reach.star_zone, reach.fan_zone, 2 * reach.corner_zone,
+                       reach.star_rings, reach.fan_rings, reach.corner_rings});
     }
     constexpr Index kMargin = 2;  // of which Sqrt3Site::rim is within
     return (seen + more) / 3 + kMargin;

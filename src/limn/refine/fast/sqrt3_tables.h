@@ -9,8 +9,8 @@
 
 namespace limn::fast {
 
-/// The lattice of old points: local coordinates in which their patch is a dense grid. The old points
-/// of a step of thirds have the basis (2, -1), (1, 1).
+/// The lattice of old points: local coordinates in which their patch is a dense grid. The old
+/// points of a step of thirds have the basis (2, -1), (1, 1).
 [[nodiscard]] constexpr Offset to_local(Sqrt3Step step, Offset old) {
   if (step == Sqrt3Step::centroids) return {old.a / 3, old.b / 3};
   return {(old.a - old.b) / 3, (old.a + 2 * old.b) / 3};

@@ -30,8 +30,7 @@ void find_sectors(ZoneGroup& group, const Mesh& control) {
 }  // namespace
 
 std::vector<ZoneGroup> group_vertices(const std::map<Index, ZoneTable>& stars,
-                                      const std::map<Index, ZoneTable>& fans,
-                                      const Mesh& control) {
+                                      const std::map<Index, ZoneTable>& fans, const Mesh& control) {
   std::map<const ZoneTable*, std::vector<Index>> members;
   for (Index v = 0; v < control.vertex_count(); ++v) {
     const bool open = control.is_boundary_vertex(v);
