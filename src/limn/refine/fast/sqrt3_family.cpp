@@ -339,8 +339,7 @@ class Sqrt3Family final : public Family {
     tables_ = std::move(*read);
     while (plain_ > 0 && fits(plain_ - 1)) --plain_;
     if (plain_ == levels) return;
-    for (std::size_t i = 0; i < groups_.size(); ++i)
-      groups_[i] = group_vertices(tables_[i].stars, tables_[i].fans, control);
+    groups_ = group_vertices(tables_[0].stars, tables_[0].fans, control);
     for (Index e = 0; e < control.edge_count(); ++e)
       if (control.is_boundary_edge(e)) sides_.push_back(control.halfedge_of_edge(e));
   }
@@ -361,7 +360,11 @@ class Sqrt3Family final : public Family {
     plan.patches = Patches(step, tables_[i]).plan();
     add_side_rows(step, tables_[i], sides_, plan.rows);
     const bool overlap = zones_meet(tables_[i].reach, step.side());
-    add_zones(groups_[i], OldPoints{step}, NewPoints{step}, overlap, plan.rows);
+    for (const ZoneGroup& group : groups_) {
+      const ZoneTable& table = table_of(group, tables_[i]);
+      plan.rows.push_back({table.rows, number_points(group, OldPoints{step}, table.sources),
+                           number_points(group, NewPoints{step}, table.targets), overlap});
+    }
     return plan;
   }
 
@@ -395,6 +398,14 @@ class Sqrt3Family final : public Family {
     return {control_, control_.face_count() == 0 ? 1 : power_of_3(level / 2)};
   }
 
+  /// A group's table for a step; an isolated vertex has but one.
+  [[nodiscard]] const ZoneTable& table_of(const ZoneGroup& group, const Sqrt3Tables& tables) const {
+    const Index sectors = group.table->sectors;
+    if (sectors == 0) return *group.table;
+    const bool open = control_.is_boundary_vertex(group.vertices.front());
+    return (open ? tables.fans : tables.stars).at(sectors);
+  }
+
   /// Whether vertices that are not regular lie far enough apart for the step.
   [[nodiscard]] bool fits(int level) const {
     const auto i = static_cast<std::size_t>(step_from(level));
@@ -403,9 +414,9 @@ class Sqrt3Family final : public Family {
 
   const Mesh& control_;
   int plain_;
-  std::array<Sqrt3Tables, 2> tables_;             // by Sqrt3Step
-  std::array<std::vector<ZoneGroup>, 2> groups_;  // the same
-  std::vector<Index> sides_;                      // half-edges on the boundary
+  std::array<Sqrt3Tables, 2> tables_;  // by Sqrt3Step
+  std::vector<ZoneGroup> groups_;      // with the tables of the first kind of step
+  std::vector<Index> sides_;           // half-edges on the boundary
 };
 
 }  // namespace

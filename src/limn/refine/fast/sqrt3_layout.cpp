@@ -8,18 +8,6 @@
 
 namespace limn::fast {
 
-Index CentroidLayout::centroid(Index h, Index x, Index y) const {
-  assert(x >= 0 && y >= 0 && x + y <= 3 * n_);
-  const Index f = control().face(h);
-  for (Index k = h - 3 * f; k > 0; --k) {  // a corner back
-    const Index old = x;
-    x = 3 * n_ - x - y;
-    y = old;
-  }
-  const Index up = n_ - y / 3;  // triangles that point up in this row
-  return centroid_begin(f) + n_ * n_ - up * up + 2 * (x / 3) + x % 3 - 1;
-}
-
 Index CentroidLayout::point_beyond(Index h, Index x, Index y) const {
   const Mesh& mesh = control();
   const Index side = 3 * n_;
@@ -42,12 +30,12 @@ Index* CentroidLayout::column(Index h, Index x, Index* out) const {
     grid_.column(h, begin, out, 1);
     return out + (n_ - begin + 1);
   }
-  const Index count = n_ - begin - (x % 3 - 1);
-  if (count <= 0) return out;
+  const bool down = x % 3 == 2;
+  const Index k = h - 3 * control().face(h), count = n_ - begin - (down ? 1 : 0);
   // the numbers are a quadratic sequence, in whatever frame
-  Index number = centroid(h, x, x % 3);
-  Index step = count > 1 ? centroid(h, x, x % 3 + 3) - number : 0;
-  const Index bend = h - 3 * control().face(h) == 1 ? 0 : -2;
+  Index number = centroid(h, begin, 0, down);
+  Index step = k == 0 ? 2 * n_ - 1 : k == 1 ? -2 : -2 * (begin + (down ? 1 : 0)) - 1;
+  const Index bend = k == 1 ? 0 : -2;
   for (Index i = 0; i < count; ++i) {
     *out++ = number;
     number += step;
@@ -62,17 +50,21 @@ class CentroidLayout::Writer {
   explicit Writer(const CentroidLayout& layout)
       : layout_(layout), n_(layout.n_), rows_(2 * static_cast<std::size_t>(n_) + 2) {
     for (std::vector<Index>& side : across_) side.resize(static_cast<std::size_t>(n_));
+    for (std::vector<Index>& side : sides_) side.resize(static_cast<std::size_t>(n_) + 1);
   }
 
   Index* patch(Index f, Index* out) {
-    look_across(f);
+    look_round(f);
     Index* low = rows_.data();
     Index* high = low + n_ + 1;
-    number_row(f, 0, low);
+    std::copy(sides_[0].begin(), sides_[0].end(), low);
+    Index inner = layout_.grid_.face_begin(f);           // of the row above
     Index own = layout_.centroid_begin(f), below = own;  // of the row, of the row below
     for (Index y = 0; y < n_; ++y) {
-      number_row(f, y + 1, high);
       const Index ups = n_ - y, above = own + 2 * ups - 1;
+      high[0] = sides_[2][ups - 1];
+      for (Index x = 1; x < ups - 1; ++x) high[x] = inner++;
+      high[ups - 1] = sides_[1][y + 1];
       out = row(y, low, high, {below, own, above}, out);
       below = own;
       own = above;
@@ -87,25 +79,22 @@ class CentroidLayout::Writer {
     Index below, own, above;
   };
 
-  /// The centroids beyond the three sides, from the origin of each; kNone at the boundary.
-  void look_across(Index f) {
+  /// The vertices along the three sides, from the origin of each to its target, and the centroids
+  /// beyond them, or at the boundary kNone.
+  void look_round(Index f) {
     const Mesh& mesh = layout_.control();
-    for (std::size_t side = 0; side < 3; ++side) {
-      const Index twin = mesh.twin(3 * f + static_cast<Index>(side));
-      for (Index t = 0; t < n_; ++t)
-        across_[side][t] = twin == kNone ? kNone : layout_.centroid(twin, 3 * (n_ - t) - 2, 1);
-    }
-  }
-
-  void number_row(Index f, Index y, Index* out) const {
     const TriangleLayout& grid = layout_.grid_;
-    const Index last = n_ - y;
-    out[0] = grid.point(3 * f, 0, y);
-    out[last] = grid.point(3 * f, last, y);
-    if (last < 2) return;
-    Index number = grid.point(3 * f, 1, y);
-    const Index step = y == 0 && !grid.leads(3 * f) ? -1 : 1;
-    for (Index x = 1; x < last; ++x, number += step) out[x] = number;
+    for (std::size_t side = 0; side < 3; ++side) {
+      const Index h = 3 * f + static_cast<Index>(side), twin = mesh.twin(h);
+      Index* vertex = sides_[side].data();
+      vertex[0] = mesh.origin(h);
+      vertex[n_] = mesh.target(h);
+      const Index step = grid.leads(h) ? 1 : -1;
+      for (Index t = 1, number = n_ > 1 ? grid.edge_point(h, 1) : 0; t < n_; ++t, number += step)
+        vertex[t] = number;
+      for (Index t = 0; t < n_; ++t)
+        across_[side][t] = twin == kNone ? kNone : layout_.centroid(twin, n_ - 1 - t, 0, false);
+    }
   }
 
   /// The face at the half-edge from a to b.
@@ -152,7 +141,7 @@ class CentroidLayout::Writer {
   const CentroidLayout& layout_;
   Index n_;
   std::vector<Index> rows_;
-  std::array<std::vector<Index>, 3> across_;
+  std::array<std::vector<Index>, 3> sides_, across_;
 };
 
 void CentroidLayout::write_faces(Index first, Index last, Index* out) const {

@@ -39,7 +39,7 @@ class CentroidLayout {
 
   /// Point (X, Y) in the frame of h: X ≡ Y (mod 3), X, Y ≥ 0, X + Y ≤ N.
   [[nodiscard]] Index point(Index h, Index x, Index y) const {
-    return x % 3 == 0 ? grid_.point(h, x / 3, y / 3) : centroid(h, x, y);
+    return x % 3 == 0 ? grid_.point(h, x / 3, y / 3) : centroid(h, x / 3, y / 3, x % 3 == 2);
   }
 
   /// The same beyond the patch's sides, as far as its three neighbours go: X, Y, N - X - Y ≤ N;
@@ -56,7 +56,14 @@ class CentroidLayout {
  private:
   class Writer;
 
-  [[nodiscard]] Index centroid(Index h, Index x, Index y) const;
+  /// That of the small triangle at (x, y) of the grid in the frame of h which points up, or down.
+  [[nodiscard]] Index centroid(Index h, Index x, Index y, bool down) const {
+    const Index f = control().face(h), k = h - 3 * f;
+    const Index z = n_ - 1 - x - y - (down ? 1 : 0);
+    const Index column = k == 0 ? x : k == 1 ? z : y, row = k == 0 ? y : k == 1 ? x : z;
+    const Index above = n_ - row;  // rows that are not before it
+    return centroid_begin(f) + n_ * n_ - above * above + 2 * column + (down ? 1 : 0);
+  }
 
   TriangleLayout grid_;
   Index n_, centroids_at_;
