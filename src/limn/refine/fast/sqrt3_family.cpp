@@ -4,6 +4,7 @@
 
 #include "limn/refine/fast/sqrt3_layout.h"
 #include "limn/refine/fast/sqrt3_tables.h"
+#include "limn/refine/fast/triangle_frame.h"
 #include "limn/refine/fast/zones.h"
 
 namespace limn::fast {
@@ -44,11 +45,20 @@ struct LevelStep {
 /// The two sides of a step for number_points (zones.h).
 struct OldPoints {
   const LevelStep& level;
+  [[nodiscard]] Index n() const { return level.side(); }
   [[nodiscard]] Index point(Index h, Index x, Index y) const { return level.old_point(h, x, y); }
+  [[nodiscard]] Index point_along(TriangleLayout::Code code, Index x) const {
+    return level.odd.grid().point_along(code, x / 3);
+  }
 };
 struct NewPoints {
   const LevelStep& level;
+  [[nodiscard]] Index n() const { return level.side(); }
   [[nodiscard]] Index point(Index h, Index x, Index y) const { return level.new_point(h, x, y); }
+  [[nodiscard]] Index point_along(TriangleLayout::Code code, Index x) const {
+    return level.step == Sqrt3Step::thirds ? level.thirds.point_along(code, x)
+                                           : level.odd.grid().point_along(code, x / 3);
+  }
 };
 
 /// What a patch's runs are, in the order of the numbers: its sides, what is inside of the grid, and
@@ -58,11 +68,16 @@ enum class Run { side0, side1, side2, inside, centroids };
 /// The patch's shape, and the numbers for it.
 class Patches {
  public:
-  Patches(const LevelStep& level, const Sqrt3Tables& tables) : level_(level), tables_(tables) {
+  Patches(const LevelStep& level, const Sqrt3Tables& tables, const HugeArray<FaceTopology>& faces)
+      : level_(level), tables_(tables), faces_(faces) {
     make_runs();
     find_halo();
-    make_frame();
-    make_inner();
+    if (thirds()) {
+      make_frame_of_thirds();
+    } else {
+      shape_.frame = frame_places(level_.n(), halo_ / 3);
+      shape_.inner = inner_places(level_.n());
+    }
   }
 
   PatchPlan plan() {
@@ -91,12 +106,6 @@ class Patches {
   [[nodiscard]] bool thirds() const { return level_.step == Sqrt3Step::thirds; }
   [[nodiscard]] Index side() const { return level_.side(); }
 
-  /// Where point p of the frame of a side lies in the patch.
-  [[nodiscard]] Offset in_patch(Index frame, Offset p) const {
-    for (; frame > 0; --frame) p = {side() - p.a - p.b, p.a};
-    return p;
-  }
-
   void add_old(Offset p, std::vector<Offset>& places) const {
     places.push_back(to_local(level_.step, p));
   }
@@ -117,7 +126,7 @@ class Patches {
     std::vector<Offset> points;
     for (Index frame = 0; frame < 3; ++frame) {
       points.clear();
-      for (Index t = each; t < last; t += each) points.push_back(in_patch(frame, {t, 0}));
+      for (Index t = each; t < last; t += each) points.push_back(in_patch(last, frame, {t, 0}));
       add_run(static_cast<Run>(frame), points);
     }
     points.clear();
@@ -157,54 +166,34 @@ class Patches {
     return {2 * place.a + place.b, place.b - place.a};
   }
 
-  /// Old points of the corners, the sides, in steps of thirds the vertices inside, and rows beyond
-  /// the sides.
-  void make_frame() {
-    std::vector<Offset>& frame = shape_.frame;
-    for (Index i = 0; i < 3; ++i) add_old(in_patch(i, {0, 0}), frame);
+  /// In steps of thirds: the old points of the corners, the sides, the vertices inside, and rows
+  /// beyond the sides; and the centroids, whose numbers follow one another.
+  void make_frame_of_thirds() {
+    const auto add = [&](Index frame, Offset p) {
+      add_old(in_patch(side(), frame, p), shape_.frame);
+    };
+    for (Index i = 0; i < 3; ++i) add(i, {0, 0});
     for (Index i = 0; i < 3; ++i)
-      for (Index t = 3; t < side(); t += 3) add_old(in_patch(i, {t, 0}), frame);
-    if (thirds()) add_inner_vertices(frame);
+      for (Index t = 3; t < side(); t += 3) add(i, {t, 0});
+    for (const Offset p : inner_places(level_.n())) add(0, {3 * p.a, 3 * p.b});
     for (Index i = 0; i < 3; ++i)
-      for (Index r = first_row(); r <= halo_; r += row_step())
-        for (Index y = r % 3; r + y <= side(); y += 3) add_old(in_patch(i, {r + y, -r}), frame);
-  }
-
-  void make_inner() {
-    if (!thirds()) return add_inner_vertices(shape_.inner);
+      for (Index r = 1; r <= halo_; ++r)
+        for (Index y = r % 3; r + y <= side(); y += 3) add(i, {r + y, -r});
     for (const Offset p : centroids()) add_old(p, shape_.inner);
   }
 
-  void add_inner_vertices(std::vector<Offset>& places) const {
-    for (Index y = 3; y < side(); y += 3)
-      for (Index x = 3; x + y < side(); x += 3) add_old({x, y}, places);
-  }
-
-  [[nodiscard]] Index first_row() const { return row_step(); }
-  [[nodiscard]] Index row_step() const { return thirds() ? 1 : 3; }
-
   /// Numbers of the shape's frame for one patch, in its order.
   void number_frame(Index f, Index* out) const {
-    const Mesh& control = level_.odd.control();
+    const FaceTopology& face = faces_[static_cast<std::size_t>(f)];
     const TriangleLayout& grid = level_.odd.grid();
-    for (Index h = 3 * f; h < 3 * f + 3; ++h) *out++ = control.origin(h);
-    for (Index h = 3 * f; h < 3 * f + 3 && level_.n() > 1; ++h) {
-      const Index step = grid.leads(h) ? 1 : -1;
-      for (Index t = 1, number = grid.edge_point(h, 1); t < level_.n(); ++t, number += step)
-        *out++ = number;
-    }
-    if (thirds())
-      for (Index i = 0; i < grid.face_size(); ++i) *out++ = grid.face_begin(f) + i;
-    for (Index h = 3 * f; h < 3 * f + 3; ++h)
-      for (Index r = first_row(); r <= halo_; r += row_step()) out = number_row(h, r, out);
-  }
-
-  /// The old points of a row beyond a side, or where there are none, any.
-  Index* number_row(Index h, Index r, Index* out) const {
-    const Mesh& control = level_.odd.control();
-    const Index across = control.twin(h);
-    if (across != kNone) return level_.odd.column(control.next(across), r, out);
-    return std::fill_n(out, (side() - r - r % 3) / 3 + 1, control.origin(h));
+    if (!thirds()) return fast::number_frame(grid, face, halo_ / 3, out);
+    fast::number_frame(grid, face, 0, out);
+    out += 3 * level_.n();
+    for (Index i = 0; i < grid.face_size(); ++i) *out++ = grid.face_begin(f) + i;
+    for (const FaceTopology::Neighbour& across : face.across)
+      for (Index r = 1; r <= halo_; ++r)
+        out = across.face == kNone ? std::fill_n(out, (side() - r - r % 3) / 3 + 1, face.corners[0])
+                                   : level_.odd.column(3 * across.face + across.side, r, out);
   }
 
   void number_runs(Index f, Index* out) const {
@@ -215,14 +204,16 @@ class Patches {
       } else if (run == Run::centroids) {
         *out++ = level_.odd.centroid_begin(f);
       } else {
-        const Index h = 3 * f + static_cast<Index>(run);
-        *out++ = made.leads(h) ? made.edge_begin(made.control().edge(h)) : kNone;
+        const FaceTopology::Code side =
+            faces_[static_cast<std::size_t>(f)].sides[static_cast<std::size_t>(run)];
+        *out++ = (side & 1) != 0 ? made.edge_begin(side >> 1) : kNone;
       }
     }
   }
 
   const LevelStep& level_;
   const Sqrt3Tables& tables_;
+  const HugeArray<FaceTopology>& faces_;
   PatchShape shape_;
   std::vector<Run> runs_;
   std::vector<Offset> made_;  // new points of all runs
@@ -235,8 +226,10 @@ void add_side_rows(const LevelStep& level, const Sqrt3Tables& tables,
   const Mesh& mesh = level.odd.control();
   const Index n = level.side();
   const auto zone_of = [&](Index v) { return tables.reach.zone(mesh.valence(v) - 1, true); };
-  std::vector<RowPlan> strips;
-  for (const Stencil& stencil : tables.strips) strips.push_back({to_rows(stencil), {}, {}, false});
+  struct Strip {
+    std::vector<Index> sources, targets;
+  };
+  std::vector<Strip> strips(tables.strips.size());
   for (const Index h : sides) {
     const Sqrt3Zone left = zone_of(mesh.origin(h)), right = zone_of(mesh.target(h));
     for (Index y = 0; y <= tables.reach.strip_depth; ++y)
@@ -251,8 +244,10 @@ void add_side_rows(const LevelStep& level, const Sqrt3Tables& tables,
         strips[c].targets.push_back(level.new_point(h, x, y));
       }
   }
-  for (RowPlan& strip : strips)
-    if (!strip.targets.empty()) plans.push_back(std::move(strip));
+  for (std::size_t c = 0; c < strips.size(); ++c)
+    if (!strips[c].targets.empty())
+      plans.push_back({to_rows(tables.strips[c]), HugeArray<Index>(strips[c].sources),
+                       HugeArray<Index>(strips[c].targets), false});
 }
 
 /// Whether zones of two vertices may have points in common.
@@ -334,12 +329,20 @@ class Sqrt3Family final : public Family {
   Sqrt3Family(const Scheme& scheme, const Mesh& control, int levels)
       : control_(control), plain_(levels) {
     if (control.face_count() == 0) return;
-    Result<std::array<Sqrt3Tables, 2>> read = read_sqrt3_stencils(scheme, control);
+    std::vector<VertexKind> kinds = vertex_kinds(control);
+    Result<std::array<Sqrt3Tables, 2>> read =
+        read_sqrt3_stencils(scheme, kinds, boundary_sides(control));
     if (!read) return;
     tables_ = std::move(*read);
     while (plain_ > 0 && fits(plain_ - 1)) --plain_;
     if (plain_ == levels) return;
-    groups_ = group_vertices(tables_[0].stars, tables_[0].fans, control);
+    groups_ = group_vertices(tables_[0].stars, tables_[0].fans, std::move(kinds), control);
+    const TriangleLayout grid(control, 1);
+    add_codes(grid, groups_);
+    faces_ = HugeArray<FaceTopology>(static_cast<std::size_t>(control.face_count()));
+    parallel_for_each(control.face_count(), [&](Index f) {
+      faces_[static_cast<std::size_t>(f)] = face_topology(grid, f);
+    });
     for (Index e = 0; e < control.edge_count(); ++e)
       if (control.is_boundary_edge(e)) sides_.push_back(control.halfedge_of_edge(e));
   }
@@ -357,7 +360,7 @@ class Sqrt3Family final : public Family {
     const LevelStep step(control_, level);
     const auto i = static_cast<std::size_t>(step.step);
     StepPlan plan;
-    plan.patches = Patches(step, tables_[i]).plan();
+    plan.patches = Patches(step, tables_[i], faces_).plan();
     add_side_rows(step, tables_[i], sides_, plan.rows);
     const bool overlap = zones_meet(tables_[i].reach, step.side());
     for (const ZoneGroup& group : groups_) {
@@ -416,7 +419,8 @@ class Sqrt3Family final : public Family {
   int plain_;
   std::array<Sqrt3Tables, 2> tables_;  // by Sqrt3Step
   std::vector<ZoneGroup> groups_;      // with the tables of the first kind of step
-  std::vector<Index> sides_;           // half-edges on the boundary
+  HugeArray<FaceTopology> faces_;
+  std::vector<Index> sides_;  // half-edges on the boundary
 };
 
 }  // namespace

@@ -29,26 +29,26 @@ std::vector<SectorPoint> zone_points(Sqrt3Step step, Index sectors, bool open, S
 
 class TableMaker {
  public:
-  TableMaker(const Scheme& scheme, const Mesh& control)
+  TableMaker(const Scheme& scheme, const std::vector<VertexKind>& kinds, const BoundarySides& sides)
       : scheme_(scheme),
-        control_(control),
+        kinds_(kinds),
+        sides_(sides),
         closed_(scheme, Boundary::left_out),
         open_(scheme, Boundary::refined) {}
 
   Result<std::array<Sqrt3Tables, 2>> make() {
-    const BoundarySides sides = boundary_sides(control_);
     for (const Sqrt3Step step : kSteps) {
-      const std::optional<Sqrt3Reach> reach = find_sqrt3_reach(scheme_, step, sides);
+      const std::optional<Sqrt3Reach> reach = find_sqrt3_reach(scheme_, step, sides_);
       if (!reach)
         return Error{
             fmt::format("the rules of scheme '{}' look too far", scheme_.name), {}, {}, 0, 0};
       of(step).reach = *reach;
     }
     if (Status status = read_interior(); !status) return status.error();
-    if (control_.has_boundary())
+    if (sides_[1] || sides_[2] || sides_[3])
       if (Status status = read_strips(); !status) return status.error();
-    for (Index v = 0; v < control_.vertex_count(); ++v)
-      if (Status status = read_zones(v); !status) return status.error();
+    for (const VertexKind& kind : kinds_)
+      if (Status status = read_zones(kind); !status) return status.error();
     return std::move(tables_);
   }
 
@@ -81,9 +81,9 @@ class TableMaker {
     constexpr Index kRings = 3;
     const Sqrt3Site site(*scheme_.split, 6, false, kRings + rings_seen(0));
     for (const Sqrt3Step step : kSteps) {
-      std::vector<SectorPoint> wanted;
+      std::vector<SectorPoint> wanted(kSqrt3Classes);
       for (Index c = 0; c < kSqrt3Classes; ++c)
-        wanted.push_back({0, c, step == Sqrt3Step::centroids ? c : 0});
+        wanted[static_cast<std::size_t>(c)] = {0, c, step == Sqrt3Step::centroids ? c : 0};
       const Result<std::vector<Form>> forms = read(site, false, step, wanted);
       if (!forms) return forms.error();
       for (std::size_t c = 0; c < wanted.size(); ++c) {
@@ -119,23 +119,24 @@ class TableMaker {
     return Done{};
   }
 
-  Status read_zones(Index v) {
-    if (control_.is_isolated(v)) return Done{};
-    const bool open = control_.is_boundary_vertex(v);
-    const Index sectors = control_.valence(v) - (open ? 1 : 0);
-    const auto known = [&](Sqrt3Step step) -> std::map<Index, ZoneTable>& {
-      return open ? of(step).fans : of(step).stars;
-    };
-    if (known(kSteps[0]).contains(sectors)) return Done{};
+  Status read_zones(const VertexKind& kind) {
+    const bool open = kind.open;
+    const Index sectors = kind.faces;
+    if (sectors == 0) return Done{};
     if (sectors > kLargestTable || (!open && sectors < 3))
-      return Error{fmt::format("no table for vertex {} of {} faces", v, sectors), {}, {}, 0, 0};
+      return Error{fmt::format("no table for vertex {} of {} faces", kind.vertices[0], sectors),
+                   {},
+                   {},
+                   0,
+                   0};
     const Sqrt3Site site(*scheme_.split, sectors, open, rings_seen(0));
     for (const Sqrt3Step step : kSteps) {
       const std::vector<SectorPoint> wanted =
           zone_points(step, sectors, open, of(step).reach.zone(sectors, open));
       const Result<std::vector<Form>> forms = read(site, open, step, wanted);
       if (!forms) return forms.error();
-      known(step).emplace(sectors, to_table(*forms, site, sectors, wanted));
+      (open ? of(step).fans : of(step).stars)
+          .emplace(sectors, to_table(*forms, site, sectors, wanted));
     }
     return Done{};
   }
@@ -175,15 +176,18 @@ class TableMaker {
   }
 
   const Scheme& scheme_;
-  const Mesh& control_;
+  const std::vector<VertexKind>& kinds_;
+  BoundarySides sides_;
   RuleTables<double> closed_, open_;
   std::array<Sqrt3Tables, 2> tables_;
 };
 
 }  // namespace
 
-Result<std::array<Sqrt3Tables, 2>> read_sqrt3_stencils(const Scheme& scheme, const Mesh& control) {
-  return TableMaker(scheme, control).make();
+Result<std::array<Sqrt3Tables, 2>> read_sqrt3_stencils(const Scheme& scheme,
+                                                       const std::vector<VertexKind>& kinds,
+                                                       const BoundarySides& sides) {
+  return TableMaker(scheme, kinds, sides).make();
 }
 
 }  // namespace limn::fast

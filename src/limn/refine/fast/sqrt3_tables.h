@@ -40,8 +40,9 @@ struct Sqrt3Tables {
   std::map<Index, ZoneTable> fans;   ///< by number of faces at a boundary vertex
 };
 
-/// The tables that refining `control` (of triangles) needs, of both steps. Fails as read_stencils.
-[[nodiscard]] Result<std::array<Sqrt3Tables, 2>> read_sqrt3_stencils(const Scheme& scheme,
-                                                                     const Mesh& control);
+/// The tables that refining a mesh with vertices and faces of these kinds needs, of both steps.
+/// Fails as read_stencils.
+[[nodiscard]] Result<std::array<Sqrt3Tables, 2>> read_sqrt3_stencils(
+    const Scheme& scheme, const std::vector<VertexKind>& kinds, const BoundarySides& sides);
 
 }  // namespace limn::fast
