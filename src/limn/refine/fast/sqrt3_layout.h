@@ -18,6 +18,13 @@
 
 namespace limn::fast {
 
+/// Of an exponent ≥ 0.
+[[nodiscard]] constexpr Index power_of_3(int exponent) {
+  Index power = 1;
+  while (exponent-- > 0) power *= 3;
+  return power;
+}
+
 /// An odd level.
 class CentroidLayout {
  public:
