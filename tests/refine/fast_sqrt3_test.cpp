@@ -275,6 +275,36 @@ TEST(Sqrt3EngineRules, MayLookFar) {
       }
 }
 
+/// Along the boundary alone: past two corners.
+TEST(Sqrt3EngineRules, MayLookFarAlongBoundaries) {
+  const Scheme scheme = parsed(R"toml(extends = "sqrt3"
+[roles."boundary.vertex"]
+second = "vbv"
+
+[roles."boundary.edge-end"]
+second = "bvbv"
+
+[boundary.vertex]
+self = "1/2"
+next = "3/16"
+second = "1/16"
+
+[boundary.edge-end]
+near = "1/2"
+far = "3/8"
+beyond = "1/16"
+second = "1/16"
+)toml");
+  for (unsigned seed = 0; seed < 60; ++seed) {
+    SCOPED_TRACE(seed);
+    expect_same_sqrt3(scheme, RandomMesh(seed).triangles(), static_cast<int>(2 + seed % 4), seed);
+  }
+  for (const Index faces : {1, 2, 3, 4})
+    for (const Index rings : {1, 2, 3})
+      EXPECT_LE(expect_same_sqrt3(scheme, fan(Lattice::triangle, faces, rings), 5, 2),
+                faces * rings == 1 ? 4 : 3);
+}
+
 /// The mesh and a triangle that touches nothing, which needs the finest grids.
 Mesh with_lone_triangle(const Mesh& mesh) {
   const Index first = mesh.vertex_count();
