@@ -1,11 +1,13 @@
 #pragma once
 /// The quick engine beside the plain one: the vertices of both refined meshes are matched by
-/// walking both in step, from the face at each control face's first corner on.
+/// walking both in step, from a half-edge for each control face on.
 
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <functional>
 #include <random>
+#include <utility>
 #include <vector>
 
 #include "limn/refine/fast/fast_refiner.h"
@@ -22,10 +24,12 @@ inline std::vector<Point3> random_points(Index count, unsigned seed) {
   return points;
 }
 
-/// partner[v] is the vertex of `mesh` at the place of v of `other`. Both were refined from
-/// `faces` control faces, one keeping the faces of each together, the first at its first corner
-/// and begun there. Fails the test where the meshes differ.
-inline std::vector<Index> match(const Mesh& other, const Mesh& mesh, Index faces) {
+/// Half-edges of two meshes that are at the same place.
+using Starts = std::vector<std::pair<Index, Index>>;
+
+/// partner[v] is the vertex of `mesh` at the place of v of `other`, each part of which has a start.
+/// Fails the test where the meshes differ.
+inline std::vector<Index> match(const Mesh& other, const Mesh& mesh, const Starts& starts) {
   std::vector<Index> partner(static_cast<std::size_t>(other.vertex_count()), kNone);
   if (other.vertex_count() != mesh.vertex_count() || other.face_count() != mesh.face_count()) {
     ADD_FAILURE() << "sizes differ";
@@ -44,8 +48,7 @@ inline std::vector<Index> match(const Mesh& other, const Mesh& mesh, Index faces
       same = same && image[h] == k;
     }
   };
-  const Index each = faces == 0 ? 0 : other.face_count() / faces;
-  for (Index f = 0; f < faces; ++f) meet(3 * f * each, 3 * f * each);
+  for (const auto& [h, k] : starts) meet(h, k);
   for (std::size_t i = 0; i < queue.size(); ++i) {
     const Index h = queue[i], k = image[h];
     Index& at = partner[other.origin(h)];
@@ -90,9 +93,23 @@ std::vector<Real> evaluate(const FastRefiner& refiner, const std::vector<Point3>
   return fine;
 }
 
+/// Where both engines keep the faces of each control face together, begun at its first corner.
+inline Starts start_each_face(const Mesh& control, int /*levels*/, const Mesh& quick) {
+  Starts starts;
+  for (Index f = 0; f < control.face_count(); ++f) {
+    const Index h = 3 * f * (quick.face_count() / control.face_count());
+    starts.emplace_back(h, h);
+  }
+  return starts;
+}
+
+/// Starts for the plain engine's mesh and the quick one's.
+using StartMaker = std::function<Starts(const Mesh& control, int levels, const Mesh& quick)>;
+
 /// Both engines on random positions: the same mesh, the same points to rounding; or the same error.
 /// Returns how many steps the quick engine left to the plain one, or -1.
-inline int expect_same(const Scheme& scheme, const Mesh& control, int levels, unsigned seed) {
+inline int expect_same(const Scheme& scheme, const Mesh& control, int levels, unsigned seed,
+                       const StartMaker& start = start_each_face) {
   const std::vector<Point3> points = random_points(control.vertex_count(), seed);
   const auto plain = refine(scheme, control, points, levels);
   const auto quick = FastRefiner::make(scheme, control, levels);
@@ -111,7 +128,7 @@ inline int expect_same(const Scheme& scheme, const Mesh& control, int levels, un
   const Result<Mesh> mesh = Mesh::build(polygons);
   EXPECT_TRUE(mesh.ok()) << (mesh ? "" : mesh.error().text());
   if (!mesh) return -1;
-  const std::vector<Index> partner = match(plain->mesh, *mesh, control.face_count());
+  const std::vector<Index> partner = match(plain->mesh, *mesh, start(control, levels, *mesh));
   const std::vector<Point3> doubles = as_points(evaluate<double>(*quick, points));
   const std::vector<Point3> floats = as_points(evaluate<float>(*quick, points));
   double worst = 0, worst_float = 0;

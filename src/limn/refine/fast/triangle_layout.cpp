@@ -77,7 +77,8 @@ void TriangleLayout::column(Index h, Index x, Index* out, std::ptrdiff_t stride)
   if (last == 0) return;
   out[last * stride] = edge_point(mesh_->next(h), last);
   // the inner points' numbers are a quadratic sequence, in whatever frame
-  Index number = last > 1 ? point(h, x, 1) : 0;
+  const Index row = k == 0 ? 1 : k == 1 ? x : last - 1, along = k == 0 ? x : k == 1 ? last - 1 : 1;
+  Index number = face_begin(f) + row_begin(row) + along - 1;
   Index step = k == 0 ? n_ - 2 : k == 1 ? -1 : -x;
   const Index bend = k == 1 ? 0 : -1;
   for (Index y = 1; y < last; ++y) {

@@ -97,4 +97,18 @@ std::set<Index> edge_hull(const Scheme& scheme, const Mesh& mesh, Index h) {
   return explorer.seen;
 }
 
+std::set<Index> face_hull(const Scheme& scheme, const Mesh& mesh, Index h) {
+  Explorer explorer(scheme, mesh);
+  const Index f = mesh.face(h);
+  for (Index k = mesh.face_begin(f); k < mesh.face_begin(f + 1); ++k)
+    explorer.explore(RuleKind::face, k);
+  return explorer.seen;
+}
+
+std::set<Index> edge_end_hull(const Scheme& scheme, const Mesh& mesh, Index h, bool at_target) {
+  Explorer explorer(scheme, mesh);
+  explorer.explore(RuleKind::boundary_edge_end, h, at_target);
+  return explorer.seen;
+}
+
 }  // namespace limn::fast

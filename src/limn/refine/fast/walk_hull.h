@@ -11,5 +11,10 @@ namespace limn::fast {
 /// old vertex origin(h), or to old edge edge(h): every case of it, whatever its guard.
 [[nodiscard]] std::set<Index> vertex_hull(const Scheme& scheme, const Mesh& mesh, Index h);
 [[nodiscard]] std::set<Index> edge_hull(const Scheme& scheme, const Mesh& mesh, Index h);
+/// The same of the vertex born from face(h), or near an end of h on the boundary (its target where
+/// `at_target`).
+[[nodiscard]] std::set<Index> face_hull(const Scheme& scheme, const Mesh& mesh, Index h);
+[[nodiscard]] std::set<Index> edge_end_hull(const Scheme& scheme, const Mesh& mesh, Index h,
+                                            bool at_target);
 
 }  // namespace limn::fast

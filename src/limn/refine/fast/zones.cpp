@@ -27,14 +27,15 @@ void find_sectors(ZoneGroup& group, const Mesh& control) {
 
 }  // namespace
 
-std::vector<ZoneGroup> group_vertices(const StencilTables& tables, std::vector<VertexKind> kinds,
-                                      const Mesh& control) {
+std::vector<ZoneGroup> group_vertices(const std::map<Index, ZoneTable>& stars,
+                                      const std::map<Index, ZoneTable>& fans,
+                                      std::vector<VertexKind> kinds, const Mesh& control) {
   std::vector<ZoneGroup> groups;
   groups.reserve(kinds.size());
   for (VertexKind& kind : kinds) {
     const ZoneTable& table = kind.faces == 0 ? identity_table()
-                             : kind.open     ? tables.fans.at(kind.faces)
-                                             : tables.stars.at(kind.faces);
+                             : kind.open     ? fans.at(kind.faces)
+                                             : stars.at(kind.faces);
     groups.push_back({&table, std::move(kind), {}, {}});
     find_sectors(groups.back(), control);
   }

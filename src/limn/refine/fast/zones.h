@@ -21,9 +21,15 @@ struct ZoneGroup {
 };
 
 /// All vertices of the control mesh; the tables must outlive the groups. An isolated vertex stays.
-[[nodiscard]] std::vector<ZoneGroup> group_vertices(const StencilTables& tables,
+[[nodiscard]] std::vector<ZoneGroup> group_vertices(const std::map<Index, ZoneTable>& stars,
+                                                    const std::map<Index, ZoneTable>& fans,
                                                     std::vector<VertexKind> kinds,
                                                     const Mesh& control);
+[[nodiscard]] inline std::vector<ZoneGroup> group_vertices(const StencilTables& tables,
+                                                           std::vector<VertexKind> kinds,
+                                                           const Mesh& control) {
+  return group_vertices(tables.stars, tables.fans, std::move(kinds), control);
+}
 
 /// A layout numbers point (x, y) in the frame of half-edge h: `Index point(h, x, y) const`; those
 /// on the half-edge also from its code, without a look at the mesh: `point_along(code, x)`, x < n.
