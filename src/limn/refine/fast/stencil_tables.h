@@ -1,6 +1,6 @@
 #pragma once
-/// All stencils of a triangle-dyadic scheme, read by refining linear forms on stars and fans with
-/// the plain engine (refine/refine_values.h): nothing here knows a rule.
+/// All stencils of a dyadic scheme on triangles or quads, read by refining linear forms on stars
+/// and fans with the plain engine (refine/refine_values.h): nothing here knows a rule.
 
 #include <array>
 #include <map>
@@ -10,25 +10,12 @@
 
 namespace limn::fast {
 
-/// What a fine point takes from the old vertex at `place`, an offset from its anchor.
-struct Tap {
-  Offset place;
-  double weight = 0;
-};
-using Stencil = std::vector<Tap>;  ///< sorted by place
-
 /// The fine points round a vertex, as sums over the old ones round it.
 struct ZoneTable {
   Index sectors = 0;
   std::vector<SectorPoint> sources;  ///< old points, sector by sector
   std::vector<SectorPoint> targets;  ///< fine points, the centre first
-  /// Target i has the terms row_begin[i] … row_begin[i+1]-1: weight times source number `source`.
-  struct Term {
-    int source = 0;
-    double weight = 0;
-  };
-  std::vector<int> row_begin;
-  std::vector<Term> terms;
+  RowTable rows;                     ///< of the targets over the sources
 };
 
 struct StencilTables {
@@ -44,9 +31,10 @@ struct StencilTables {
 
 inline constexpr Index kLargestTable = 1000;  ///< valence of a table
 
-/// The tables that refining `control` (of triangles) needs. Fails where a rule is missing, or looks
-/// too far (find_reach), or a vertex has fewer than 3 or more than kLargestTable faces in a ring:
-/// then the plain engine is the one to ask, which may say more. Cost: some 0.1 ms a valence.
+/// The tables that refining `control` (of triangles or of quads, as the split has it) needs. Fails
+/// where a rule is missing, or looks too far (find_reach), or a vertex has fewer than 3 or more
+/// than kLargestTable faces in a ring: then the plain engine is the one to ask, which may say more.
+/// Cost: some 0.1 ms a valence.
 [[nodiscard]] Result<StencilTables> read_stencils(const Scheme& scheme, const Mesh& control);
 
 }  // namespace limn::fast
