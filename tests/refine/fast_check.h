@@ -105,7 +105,7 @@ inline int expect_same(const Scheme& scheme, const Mesh& control, int levels, un
   if (!is_simple(plain->mesh)) return quick->plain_steps();
   Polygons polygons;
   polygons.positions.resize(static_cast<std::size_t>(quick->vertex_count()));
-  polygons.corners.resize(3 * static_cast<std::size_t>(quick->face_count()));
+  polygons.corners.resize(static_cast<std::size_t>(quick->corner_count()));
   quick->write_faces(polygons.corners);
   for (Index f = 1; f <= quick->face_count(); ++f) polygons.face_begin.push_back(3 * f);
   const Result<Mesh> mesh = Mesh::build(polygons);

@@ -7,56 +7,45 @@
 #include <optional>
 
 #include "limn/base/parallel.h"
+#include "limn/refine/fast/families.h"
 #include "limn/refine/fast/patch_step.h"
 #include "limn/refine/fast/plain_steps.h"
-#include "limn/refine/fast/zone_step.h"
+#include "limn/refine/fast/row_step.h"
 #include "limn/refine/refine.h"
 
 namespace limn {
 namespace {
 
-constexpr Index kFaceChunk = 32768;  // refined faces that one call of a parallel loop writes
+/// A step, made ready.
+struct ReadyStep {
+  fast::StepPlan plan;
+  fast::PatchProgram program;
+};
 
 /// The most that the arrays of a result and the work on it take.
-Status check_room(const fast::TriangleLayout& last, int levels) {
-  const double vertices = last.vertex_count(), faces = last.face_count();
+Status check_room(const fast::Family::Size& last, int levels) {
+  const double vertices = last.vertices, faces = last.faces, corners = last.corners;
   constexpr double kPoint = 3 * sizeof(double);
-  constexpr double kScratch = 0.25 * kPoint;
-  const double bytes = vertices * (kPoint + kScratch) + faces * 3 * sizeof(Index);
+  // the level before, and the plans' numbers (measured: 1 to 4 bytes)
+  constexpr double kWork = kPoint / 3 + 4;
+  const double bytes = vertices * (kPoint + kWork) + (faces + corners) * sizeof(Index);
   return check_memory({vertices, faces, bytes}, levels, available_memory());
 }
 
 }  // namespace
 
-bool has_fast_layout(const Split& split) {
-  // what triangle_layout.h numbers: triangles cut in four at the midpoints of their edges
-  return split.lattice == Lattice::triangle && split.births_vertices && split.births_edges &&
-         !split.births_faces && split.dilation.growth() == 4;
-}
+bool has_fast_layout(const Split& split) { return fast::has_family(split); }
 
 struct FastRefiner::State {
   Mesh control;
   int levels = 0;
+  std::unique_ptr<fast::Family> family;
   std::optional<fast::PlainSteps> plain;
-  fast::StencilTables tables;
-  std::vector<fast::ZoneGroup> groups;
-  std::vector<Index> boundary;                        ///< half-edges
-  std::vector<fast::TriangleLayout> layouts;          ///< of levels plain->count() … levels
-  std::vector<std::vector<fast::ZoneNumbers>> zones;  ///< of the steps between them, by group
+  fast::Family::Size size;
+  std::vector<ReadyStep> steps;
+  std::vector<Index> vertices;  ///< before each step, and after the last
 
   Status prepare(const Scheme& scheme);
-  void prepare_zones();
-
-  template <class Real>
-  void step(std::size_t i, const Real* in, Real* out) const {
-    const fast::TriangleLayout& coarse = layouts[i];
-    const fast::TriangleLayout& fine = layouts[i + 1];
-    const fast::Reach& reach = tables.reach;
-    const Index zone = std::max({reach.star_zone, reach.fan_zone, reach.corner_zone});
-    fast::refine_patches(coarse, fine, tables, in, out);
-    fast::refine_strips(tables, boundary, coarse, fine, in, out);
-    fast::refine_zones(groups, zones[i], zone >= coarse.n(), in, out);
-  }
 };
 
 Status FastRefiner::State::prepare(const Scheme& scheme) {
@@ -64,39 +53,27 @@ Status FastRefiner::State::prepare(const Scheme& scheme) {
   // before anything is made that could be too large for an index
   if (Status status = check_refinable(scheme, control, levels, sizeof(Point3), kUnlimited); !status)
     return status;
-  int first = levels;
-  // without faces the levels would not grow, as evaluate supposes
-  const bool any = control.face_count() > 0;
-  if (Result<fast::StencilTables> read = fast::read_stencils(scheme, control); any && read) {
-    tables = std::move(*read);
-    const Index grid = std::max(tables.reach.smallest_grid, tables.halo);
-    first = 0;
-    while (first < levels && (Index{1} << first) < grid) ++first;
+  family = fast::make_family(scheme, control, levels);
+  const int first = family->plain_steps();
+  if (first == levels)
+    if (Status status =
+            check_refinable(scheme, control, levels, sizeof(Point3), available_memory());
+        !status)
+      return status;
+  size = family->size(levels);
+  if (Status status = check_room(size, levels); !status) return status;
+  Result<fast::PlainSteps> made = fast::PlainSteps::make(scheme, control, first);
+  if (!made) return made.error();
+  plain.emplace(std::move(*made));
+  plain->set_order(family->plain_order(plain->splits()));
+  vertices.push_back(family->size(first).vertices);
+  for (int level = first; level < levels; ++level) {
+    ReadyStep& step = steps.emplace_back();
+    step.plan = family->plan(level);
+    step.program = fast::make_patch_program(step.plan.patches.shape, step.plan.patches.stencils);
+    vertices.push_back(family->size(level + 1).vertices);
   }
-  if (Status status = first < levels ? check_room({control, Index{1} << levels}, levels)
-                                     : check_refinable(scheme, control, levels, sizeof(Point3),
-                                                       available_memory());
-      !status)
-    return status;
-  Result<fast::PlainSteps> steps = fast::PlainSteps::make(scheme, control, first);
-  if (!steps) return steps.error();
-  plain.emplace(std::move(*steps));
-  for (int level = first; level <= levels; ++level)
-    layouts.emplace_back(control, Index{1} << level);
-  if (first < levels) prepare_zones();
   return Done{};
-}
-
-void FastRefiner::State::prepare_zones() {
-  groups = fast::group_vertices(tables, control);
-  for (Index e = 0; e < control.edge_count(); ++e)
-    if (control.is_boundary_edge(e)) boundary.push_back(control.halfedge_of_edge(e));
-  zones.resize(layouts.size() - 1);
-  for (const fast::ZoneGroup& group : groups) {
-    const std::vector<Index> sectors = fast::sectors_of(group, control);
-    for (std::size_t i = 0; i < zones.size(); ++i)
-      zones[i].push_back(fast::number_zones(group, sectors, layouts[i], layouts[i + 1]));
-  }
 }
 
 FastRefiner::FastRefiner(std::unique_ptr<State> state) : state_(std::move(state)) {}
@@ -113,20 +90,22 @@ Result<FastRefiner> FastRefiner::make(const Scheme& scheme, Mesh control, int le
   return FastRefiner(std::move(state));
 }
 
-Index FastRefiner::vertex_count() const { return state_->layouts.back().vertex_count(); }
-Index FastRefiner::face_count() const { return state_->layouts.back().face_count(); }
+Index FastRefiner::vertex_count() const { return state_->size.vertices; }
+Index FastRefiner::face_count() const { return state_->size.faces; }
+Index FastRefiner::corner_count() const { return state_->size.corners; }
+Index FastRefiner::corners_per_face() const { return state_->family->corners_per_face(); }
 int FastRefiner::plain_steps() const { return state_->plain->count(); }
 
 template <class Real>
 void FastRefiner::evaluate(std::span<const Real> control, std::span<Real> fine,
                            Scratch<Real>& scratch) const {
   const State& state = *state_;
-  const std::size_t steps = state.layouts.size() - 1;
+  const std::size_t steps = state.steps.size();
   assert(control.size() == 3 * static_cast<std::size_t>(state.control.vertex_count()));
   assert(fine.size() == 3 * static_cast<std::size_t>(vertex_count()));
   if (steps > 0) {
     // a point is read with the number after it
-    const auto before = static_cast<std::size_t>(state.layouts[steps - 1].vertex_count());
+    const auto before = static_cast<std::size_t>(state.vertices[steps - 1]);
     if (scratch.numbers.size() < 3 * before + 1) scratch.numbers = HugeArray<Real>(3 * before + 1);
   }
   // the levels take turns, so that the last one is made in `fine`
@@ -134,32 +113,37 @@ void FastRefiner::evaluate(std::span<const Real> control, std::span<Real> fine,
   if (steps % 2 == 1) std::swap(places[0], places[1]);
   state.plain->evaluate(control.data(), places[0]);
   for (std::size_t i = 0; i < steps; ++i) {
-    places[i % 2][3 * static_cast<std::size_t>(state.layouts[i].vertex_count())] = 0;
-    state.step(i, places[i % 2], places[(i + 1) % 2]);
+    Real* in = places[i % 2];
+    Real* out = places[(i + 1) % 2];
+    in[3 * static_cast<std::size_t>(state.vertices[i])] = 0;
+    const ReadyStep& step = state.steps[i];
+    fast::make_patches(step.plan.patches, step.program, in, out);
+    for (const fast::RowPlan& rows : step.plan.rows) fast::make_rows(rows, in, out);
   }
 }
 
 void FastRefiner::write_faces(std::span<Index> corners) const {
-  const fast::TriangleLayout& layout = state_->layouts.back();
-  assert(corners.size() == 3 * static_cast<std::size_t>(layout.face_count()));
-  const std::ptrdiff_t patch = std::ptrdiff_t{3} * layout.n() * layout.n();
-  parallel_for(
-      Index{0}, layout.control().face_count(),
-      [&](Index first, Index last) {
-        layout.write_faces(first, last, corners.data() + first * patch);
-      },
-      std::max<std::ptrdiff_t>(1, 3 * kFaceChunk / patch));
+  assert(corners.size() == static_cast<std::size_t>(corner_count()));
+  state_->family->write_faces(state_->levels, corners);
+}
+
+void FastRefiner::write_face_begin(std::span<Index> begin) const {
+  assert(begin.size() == static_cast<std::size_t>(face_count()) + 1);
+  const Index each = corners_per_face();
+  if (each == 0) return state_->family->write_face_begin(state_->levels, begin);
+  parallel_for(0, face_count() + 1, [&](Index first, Index last) {
+    for (Index f = first; f < last; ++f) begin[static_cast<std::size_t>(f)] = each * f;
+  });
 }
 
 std::size_t FastRefiner::bytes() const {
   const State& state = *state_;
   const Mesh& mesh = state.control;
-  std::size_t indices = 3 * static_cast<std::size_t>(mesh.halfedge_count()) +
-                        static_cast<std::size_t>(mesh.edge_count() + 2 * mesh.vertex_count()) +
-                        state.boundary.size();
-  for (const std::vector<fast::ZoneNumbers>& step : state.zones)
-    for (const fast::ZoneNumbers& zone : step) indices += zone.sources.size() + zone.targets.size();
-  return indices * sizeof(Index) + state.plain->bytes();
+  const std::size_t indices = 3 * static_cast<std::size_t>(mesh.halfedge_count()) +
+                              static_cast<std::size_t>(mesh.edge_count() + mesh.vertex_count());
+  std::size_t bytes = indices * sizeof(Index) + state.plain->bytes();
+  for (const ReadyStep& step : state.steps) bytes += bytes_of(step.plan);
+  return bytes;
 }
 
 template void FastRefiner::evaluate<float>(std::span<const float>, std::span<float>,
@@ -177,12 +161,10 @@ Result<Polygons> fast_refine(const Scheme& scheme, Mesh control,
   if (!positions.empty())
     refiner->evaluate<double>({&positions.front().x, 3 * positions.size()},
                               {&polygons.positions.front().x, 3 * polygons.positions.size()});
-  polygons.corners.resize(3 * static_cast<std::size_t>(refiner->face_count()));
+  polygons.corners.resize(static_cast<std::size_t>(refiner->corner_count()));
   refiner->write_faces(polygons.corners);
   polygons.face_begin.resize(static_cast<std::size_t>(refiner->face_count()) + 1);
-  parallel_for(0, refiner->face_count() + 1, [&](Index first, Index last) {
-    for (Index f = first; f < last; ++f) polygons.face_begin[static_cast<std::size_t>(f)] = 3 * f;
-  });
+  refiner->write_face_begin(polygons.face_begin);
   return polygons;
 }
 

@@ -37,7 +37,9 @@ class FastRefiner {
   ~FastRefiner();
 
   [[nodiscard]] Index vertex_count() const;  ///< of the refined mesh
-  [[nodiscard]] Index face_count() const;    ///< all of three corners
+  [[nodiscard]] Index face_count() const;
+  [[nodiscard]] Index corner_count() const;      ///< of all faces together
+  [[nodiscard]] Index corners_per_face() const;  ///< or 0 where faces differ
   /// How many of the steps the plain engine makes: as a rule 0 or 1; all of them, where
   /// the rules look too far, or a vertex has fewer than 3 or more than 1000 faces round it.
   [[nodiscard]] int plain_steps() const;
@@ -61,8 +63,10 @@ class FastRefiner {
     evaluate(control, fine, scratch);
   }
 
-  /// The refined faces: 3 · face_count() vertices.
+  /// The refined faces' vertices, face by face: corner_count() of them.
   void write_faces(std::span<Index> corners) const;
+  /// Where each face's corners begin, and where the last one's end: face_count() + 1 numbers.
+  void write_face_begin(std::span<Index> begin) const;
 
   /// What the refiner itself holds, in bytes.
   [[nodiscard]] std::size_t bytes() const;

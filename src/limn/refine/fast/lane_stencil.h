@@ -41,7 +41,7 @@ inline void add_equal(const LanePoint<Real>* anchor, const std::array<std::ptrdi
 /// Adds two groups (of the second, there may be none) for the points of a class to what is in the
 /// line, or where they are the `first`, to nothing.
 template <class Real, std::size_t size, std::size_t size2, bool first>
-void add_groups(const LanePoint<Real>* grid, const ClassPoints& points,
+void add_groups(const LanePoint<Real>* grid, const StencilPoints& points,
                 const EqualTerms<Real>* groups, LanePoint<Real>* line) {
   std::array<std::ptrdiff_t, size> slots;
   std::copy_n(groups[0].slots.begin(), size, slots.begin());
@@ -67,7 +67,7 @@ void add_groups(const LanePoint<Real>* grid, const ClassPoints& points,
 }
 
 template <class Real>
-using Adder = void (*)(const LanePoint<Real>*, const ClassPoints&, const EqualTerms<Real>*,
+using Adder = void (*)(const LanePoint<Real>*, const StencilPoints&, const EqualTerms<Real>*,
                        LanePoint<Real>*);
 inline constexpr std::size_t kSecondSizes = kLargestGroup + 1;
 template <class Real, bool first, std::size_t... i>
@@ -106,7 +106,8 @@ class LaneStencil {
   }
 
   /// The points of a class, from the grid into their places in the line.
-  void apply(const LanePoint<Real>* grid, const ClassPoints& points, LanePoint<Real>* line) const {
+  void apply(const LanePoint<Real>* grid, const StencilPoints& points,
+             LanePoint<Real>* line) const {
     for (std::size_t a = 0; a < adders_.size(); ++a)
       adders_[a](grid, points, &groups_[2 * a], line);
   }

@@ -9,56 +9,77 @@ constexpr Index kBlockPoints = 256;  // so that a line stays in the nearest cach
 
 class ProgramMaker {
  public:
-  ProgramMaker(Index n, Index halo) {
-    program_.n = n;
-    program_.halo = halo;
-    program_.pitch = n + 2 * halo + 1;
-    program_.slots = program_.pitch * program_.pitch;
-  }
+  ProgramMaker(const PatchShape& shape, const std::vector<Stencil>& stencils)
+      : shape_(shape), stencils_(stencils) {}
 
   PatchProgram make() {
-    for (Index y = 1; y < program_.n; ++y)
-      for (Index x = 1; x + y < program_.n; ++x)
-        program_.inner_slots.push_back(program_.slot(x, y));
-    add_sides();
-    add_rows();
+    find_box();
+    for (const Offset place : shape_.frame) program_.frame.push_back(slot(place));
+    for (const Offset place : shape_.inner) program_.inner.push_back(slot(place));
+    for (std::size_t run = 0; run < shape_.runs.size(); ++run) add_run(run);
     return std::move(program_);
   }
 
  private:
-  void add(Index x, Index y) {
-    ClassPoints& points = program_.blocks.back().classes[class_of(x, y)];
-    points.anchors.push_back(program_.slot(x / 2, y / 2));
-    points.places.push_back(used_++);
-    program_.line = std::max(program_.line, used_);
+  void enclose(Offset place) {
+    low_ = {std::min(low_.a, place.a), std::min(low_.b, place.b)};
+    high_ = {std::max(high_.a, place.a), std::max(high_.b, place.b)};
   }
 
-  void add_sides() {
-    const Index fine = 2 * program_.n;
-    program_.blocks.emplace_back().side = fine - 1;
-    for (Index t = 1; t < fine; ++t) add(t, 0);
-    for (Index t = 1; t < fine; ++t) add(fine - t, t);
-    for (Index t = 1; t < fine; ++t) add(0, fine - t);
+  void find_box() {
+    for (const Offset place : shape_.frame) enclose(place);
+    for (const Offset place : shape_.inner) enclose(place);
+    for (const std::vector<FinePoint>& run : shape_.runs)
+      for (const FinePoint& point : run)
+        for (const Tap& tap : stencils_[point.stencil])
+          enclose({point.anchor.a + tap.place.a, point.anchor.b + tap.place.b});
+    program_.pitch = high_.a - low_.a + 1;
+    program_.slots = program_.pitch * (high_.b - low_.b + 1);
   }
 
-  void add_rows() {
-    const Index fine = 2 * program_.n;
-    for (Index y = 1; y + 1 < fine; ++y) {
-      if (used_ >= kBlockPoints) {
+  [[nodiscard]] Index slot(Offset place) const {
+    return program_.slot_step({place.a - low_.a, place.b - low_.b});
+  }
+
+  void add_run(std::size_t run) {
+    const std::vector<FinePoint>& points = shape_.runs[run];
+    const auto count = static_cast<Index>(points.size());
+    for (Index first = 0; first < count;) {
+      if (program_.blocks.empty() || used_ >= kBlockPoints) {
         program_.blocks.emplace_back();
         used_ = 0;
       }
-      for (Index x = 1; x + y < fine; ++x) add(x, y);
-      program_.blocks.back().inner += fine - 1 - y;
+      PatchBlock& block = program_.blocks.back();
+      const Index part = std::min(count - first, kBlockPoints - used_);
+      block.parts.push_back({run, first, part});
+      for (Index i = first; i < first + part; ++i) add(block, points[static_cast<std::size_t>(i)]);
+      first += part;
     }
   }
 
+  void add(PatchBlock& block, const FinePoint& point) {
+    auto same = std::find_if(block.points.begin(), block.points.end(),
+                             [&](const auto& known) { return known.stencil == point.stencil; });
+    if (same == block.points.end()) {
+      same = block.points.emplace(same);
+      same->stencil = point.stencil;
+    }
+    same->anchors.push_back(slot(point.anchor));
+    same->places.push_back(used_++);
+    program_.line = std::max(program_.line, used_);
+  }
+
+  const PatchShape& shape_;
+  const std::vector<Stencil>& stencils_;
   PatchProgram program_;
+  Offset low_, high_;
   Index used_ = 0;  // of the line
 };
 
 }  // namespace
 
-PatchProgram make_patch_program(Index n, Index halo) { return ProgramMaker(n, halo).make(); }
+PatchProgram make_patch_program(const PatchShape& shape, const std::vector<Stencil>& stencils) {
+  return ProgramMaker(shape, stencils).make();
+}
 
 }  // namespace limn::fast

@@ -1,7 +1,6 @@
 #include "limn/refine/fast/patch_step.h"
 
 #include <algorithm>
-#include <utility>
 
 #include "limn/base/parallel.h"
 #include "limn/refine/fast/lane_stencil.h"
@@ -9,53 +8,31 @@
 namespace limn::fast {
 namespace {
 
-constexpr Index kChunkPoints = 65536;  // fine points that one call of a parallel loop makes
-
-/// One level's step; all that does not depend on the patch.
-template <class Real>
-struct LevelStep {
-  LevelStep(const TriangleLayout& coarse_, const TriangleLayout& fine_, const StencilTables& tables,
-            const Real* in_, Real* out_)
-      : coarse(coarse_),
-        fine(fine_),
-        program(make_patch_program(coarse.n(), tables.halo)),
-        in(in_),
-        out(out_) {
-    for (std::size_t c = 0; c < kClasses; ++c)
-      stencils[c] = LaneStencil<Real>(tables.interior[c], program);
-  }
-
-  const TriangleLayout& coarse;
-  const TriangleLayout& fine;
-  PatchProgram program;
-  std::array<LaneStencil<Real>, kClasses> stencils;
-  const Real* in;
-  Real* out;
-};
+constexpr std::size_t kChunkPoints = 65536;  // new points that one call of a parallel loop makes
 
 /// Takes a few patches at a time through the step.
 template <class Real>
 class PatchWorker {
  public:
-  explicit PatchWorker(const LevelStep<Real>& step)
-      : step_(step),
-        program_(step.program),
-        control_(step.coarse.control()),
-        grid_(static_cast<std::size_t>(program_.slots)),
-        line_(static_cast<std::size_t>(program_.line)),
-        numbers_(static_cast<std::size_t>(3 * program_.halo * (program_.n + 1)) * kLaneCount) {}
+  PatchWorker(const PatchPlan& plan, const PatchProgram& program,
+              const std::vector<LaneStencil<Real>>& stencils, const Real* in, Real* out)
+      : plan_(plan),
+        program_(program),
+        stencils_(stencils),
+        in_(in),
+        out_(out),
+        grid_(static_cast<std::size_t>(program.slots)),
+        line_(static_cast<std::size_t>(program.line)) {}
 
-  /// Faces first … first + lanes - 1; those past the last face are the last one again.
+  /// Patches first … first + lanes - 1; those past the last are the last one again.
   void run(Index first) {
-    for (std::size_t lane = 0; lane < kLaneCount; ++lane)
-      faces_[lane] = std::min(first + static_cast<Index>(lane), control_.face_count() - 1);
-    // the neighbours' points lie anywhere: they are called for before all others are read
-    each_halo_row([&](Index side, Index r, Index* numbers) { number_halo(side, r, numbers); });
-    load_corners();
-    for (Index side = 0; side < 3; ++side) load_side(side);
-    load_inside();
-    each_halo_row([&](Index side, Index r, Index* numbers) { load_halo(side, r, numbers); });
-    make();
+    choose(first + kLanes<Real>);
+    for (const Index* numbers : frames_)  // they lie anywhere
+      for (std::size_t i = 0; i < program_.frame.size(); ++i) __builtin_prefetch(old(numbers[i]));
+    choose(first);
+    load_frame();
+    load_inner();
+    for (const PatchBlock& block : program_.blocks) make(block);
   }
 
  private:
@@ -64,181 +41,120 @@ class PatchWorker {
   using Targets = PerLane<Real, Real*>;
   using Strides = PerLane<Real, std::ptrdiff_t>;
 
-  [[nodiscard]] Index halfedge(std::size_t lane, Index side) const {
-    return 3 * faces_[lane] + side;
-  }
-  [[nodiscard]] const Real* old_point(Index v) const {
-    return step_.in + 3 * static_cast<std::ptrdiff_t>(v);
+  [[nodiscard]] const Real* old(Index number) const {
+    return in_ + 3 * static_cast<std::ptrdiff_t>(number);
   }
 
-  /// Where point (a, b) of the frame of a side lies in the patch.
-  [[nodiscard]] Offset in_patch(Index side, Offset p) const {
-    for (; side > 0; --side) p = {program_.n - p.a - p.b, p.a};
-    return p;
-  }
-  /// The local slot of a point of a side's frame, and the step to the next along the side.
-  [[nodiscard]] std::pair<Index, Index> slots_along(Index side, Offset first) const {
-    const Offset from = in_patch(side, first), to = in_patch(side, {first.a + 1, first.b});
-    const Index slot = program_.slot(from.a, from.b);
-    return {slot, program_.slot(to.a, to.b) - slot};
-  }
-
-  void load_corners() {
-    for (Index side = 0; side < 3; ++side) {
-      Sources from;
-      for (std::size_t lane = 0; lane < kLaneCount; ++lane)
-        from[lane] = old_point(control_.origin(halfedge(lane, side)));
-      gather(from, grid_[static_cast<std::size_t>(slots_along(side, {0, 0}).first)]);
-    }
-  }
-
-  void load_side(Index side) {
-    if (program_.n < 2) return;
-    Sources from;
-    Strides stride;
+  void choose(Index first) {
     for (std::size_t lane = 0; lane < kLaneCount; ++lane) {
-      const Index h = halfedge(lane, side);
-      from[lane] = old_point(step_.coarse.edge_point(h, 1));
-      stride[lane] = step_.coarse.leads(h) ? 3 : -3;
-    }
-    auto [slot, slot_step] = slots_along(side, {1, 0});
-    for (Index t = 1; t < program_.n; ++t, slot += slot_step) {
-      gather(from, grid_[static_cast<std::size_t>(slot)]);
-      for (std::size_t lane = 0; lane < kLaneCount; ++lane) from[lane] += stride[lane];
+      patches_[lane] = std::min(first + static_cast<Index>(lane), plan_.patches - 1);
+      frames_[lane] =
+          plan_.frame.data() + static_cast<std::size_t>(patches_[lane]) * program_.frame.size();
     }
   }
 
-  void load_inside() {
+  void load_frame() {
+    for (std::size_t i = 0; i < program_.frame.size(); ++i) {
+      Sources from;
+      for (std::size_t lane = 0; lane < kLaneCount; ++lane) from[lane] = old(frames_[lane][i]);
+      gather(from, grid_[static_cast<std::size_t>(program_.frame[i])]);
+    }
+  }
+
+  void load_inner() {
     Sources from;
+    const auto each = static_cast<Index>(program_.inner.size());
     for (std::size_t lane = 0; lane < kLaneCount; ++lane)
-      from[lane] = old_point(step_.coarse.face_begin(faces_[lane]));
-    for (const Index slot : program_.inner_slots) {
+      from[lane] = old(plan_.inner_begin + patches_[lane] * each);
+    for (const Index slot : program_.inner) {
       gather(from, grid_[static_cast<std::size_t>(slot)]);
       for (const Real*& next : from) next += 3;
     }
   }
 
-  /// visit(side, r, the row's part of numbers_) for every row of the halo.
-  template <class Visit>
-  void each_halo_row(Visit visit) {
-    Index* numbers = numbers_.data();
-    for (Index side = 0; side < 3; ++side)
-      for (Index r = 1; r <= program_.halo; ++r, numbers += (program_.n + 1) * kLanes<Real>)
-        visit(side, r, numbers);
-  }
-
-  /// The vertices of row r of the neighbours across a side, lane by lane; where there is none,
-  /// anything.
-  void number_halo(Index side, Index r, Index* numbers) {
-    const Index count = program_.n - r + 1;
-    for (std::size_t lane = 0; lane < kLaneCount; ++lane) {
-      const Index h = halfedge(lane, side);
-      const Index across = control_.twin(h);
-      if (across != kNone) {
-        step_.coarse.column(control_.next(across), r, numbers + lane, kLanes<Real>);
-      } else {
-        for (Index i = 0; i < count; ++i) numbers[i * kLanes<Real> + lane] = control_.origin(h);
-      }
-    }
-    for (Index i = 0; i < count * kLanes<Real>; ++i) __builtin_prefetch(old_point(numbers[i]));
-  }
-
-  void load_halo(Index side, Index r, const Index* numbers) {
-    const Index count = program_.n - r + 1;
-    auto [slot, slot_step] = slots_along(side, {r, -r});
-    for (Index i = 0; i < count; ++i, slot += slot_step, numbers += kLanes<Real>) {
-      Sources from;
-      for (std::size_t lane = 0; lane < kLaneCount; ++lane) from[lane] = old_point(numbers[lane]);
-      gather(from, grid_[static_cast<std::size_t>(slot)]);
+  void make(const PatchBlock& block) {
+    for (const StencilPoints& points : block.points)
+      stencils_[points.stencil].apply(grid_.data(), points, line_.data());
+    const LanePoint<Real>* line = line_.data();
+    for (const RunPart& part : block.parts) {
+      put(part, line);
+      line += part.count;
     }
   }
 
-  /// A block's points into the line.
-  void evaluate(const PatchBlock& block) {
-    for (std::size_t c = 0; c < kClasses; ++c)
-      step_.stencils[c].apply(grid_.data(), block.classes[c], line_.data());
-  }
-
-  void make() {
+  /// Where the patch in a lane is not to make the run, its points go nowhere, one over the other.
+  void put(const RunPart& part, const LanePoint<Real>* line) {
+    const std::vector<FinePoint>& run = plan_.shape.runs[part.run];
     Targets to;
-    for (std::size_t lane = 0; lane < kLaneCount; ++lane)
-      to[lane] = step_.out + 3 * static_cast<std::ptrdiff_t>(step_.fine.face_begin(faces_[lane]));
-    for (const PatchBlock& block : program_.blocks) {
-      evaluate(block);
-      const LanePoint<Real>* line = line_.data();
-      for (Index side = 0; block.side > 0 && side < 3; ++side, line += block.side)
-        put_side(side, line, block.side);
+    Strides stride;
+    std::size_t made = 0;
+    for (std::size_t lane = 0; lane < kLaneCount; ++lane) {
+      const Index begin =
+          plan_.runs[static_cast<std::size_t>(patches_[lane]) * plan_.shape.runs.size() + part.run];
+      made += begin != kNone ? 1U : 0U;
+      to[lane] = begin != kNone ? out_ + 3 * static_cast<std::ptrdiff_t>(begin + part.first)
+                                : unwanted_[lane].data();
+      stride[lane] = begin != kNone ? 3 : 0;
+    }
+    if (made == 0) return;
+    const bool ends = part.first + part.count == static_cast<Index>(run.size());
+    if (made == kLaneCount) {
       put(
-          line, block.inner, to, [](std::size_t) { return 3; }, &block != &program_.blocks.back());
-      for (Real*& next : to) next += 3 * static_cast<std::ptrdiff_t>(block.inner);
+          line, part.count, to, [](std::size_t) { return 3; }, ends);
+    } else {
+      put(
+          line, part.count, to, [&](std::size_t lane) { return stride[lane]; }, ends);
     }
   }
 
-  /// Points to consecutive places, or of lanes with `stride` 0 all to one; of the very last point
-  /// nothing spills over where `spill_last` is false.
+  /// A point may be written with a number after it, which the next one overwrites; not the last.
   template <class Stride>
   static void put(const LanePoint<Real>* line, Index count, const Targets& to, Stride stride,
-                  bool spill_last) {
-    const std::ptrdiff_t spilling = spill_last ? count : count - 1;
+                  bool ends) {
     const auto place = [&](std::ptrdiff_t i) {
       Targets places;
       for (std::size_t lane = 0; lane < kLaneCount; ++lane)
         places[lane] = to[lane] + i * stride(lane);
       return places;
     };
+    const std::ptrdiff_t spilling = ends ? count - 1 : count;
     for (std::ptrdiff_t i = 0; i < spilling; ++i) scatter<true>(line[i], place(i));
-    if (spilling >= 0 && spilling < count) scatter<false>(line[spilling], place(spilling));
+    if (ends) scatter<false>(line[spilling], place(spilling));
   }
 
-  /// A side's points are written by the patch whose half-edge stands for the edge.
-  void put_side(Index side, const LanePoint<Real>* line, Index count) {
-    Targets to;
-    Strides stride;
-    bool any = false;
-    for (std::size_t lane = 0; lane < kLaneCount; ++lane) {
-      const Index h = halfedge(lane, side), e = control_.edge(h);
-      const bool own = step_.fine.leads(h);
-      any = any || own;
-      to[lane] = own ? step_.out + 3 * static_cast<std::ptrdiff_t>(step_.fine.edge_begin(e))
-                     : unwanted_[lane].data();
-      stride[lane] = own ? 3 : 0;
-    }
-    if (any)
-      put(
-          line, count, to, [&](std::size_t lane) { return stride[lane]; }, false);
-  }
-
-  const LevelStep<Real>& step_;
+  const PatchPlan& plan_;
   const PatchProgram& program_;
-  const Mesh& control_;
-  std::vector<LanePoint<Real>> grid_;  // coarse points of the patch and its halo
-  std::vector<LanePoint<Real>> line_;  // fine points of a block
-  std::vector<Index> numbers_;         // vertices of the halo's rows
-  PerLane<Real, Index> faces_{};
+  const std::vector<LaneStencil<Real>>& stencils_;
+  const Real* in_;
+  Real* out_;
+  std::vector<LanePoint<Real>> grid_;  // old points of the patch and round it
+  std::vector<LanePoint<Real>> line_;  // new points of a block
+  PerLane<Real, Index> patches_{};
+  PerLane<Real, const Index*> frames_{};
   PerLane<Real, std::array<Real, 4>> unwanted_{};
 };
 
 }  // namespace
 
 template <class Real>
-void refine_patches(const TriangleLayout& coarse, const TriangleLayout& fine,
-                    const StencilTables& tables, const Real* in, Real* out) {
-  const LevelStep<Real> step(coarse, fine, tables, in, out);
-  const Index faces = coarse.control().face_count();
-  const Index batches = (faces + kLanes<Real> - 1) / kLanes<Real>;
-  const Index grain = std::max(1, kChunkPoints / (kLanes<Real> * (fine.face_size() + 1)));
+void make_patches(const PatchPlan& plan, const PatchProgram& program, const Real* in, Real* out) {
+  if (program.blocks.empty() || plan.patches == 0) return;
+  std::vector<LaneStencil<Real>> stencils;
+  for (const Stencil& stencil : plan.stencils) stencils.emplace_back(stencil, program);
+  std::size_t points = 1;
+  for (const std::vector<FinePoint>& run : plan.shape.runs) points += run.size();
+  const Index batches = (plan.patches + kLanes<Real> - 1) / kLanes<Real>;
+  const std::size_t grain = std::max<std::size_t>(1, kChunkPoints / (kLanes<Real> * points));
   parallel_for(
       Index{0}, batches,
       [&](Index first, Index last) {
-        PatchWorker<Real> worker(step);
+        PatchWorker<Real> worker(plan, program, stencils, in, out);
         for (Index b = first; b < last; ++b) worker.run(b * kLanes<Real>);
       },
-      grain);
+      static_cast<std::ptrdiff_t>(grain));
 }
 
-template void refine_patches<float>(const TriangleLayout&, const TriangleLayout&,
-                                    const StencilTables&, const float*, float*);
-template void refine_patches<double>(const TriangleLayout&, const TriangleLayout&,
-                                     const StencilTables&, const double*, double*);
+template void make_patches<float>(const PatchPlan&, const PatchProgram&, const float*, float*);
+template void make_patches<double>(const PatchPlan&, const PatchProgram&, const double*, double*);
 
 }  // namespace limn::fast

@@ -1,7 +1,6 @@
 #pragma once
 /// The first steps, by the plain engine, with vertices renumbered as the quick engine has them.
 
-#include "limn/refine/fast/triangle_layout.h"
 #include "limn/refine/rule_tables.h"
 
 namespace limn::fast {
@@ -15,7 +14,13 @@ class PlainSteps {
 
   [[nodiscard]] int count() const { return static_cast<int>(splits_.size()); }
 
-  /// x, y, z of the control vertices → those of TriangleLayout(control, 2^count). Sums in double.
+  /// What each step made; of a single step, the births alone.
+  [[nodiscard]] const std::vector<SplitResult>& splits() const { return splits_; }
+
+  /// From now on, vertices are put out in this order (the plain engine's own, if it is empty).
+  void set_order(std::vector<Index> order) { order_ = std::move(order); }
+
+  /// x, y, z of the control vertices → those of the vertices after `count` steps. Sums in double.
   template <class Real>
   void evaluate(const Real* control, Real* fine) const;
 
@@ -27,13 +32,11 @@ class PlainSteps {
   [[nodiscard]] const Mesh& mesh(std::size_t step) const {
     return step == 0 ? *control_ : splits_[step - 1].mesh;
   }
-  void number_vertices();
 
   const Scheme* scheme_;
   const Mesh* control_;
   RuleTables<double> tables_;
   std::vector<SplitResult> splits_;
-  /// The plain engine's vertex at each place of the layout; empty where it has the same numbers.
   std::vector<Index> order_;
 };
 

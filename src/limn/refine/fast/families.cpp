@@ -1,0 +1,27 @@
+#include "limn/refine/fast/families.h"
+
+#include "limn/refine/fast/triangle_family.h"
+
+namespace limn::fast {
+namespace {
+
+using Maker = std::unique_ptr<Family> (*)(const Scheme& scheme, const Mesh& control, int levels);
+
+/// By what a split does, not by its name.
+Maker maker(const Split& split) {
+  const bool old_and_edges = split.births_vertices && split.births_edges && !split.births_corners;
+  if (split.lattice == Lattice::triangle && old_and_edges && !split.births_faces &&
+      split.dilation.growth() == 4)
+    return make_triangle_family;
+  return nullptr;
+}
+
+}  // namespace
+
+bool has_family(const Split& split) { return maker(split) != nullptr; }
+
+std::unique_ptr<Family> make_family(const Scheme& scheme, const Mesh& control, int levels) {
+  return maker(*scheme.split)(scheme, control, levels);
+}
+
+}  // namespace limn::fast

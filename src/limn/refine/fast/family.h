@@ -1,0 +1,40 @@
+#pragma once
+/// What a split has of its own: numbers for the vertices of each level, and how a level is made of
+/// the one before.
+
+#include <memory>
+#include <span>
+
+#include "limn/refine/fast/step_plan.h"
+#include "limn/scheme/scheme.h"
+
+namespace limn::fast {
+
+class Family {
+ public:
+  virtual ~Family() = default;
+
+  struct Size {
+    Index vertices = 0, faces = 0, corners = 0;
+  };
+
+  /// How many of the first steps are left to the plain engine: the fewest after which vertices that
+  /// are not regular lie far enough apart, or all of them.
+  [[nodiscard]] virtual int plain_steps() const = 0;
+  /// Below, plain_steps() ≤ level ≤ the levels that the family was made for.
+  [[nodiscard]] virtual Size size(int level) const = 0;
+  /// From `level` to the next.
+  [[nodiscard]] virtual StepPlan plan(int level) const = 0;
+  /// The plain engine's vertex at each number of level plain_steps(), given what the plain steps
+  /// made; empty where the numbers are the same, as they are after no step and after one.
+  [[nodiscard]] virtual std::vector<Index> plain_order(
+      const std::vector<SplitResult>& steps) const = 0;
+  /// The corners of the faces of a level, face by face.
+  virtual void write_faces(int level, std::span<Index> corners) const = 0;
+  /// How many corners each face has, where that is one number; or 0: then `write_face_begin` gives
+  /// where each face begins (size().faces + 1 numbers).
+  [[nodiscard]] virtual Index corners_per_face() const = 0;
+  virtual void write_face_begin(int /*level*/, std::span<Index> /*begin*/) const {}
+};
+
+}  // namespace limn::fast

@@ -1,0 +1,15 @@
+#pragma once
+/// The points of a step that patches cannot make, from rows.
+
+#include "limn/refine/fast/step_plan.h"
+
+namespace limn::fast {
+
+/// Overwrites the targets of all places. Arrays as for make_patches (patch_step.h).
+template <class Real>
+void make_rows(const RowPlan& plan, const Real* in, Real* out);
+
+extern template void make_rows<float>(const RowPlan&, const float*, float*);
+extern template void make_rows<double>(const RowPlan&, const double*, double*);
+
+}  // namespace limn::fast

@@ -1,0 +1,195 @@
+#include "limn/refine/fast/triangle_family.h"
+
+#include <algorithm>
+
+#include "limn/refine/fast/triangle_layout.h"
+#include "limn/refine/fast/zones.h"
+
+namespace limn::fast {
+namespace {
+
+constexpr Index kPatchGrain = 2048;
+constexpr Index kFaceChunk = 32768;  // refined faces that one call of a parallel loop writes
+
+/// Where point (a, b) of the frame of a side lies in the patch.
+Offset in_patch(Index n, Index side, Offset p) {
+  for (; side > 0; --side) p = {n - p.a - p.b, p.a};
+  return p;
+}
+
+/// Old points: the corners, the inner points of the sides, and rows beyond the sides.
+PatchShape make_shape(Index n, Index halo) {
+  PatchShape shape;
+  for (Index side = 0; side < 3; ++side) shape.frame.push_back(in_patch(n, side, {0, 0}));
+  for (Index side = 0; side < 3; ++side)
+    for (Index t = 1; t < n; ++t) shape.frame.push_back(in_patch(n, side, {t, 0}));
+  for (Index side = 0; side < 3; ++side)
+    for (Index r = 1; r <= halo; ++r)
+      for (Index i = 0; i <= n - r; ++i) shape.frame.push_back(in_patch(n, side, {r + i, -r}));
+  for (Index y = 1; y < n; ++y)
+    for (Index x = 1; x + y < n; ++x) shape.inner.push_back({x, y});
+  const auto point = [](Offset fine) {
+    return FinePoint{class_of(fine.a, fine.b), {fine.a / 2, fine.b / 2}};
+  };
+  shape.runs.resize(4);  // the sides, and the inside
+  for (Index side = 0; side < 3; ++side)
+    for (Index t = 1; t < 2 * n; ++t)
+      shape.runs[static_cast<std::size_t>(side)].push_back(point(in_patch(2 * n, side, {t, 0})));
+  for (Index y = 1; y < 2 * n; ++y)
+    for (Index x = 1; x + y < 2 * n; ++x) shape.runs[3].push_back(point({x, y}));
+  return shape;
+}
+
+/// Numbers of the shape's frame for one patch, in its order.
+void number_frame(const TriangleLayout& layout, Index halo, Index f, Index* out) {
+  const Mesh& mesh = layout.control();
+  const Index n = layout.n();
+  for (Index side = 0; side < 3; ++side) *out++ = mesh.origin(3 * f + side);
+  for (Index side = 0; side < 3 && n > 1; ++side) {
+    const Index h = 3 * f + side, step = layout.leads(h) ? 1 : -1;
+    for (Index t = 1, number = layout.edge_point(h, 1); t < n; ++t, number += step) *out++ = number;
+  }
+  for (Index side = 0; side < 3; ++side)
+    for (Index r = 1; r <= halo; ++r) {
+      const Index across = mesh.twin(3 * f + side), count = n - r + 1;
+      if (across != kNone) {
+        layout.column(mesh.next(across), r, out, 1);
+      } else {
+        std::fill_n(out, count, mesh.origin(3 * f));
+      }
+      out += count;
+    }
+}
+
+/// The half-edge of the refined mesh that starts as h does, on the same edge.
+Index first_part(const Mesh& coarse, const SplitResult& split, Index h) {
+  const Index middle = split.births.from_vertices + coarse.edge(h);
+  Index part = split.mesh.halfedge_of_vertex(coarse.origin(h));
+  while (split.mesh.target(part) != middle) part = split.mesh.rotate(part);
+  return part;
+}
+
+/// The plain engine's vertices, by walking each control face row by row.
+std::vector<Index> order_of(const TriangleLayout& layout, const std::vector<SplitResult>& steps) {
+  const Mesh& control = layout.control();
+  const Mesh& fine = steps.back().mesh;
+  const Index n = layout.n();
+  std::vector<Index> order(static_cast<std::size_t>(layout.vertex_count()), kNone);
+  for (Index v = 0; v < control.vertex_count(); ++v) order[v] = v;
+  for (Index side = 0; side < control.halfedge_count(); side += 3) {
+    Index row = side;  // the half-edge from (0, y) to (1, y)
+    for (std::size_t i = 0; i < steps.size(); ++i)
+      row = first_part(i == 0 ? control : steps[i - 1].mesh, steps[i], row);
+    for (Index y = 0; y < n; ++y) {
+      Index h = row;
+      for (Index x = 0; x + y < n; ++x) {
+        order[layout.point(side, x, y)] = fine.origin(h);
+        order[layout.point(side, x + 1, y)] = fine.target(h);
+        // over the face that points down, into the next one that points up
+        if (x + y + 1 < n) h = fine.next(fine.twin(fine.next(fine.twin(fine.next(h)))));
+      }
+      // the face that points down beside (0, y) has the next row's first edge opposite
+      if (y + 1 < n) row = fine.twin(fine.prev(fine.twin(fine.next(row))));
+    }
+  }
+  return order;
+}
+
+class TriangleFamily final : public Family {
+ public:
+  TriangleFamily(const Scheme& scheme, const Mesh& control, int levels)
+      : control_(control), plain_(levels) {
+    if (control.face_count() == 0) return;
+    Result<StencilTables> read = read_stencils(scheme, control);
+    if (!read) return;
+    tables_ = std::move(*read);
+    const Index grid = std::max(tables_.reach.smallest_grid, tables_.halo);
+    plain_ = 0;
+    while (plain_ < levels && (Index{1} << plain_) < grid) ++plain_;
+    if (plain_ == levels) return;
+    groups_ = group_vertices(tables_, control);
+    for (Index e = 0; e < control.edge_count(); ++e)
+      if (control.is_boundary_edge(e)) sides_.push_back(control.halfedge_of_edge(e));
+  }
+
+  [[nodiscard]] int plain_steps() const override { return plain_; }
+
+  [[nodiscard]] Size size(int level) const override {
+    const TriangleLayout at = layout(level);
+    return {at.vertex_count(), at.face_count(), 3 * at.face_count()};
+  }
+
+  [[nodiscard]] StepPlan plan(int level) const override {
+    const TriangleLayout coarse = layout(level), fine = layout(level + 1);
+    const Reach& reach = tables_.reach;
+    const Index zone = std::max({reach.star_zone, reach.fan_zone, reach.corner_zone});
+    StepPlan plan;
+    plan.patches = patches(coarse, fine);
+    add_strips(tables_, sides_, coarse, fine, plan.rows);
+    add_zones(groups_, coarse, fine, zone >= coarse.n(), plan.rows);
+    return plan;
+  }
+
+  [[nodiscard]] std::vector<Index> plain_order(
+      const std::vector<SplitResult>& steps) const override {
+    return steps.size() > 1 ? order_of(layout(plain_), steps) : std::vector<Index>{};
+  }
+
+  void write_faces(int level, std::span<Index> corners) const override {
+    const TriangleLayout at = layout(level);
+    const std::ptrdiff_t patch = std::ptrdiff_t{3} * at.n() * at.n();
+    parallel_for(
+        Index{0}, control_.face_count(),
+        [&](Index first, Index last) {
+          at.write_faces(first, last, corners.data() + first * patch);
+        },
+        std::max<std::ptrdiff_t>(1, 3 * kFaceChunk / patch));
+  }
+  [[nodiscard]] Index corners_per_face() const override { return 3; }
+
+ private:
+  [[nodiscard]] TriangleLayout layout(int level) const {
+    // without faces nothing grows, whatever the level
+    return {control_, control_.face_count() == 0 ? 1 : Index{1} << level};
+  }
+
+  [[nodiscard]] PatchPlan patches(const TriangleLayout& coarse, const TriangleLayout& fine) const {
+    PatchPlan plan;
+    plan.shape = make_shape(coarse.n(), tables_.halo);
+    plan.stencils.assign(tables_.interior.begin(), tables_.interior.end());
+    plan.patches = control_.face_count();
+    plan.inner_begin = coarse.face_begin(0);
+    const std::size_t frame = plan.shape.frame.size(), runs = plan.shape.runs.size();
+    plan.frame = HugeArray<Index>(static_cast<std::size_t>(plan.patches) * frame);
+    plan.runs = HugeArray<Index>(static_cast<std::size_t>(plan.patches) * runs);
+    parallel_for(
+        Index{0}, plan.patches,
+        [&](Index first, Index last) {
+          for (Index f = first; f < last; ++f) {
+            const auto at = static_cast<std::size_t>(f);
+            number_frame(coarse, tables_.halo, f, plan.frame.data() + at * frame);
+            Index* run = plan.runs.data() + at * runs;
+            for (Index h = 3 * f; h < 3 * f + 3; ++h)
+              *run++ = fine.leads(h) ? fine.edge_begin(control_.edge(h)) : kNone;
+            *run = fine.face_begin(f);
+          }
+        },
+        kPatchGrain);
+    return plan;
+  }
+
+  const Mesh& control_;
+  int plain_;
+  StencilTables tables_;
+  std::vector<ZoneGroup> groups_;
+  std::vector<Index> sides_;  // half-edges on the boundary
+};
+
+}  // namespace
+
+std::unique_ptr<Family> make_triangle_family(const Scheme& scheme, const Mesh& control,
+                                             int levels) {
+  return std::make_unique<TriangleFamily>(scheme, control, levels);
+}
+
+}  // namespace limn::fast

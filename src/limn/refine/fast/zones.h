@@ -1,0 +1,84 @@
+#pragma once
+/// Rows for the points round control vertices, from the tables of their valences, and for those
+/// along boundaries, with the numbers that a layout gives them.
+
+#include <cassert>
+
+#include "limn/base/parallel.h"
+#include "limn/mesh/mesh.h"
+#include "limn/refine/fast/stencil_tables.h"
+#include "limn/refine/fast/step_plan.h"
+
+namespace limn::fast {
+
+/// Control vertices of one table.
+struct ZoneGroup {
+  const ZoneTable* table = nullptr;
+  std::vector<Index> vertices;
+  /// The half-edges out of them, counterclockwise, as many for each as the table has sectors.
+  std::vector<Index> sectors;
+};
+
+/// All vertices of the control mesh; the tables must outlive the groups. An isolated vertex stays.
+[[nodiscard]] std::vector<ZoneGroup> group_vertices(const StencilTables& tables,
+                                                    const Mesh& control);
+
+/// A layout numbers point (x, y) in the frame of half-edge h: `Index point(h, x, y) const`.
+/// The numbers of the points round each of a group's vertices, which have their own.
+template <class Layout>
+[[nodiscard]] std::vector<Index> number_points(const ZoneGroup& group, const Layout& layout,
+                                               const std::vector<SectorPoint>& points) {
+  constexpr Index kVertexGrain = 1024;
+  std::vector<Index> numbers(group.vertices.size() * points.size());
+  parallel_for(
+      Index{0}, static_cast<Index>(group.vertices.size()),
+      [&](Index first, Index last) {
+        Index* number = numbers.data() + first * std::ssize(points);
+        for (Index i = first; i < last; ++i) {
+          const Index* out = group.sectors.data() + std::ptrdiff_t{i} * group.table->sectors;
+          for (const SectorPoint& p : points)
+            *number++ = p.x + p.y == 0 ? group.vertices[static_cast<std::size_t>(i)]
+                                       : layout.point(out[p.sector], p.x, p.y);
+        }
+      },
+      kVertexGrain);
+  return numbers;
+}
+
+/// The points of zones, group by group.
+template <class Coarse, class Fine>
+void add_zones(const std::vector<ZoneGroup>& groups, const Coarse& coarse, const Fine& fine,
+               bool overlap, std::vector<RowPlan>& plans) {
+  for (const ZoneGroup& group : groups)
+    plans.push_back({group.table->rows, number_points(group, coarse, group.table->sources),
+                     number_points(group, fine, group.table->targets), overlap});
+}
+
+/// The points along boundary sides but for those in zones; `sides` are the boundary half-edges.
+template <class Coarse, class Fine>
+void add_strips(const StencilTables& tables, const std::vector<Index>& sides, const Coarse& coarse,
+                const Fine& fine, std::vector<RowPlan>& plans) {
+  const Mesh& mesh = fine.control();
+  const auto zone_of = [&](Index v) {  // of two edges: one face
+    return mesh.valence(v) == 2 ? tables.reach.corner_zone : tables.reach.fan_zone;
+  };
+  std::vector<RowPlan> strips;
+  for (const Stencil& stencil : tables.strips) strips.push_back({to_rows(stencil), {}, {}, false});
+  for (const Index h : sides) {
+    const Index left = zone_of(mesh.origin(h)), right = zone_of(mesh.target(h)), n = fine.n();
+    for (Index y = 0; y <= tables.reach.strip_depth; ++y)
+      for (Index x = std::max(left - y, 0) + 1; x + y < n && n - x > right; ++x) {
+        const auto c = static_cast<std::size_t>(2 * y + (x & 1));
+        for (const Tap& tap : tables.strips[c]) {
+          const Index source = coarse.point_beyond(h, x / 2 + tap.place.a, y / 2 + tap.place.b);
+          assert(source != kNone);
+          strips[c].sources.push_back(source);
+        }
+        strips[c].targets.push_back(fine.point(h, x, y));
+      }
+  }
+  for (RowPlan& strip : strips)
+    if (!strip.targets.empty()) plans.push_back(std::move(strip));
+}
+
+}  // namespace limn::fast
