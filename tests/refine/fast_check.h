@@ -23,9 +23,9 @@ inline std::vector<Point3> random_points(Index count, unsigned seed) {
 }
 
 /// partner[v] is the vertex of `mesh` at the place of v of `other`. Both were refined from
-/// `faces` control faces, one keeping the faces of each together, the first at its first corner
-/// and begun there. Fails the test where the meshes differ.
-inline std::vector<Index> match(const Mesh& other, const Mesh& mesh, Index faces) {
+/// so many patches (control faces, or their corners), one keeping the faces of each together, the
+/// first at its first corner and begun there. Fails the test where the meshes differ.
+inline std::vector<Index> match(const Mesh& other, const Mesh& mesh, Index patches) {
   std::vector<Index> partner(static_cast<std::size_t>(other.vertex_count()), kNone);
   if (other.vertex_count() != mesh.vertex_count() || other.face_count() != mesh.face_count()) {
     ADD_FAILURE() << "sizes differ";
@@ -44,8 +44,8 @@ inline std::vector<Index> match(const Mesh& other, const Mesh& mesh, Index faces
       same = same && image[h] == k;
     }
   };
-  const Index each = faces == 0 ? 0 : other.face_count() / faces;
-  for (Index f = 0; f < faces; ++f) meet(3 * f * each, 3 * f * each);
+  const Index each = patches == 0 ? 0 : other.face_count() / patches;
+  for (Index p = 0; p < patches; ++p) meet(other.face_begin(p * each), mesh.face_begin(p * each));
   for (std::size_t i = 0; i < queue.size(); ++i) {
     const Index h = queue[i], k = image[h];
     Index& at = partner[other.origin(h)];
@@ -59,6 +59,12 @@ inline std::vector<Index> match(const Mesh& other, const Mesh& mesh, Index faces
   for (Index v = 0; v < other.vertex_count(); ++v)
     if (other.is_isolated(v)) partner[v] = v;  // they are control vertices
   return partner;
+}
+
+/// Where the first step takes other polygons than the later ones, each of their corners is a patch.
+inline Index patch_count(const Mesh& control, const Mesh& refined) {
+  return control.uniform_degree() == refined.uniform_degree() ? control.face_count()
+                                                              : control.halfedge_count();
 }
 
 inline double distance(Point3 a, Point3 b) {
@@ -107,11 +113,12 @@ inline int expect_same(const Scheme& scheme, const Mesh& control, int levels, un
   polygons.positions.resize(static_cast<std::size_t>(quick->vertex_count()));
   polygons.corners.resize(static_cast<std::size_t>(quick->corner_count()));
   quick->write_faces(polygons.corners);
-  for (Index f = 1; f <= quick->face_count(); ++f) polygons.face_begin.push_back(3 * f);
+  polygons.face_begin.resize(static_cast<std::size_t>(quick->face_count()) + 1);
+  quick->write_face_begin(polygons.face_begin);
   const Result<Mesh> mesh = Mesh::build(polygons);
   EXPECT_TRUE(mesh.ok()) << (mesh ? "" : mesh.error().text());
   if (!mesh) return -1;
-  const std::vector<Index> partner = match(plain->mesh, *mesh, control.face_count());
+  const std::vector<Index> partner = match(plain->mesh, *mesh, patch_count(control, plain->mesh));
   const std::vector<Point3> doubles = as_points(evaluate<double>(*quick, points));
   const std::vector<Point3> floats = as_points(evaluate<float>(*quick, points));
   double worst = 0, worst_float = 0;

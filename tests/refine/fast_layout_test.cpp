@@ -101,21 +101,24 @@ TEST(FastLayout, WritesFacesRowByRow) {
 }
 
 TEST(FastPlaces, AreThoseOfTheStar) {
-  for (const bool open : {false, true})
-    for (const Index sectors : {3, 6}) {
-      const Mesh mesh =
-          open ? fan(Lattice::triangle, sectors, 3) : star(Lattice::triangle, sectors, 3);
-      for (Index v = 0; v < mesh.vertex_count(); ++v)
-        EXPECT_EQ(vertex_at(sectors, open, sector_point(sectors, open, v)), v);
-      if (!open && sectors == 3) continue;  // no plane
-      for (Index h = 0; h < mesh.halfedge_count(); ++h) {
-        const Offset from = on_plane(sector_point(sectors, open, mesh.origin(h)));
-        const Offset to = on_plane(sector_point(sectors, open, mesh.target(h)));
-        const Offset way{to.a - from.a, to.b - from.b};
-        const std::array<Offset, 6> ways{{{1, 0}, {0, 1}, {-1, 1}, {-1, 0}, {0, -1}, {1, -1}}};
-        EXPECT_NE(std::find(ways.begin(), ways.end(), way), ways.end());
+  for (const Lattice lattice : {Lattice::triangle, Lattice::quad})
+    for (const bool open : {false, true})
+      for (const Index sectors : {3, 4, 6}) {
+        const Mesh mesh = open ? fan(lattice, sectors, 3) : star(lattice, sectors, 3);
+        const StarShape shape{lattice, sectors, open};
+        for (Index v = 0; v < mesh.vertex_count(); ++v)
+          EXPECT_EQ(vertex_at(shape, sector_point(shape, v)), v);
+        if (open ? sectors > plane_sectors(lattice) : sectors != plane_sectors(lattice))
+          continue;  // no plane
+        for (Index h = 0; h < mesh.halfedge_count(); ++h) {
+          const Offset from = on_plane(lattice, sector_point(shape, mesh.origin(h)));
+          const Offset to = on_plane(lattice, sector_point(shape, mesh.target(h)));
+          const Offset way{to.a - from.a, to.b - from.b};
+          const std::array<Offset, 6> ways{{{1, 0}, {0, 1}, {-1, 0}, {0, -1}, {-1, 1}, {1, -1}}};
+          const auto end = lattice == Lattice::triangle ? ways.end() : ways.begin() + 4;
+          EXPECT_NE(std::find(ways.begin(), end, way), end);
+        }
       }
-    }
 }
 
 /// By hand: Loop's stencils need the neighbours of an edge's or vertex's own faces only, the

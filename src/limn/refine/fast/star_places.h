@@ -34,6 +34,11 @@ struct StarShape {
   return plane_sectors(lattice) / 2;
 }
 
+/// The fewest that a star may have.
+[[nodiscard]] constexpr Index fewest_sectors(Lattice lattice) {
+  return lattice == Lattice::triangle ? 3 : 2;
+}
+
 /// The ring round the centre of a sector's point (x, y), as mesh/lattice.h counts them.
 [[nodiscard]] constexpr Index ring_of(Lattice lattice, Index x, Index y) {
   return lattice == Lattice::triangle ? x + y : x > y ? x : y;

@@ -97,6 +97,7 @@ class TableMaker {
     if (!reach)
       return Error{
           fmt::format("the rules of scheme '{}' look too far", scheme_.name), {}, {}, 0, 0};
+    tables_.lattice = lattice_;
     tables_.reach = *reach;
     if (Status status = read_interior(); !status) return status.error();
     if (boundary)
@@ -154,7 +155,7 @@ class TableMaker {
     const StarShape shape{lattice_, sectors, open};
     std::map<Index, ZoneTable>& known = open ? tables_.fans : tables_.stars;
     if (known.contains(sectors)) return Done{};
-    if (sectors > kLargestTable || (!open && sectors < 3))
+    if (sectors > kLargestTable || (!open && sectors < fewest_sectors(lattice_)))
       return Error{fmt::format("no table for vertex {} of {} faces", v, sectors), {}, {}, 0, 0};
     const Reach& reach = tables_.reach;
     const Index zone = !open ? reach.star_zone : sectors == 1 ? reach.corner_zone : reach.fan_zone;

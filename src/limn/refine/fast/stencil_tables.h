@@ -19,6 +19,7 @@ struct ZoneTable {
 };
 
 struct StencilTables {
+  Lattice lattice = Lattice::triangle;
   Reach reach;
   std::array<Stencil, kClasses> interior;  ///< by class_of
   Index halo = 0;  ///< rows beyond a patch's sides that interior stencils take from
@@ -32,7 +33,7 @@ struct StencilTables {
 inline constexpr Index kLargestTable = 1000;  ///< valence of a table
 
 /// The tables that refining `control` (of triangles or of quads, as the split has it) needs. Fails
-/// where a rule is missing, or looks too far (find_reach), or a vertex has fewer than 3 or more
+/// where a rule is missing, or looks too far (find_reach), or a vertex has too few or more
 /// than kLargestTable faces in a ring: then the plain engine is the one to ask, which may say more.
 /// Cost: some 0.1 ms a valence.
 [[nodiscard]] Result<StencilTables> read_stencils(const Scheme& scheme, const Mesh& control);

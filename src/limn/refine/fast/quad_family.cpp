@@ -1,0 +1,224 @@
+#include "limn/refine/fast/quad_family.h"
+
+#include <algorithm>
+#include <cassert>
+
+#include "limn/refine/fast/quad_layout.h"
+#include "limn/refine/fast/zones.h"
+
+namespace limn::fast {
+namespace {
+
+constexpr Index kPatchGrain = 2048;
+constexpr Index kFaceChunk = 32768;  // refined faces that one call of a parallel loop writes
+
+/// Where point (a, b) of the frame of a side lies in the patch.
+Offset to_patch(Index n, Index side, Offset p) {
+  for (; side > 0; --side) p = {n - p.b, p.a};
+  return p;
+}
+
+/// Old points: the corners, the inner points of the sides, and rows beyond the sides.
+PatchShape make_shape(Index n, Index halo) {
+  PatchShape shape;
+  for (Index side = 0; side < 4; ++side) shape.frame.push_back(to_patch(n, side, {0, 0}));
+  for (Index side = 0; side < 4; ++side)
+    for (Index t = 1; t < n; ++t) shape.frame.push_back(to_patch(n, side, {t, 0}));
+  for (Index side = 0; side < 4; ++side)
+    for (Index r = 1; r <= halo; ++r)  // as the neighbour has its rows: the other way round
+      for (Index x = n; x >= 0; --x) shape.frame.push_back(to_patch(n, side, {x, -r}));
+  for (Index y = 1; y < n; ++y)
+    for (Index x = 1; x < n; ++x) shape.inner.push_back({x, y});
+  const auto point = [](Offset fine) {
+    return FinePoint{class_of(fine.a, fine.b), {fine.a / 2, fine.b / 2}};
+  };
+  shape.runs.resize(5);  // the sides, and the inside
+  for (Index side = 0; side < 4; ++side)
+    for (Index t = 1; t < 2 * n; ++t)
+      shape.runs[static_cast<std::size_t>(side)].push_back(point(to_patch(2 * n, side, {t, 0})));
+  for (Index y = 1; y < 2 * n; ++y)
+    for (Index x = 1; x < 2 * n; ++x) shape.runs[4].push_back(point({x, y}));
+  return shape;
+}
+
+/// Numbers of the shape's frame for one patch, in its order.
+void number_frame(const QuadLayout& layout, Index halo, Index f, Index* out) {
+  const Mesh& mesh = layout.control();
+  const Index n = layout.n();
+  for (Index side = 0; side < 4; ++side) *out++ = mesh.origin(4 * f + side);
+  for (Index side = 0; side < 4 && n > 1; ++side) {
+    const Index h = 4 * f + side, step = layout.leads(h) ? 1 : -1;
+    for (Index t = 1, number = layout.edge_point(h, 1); t < n; ++t, number += step) *out++ = number;
+  }
+  for (Index side = 0; side < 4; ++side)
+    for (Index r = 1; r <= halo; ++r, out += n + 1) {
+      const Index across = mesh.twin(4 * f + side);
+      if (across != kNone) {
+        layout.row(across, r, out);
+      } else {
+        std::fill_n(out, n + 1, mesh.origin(4 * f));
+      }
+    }
+}
+
+/// The half-edge of the refined mesh that starts as h does, on the same edge.
+Index first_part(const Mesh& coarse, const SplitResult& split, Index h) {
+  const Index middle = split.births.from_vertices + coarse.edge(h);
+  Index part = split.mesh.halfedge_of_vertex(coarse.origin(h));
+  while (split.mesh.target(part) != middle) part = split.mesh.rotate(part);
+  return part;
+}
+
+/// The plain engine's vertices after steps `first` …, by walking each patch row by row. The layout
+/// is that of the mesh before step `first`.
+std::vector<Index> order_of(const QuadLayout& layout, const std::vector<SplitResult>& steps,
+                            std::size_t first) {
+  const Mesh& mesh = layout.control();
+  const Mesh& fine = steps.back().mesh;
+  const Index n = layout.n();
+  std::vector<Index> order(static_cast<std::size_t>(layout.vertex_count()), kNone);
+  for (Index v = 0; v < mesh.vertex_count(); ++v) order[v] = v;
+  for (Index side = 0; side < mesh.halfedge_count(); side += 4) {
+    Index row = side;  // the half-edge from (0, y) to (1, y)
+    for (std::size_t i = first; i < steps.size(); ++i)
+      row = first_part(i == first ? mesh : steps[i - 1].mesh, steps[i], row);
+    for (Index y = 0; y < n; ++y) {
+      Index h = row;
+      for (Index x = 0; x < n; ++x) {
+        const Index top = fine.next(fine.next(h));
+        order[layout.point(side, x, y)] = fine.origin(h);
+        order[layout.point(side, x + 1, y)] = fine.target(h);
+        order[layout.point(side, x, y + 1)] = fine.target(top);
+        order[layout.point(side, x + 1, y + 1)] = fine.origin(top);
+        if (x + 1 < n) h = fine.next(fine.twin(fine.next(h)));
+      }
+      if (y + 1 < n) row = fine.twin(fine.next(fine.next(row)));
+    }
+  }
+  return order;
+}
+
+class QuadFamily final : public Family {
+ public:
+  QuadFamily(const Scheme& scheme, const Mesh& control, int levels)
+      : control_(control), plain_(levels) {
+    const bool quads = control.uniform_degree() == 4 || control.face_count() == 0;
+    if (levels == 0) return;
+    if (!quads) {
+      split_ = scheme.split->apply(control, 0).mesh;
+      first_ = 1;
+    }
+    if (control.face_count() == 0) return;
+    Result<StencilTables> read = read_stencils(scheme, mesh());
+    if (!read) return;
+    tables_ = std::move(*read);
+    const Index grid = std::max(tables_.reach.smallest_grid, tables_.halo);
+    plain_ = first_;
+    while (plain_ < levels && (Index{1} << (plain_ - first_)) < grid) ++plain_;
+    if (plain_ == levels) return;
+    groups_ = group_vertices(tables_, mesh());
+    for (Index e = 0; e < mesh().edge_count(); ++e)
+      if (mesh().is_boundary_edge(e)) sides_.push_back(mesh().halfedge_of_edge(e));
+  }
+
+  [[nodiscard]] int plain_steps() const override { return plain_; }
+
+  [[nodiscard]] Size size(int level) const override {
+    if (level < first_ || !has_quads())
+      return {control_.vertex_count(), control_.face_count(), control_.halfedge_count()};
+    const QuadLayout at = layout(level);
+    return {at.vertex_count(), at.face_count(), 4 * at.face_count()};
+  }
+
+  [[nodiscard]] StepPlan plan(int level) const override {
+    const QuadLayout coarse = layout(level), fine = layout(level + 1);
+    const Reach& reach = tables_.reach;
+    const Index zone = std::max({reach.star_zone, reach.fan_zone, reach.corner_zone});
+    StepPlan plan;
+    plan.patches = patches(coarse, fine);
+    add_strips(tables_, sides_, coarse, fine, plan.rows);
+    add_zones(groups_, coarse, fine, zone >= coarse.n(), plan.rows);
+    return plan;
+  }
+
+  [[nodiscard]] std::vector<Index> plain_order(
+      const std::vector<SplitResult>& steps) const override {
+    if (steps.size() < 2) return {};
+    return order_of(layout(plain_), steps, static_cast<std::size_t>(first_));
+  }
+
+  void write_faces(int level, std::span<Index> corners) const override {
+    if (!has_quads()) {
+      for (Index h = 0; h < control_.halfedge_count(); ++h) corners[h] = control_.origin(h);
+      return;
+    }
+    const QuadLayout at = layout(level);
+    const std::ptrdiff_t patch = std::ptrdiff_t{4} * at.n() * at.n();
+    parallel_for(
+        Index{0}, mesh().face_count(),
+        [&](Index first, Index last) {
+          at.write_faces(first, last, corners.data() + first * patch);
+        },
+        std::max<std::ptrdiff_t>(1, 4 * kFaceChunk / patch));
+  }
+
+  [[nodiscard]] Index corners_per_face() const override { return has_quads() ? 4 : 0; }
+
+  void write_face_begin(int /*level*/, std::span<Index> begin) const override {
+    for (Index f = 0; f <= control_.face_count(); ++f) begin[f] = control_.face_begin(f);
+  }
+
+ private:
+  /// What is cut into grids, from level first_ on.
+  [[nodiscard]] const Mesh& mesh() const { return first_ > 0 ? split_ : control_; }
+  /// Otherwise nothing is cut: no level was asked for.
+  [[nodiscard]] bool has_quads() const {
+    return mesh().uniform_degree() == 4 || mesh().face_count() == 0;
+  }
+  [[nodiscard]] QuadLayout layout(int level) const {
+    assert(level >= first_);
+    // without faces nothing grows, whatever the level
+    return {mesh(), mesh().face_count() == 0 ? 1 : Index{1} << (level - first_)};
+  }
+
+  [[nodiscard]] PatchPlan patches(const QuadLayout& coarse, const QuadLayout& fine) const {
+    PatchPlan plan;
+    plan.shape = make_shape(coarse.n(), tables_.halo);
+    plan.stencils.assign(tables_.interior.begin(), tables_.interior.end());
+    plan.patches = mesh().face_count();
+    plan.inner_begin = coarse.face_begin(0);
+    const std::size_t frame = plan.shape.frame.size(), runs = plan.shape.runs.size();
+    plan.frame = HugeArray<Index>(static_cast<std::size_t>(plan.patches) * frame);
+    plan.runs = HugeArray<Index>(static_cast<std::size_t>(plan.patches) * runs);
+    parallel_for(
+        Index{0}, plan.patches,
+        [&](Index first, Index last) {
+          for (Index f = first; f < last; ++f) {
+            const auto at = static_cast<std::size_t>(f);
+            number_frame(coarse, tables_.halo, f, plan.frame.data() + at * frame);
+            Index* run = plan.runs.data() + at * runs;
+            for (Index h = 4 * f; h < 4 * f + 4; ++h)
+              *run++ = fine.leads(h) ? fine.edge_begin(mesh().edge(h)) : kNone;
+            *run = fine.face_begin(f);
+          }
+        },
+        kPatchGrain);
+    return plan;
+  }
+
+  const Mesh& control_;
+  Mesh split_;
+  int first_ = 0;  // the level whose faces are the patches
+  int plain_;
+  StencilTables tables_;
+  std::vector<ZoneGroup> groups_;
+  std::vector<Index> sides_;  // half-edges on the boundary
+};
+
+}  // namespace
+
+std::unique_ptr<Family> make_quad_family(const Scheme& scheme, const Mesh& control, int levels) {
+  return std::make_unique<QuadFamily>(scheme, control, levels);
+}
+
+}  // namespace limn::fast
