@@ -18,6 +18,17 @@ Mesh random_quads(unsigned seed) {
   return mesh.uniform_degree() == 4 ? mesh : find_split("quad-dyadic")->apply(mesh, 0).mesh;
 }
 
+/// A ring of so many quads, so many rows wide.
+Mesh band(Index around, Index rows) {
+  Faces faces;
+  for (Index y = 0; y < rows; ++y)
+    for (Index x = 0; x < around; ++x) {
+      const Index next = (x + 1) % around, low = y * around, high = low + around;
+      faces.push_back({low + x, low + next, high + next, high + x});
+    }
+  return must_build((rows + 1) * around, faces);
+}
+
 std::vector<Mesh> some_quads() {
   std::vector<Mesh> meshes{cube(), fan(Lattice::quad, 1, 2)};
   for (unsigned seed = 0; seed < 12; ++seed) meshes.push_back(random_quads(seed));
@@ -223,9 +234,52 @@ end = "9/16"
 opposite = "-1/16"
 )toml";
 
+/// New vertices of faces, with weights by position, that look beyond their faces.
+constexpr const char* kFaces = R"toml(
+[roles.vertex]
+around = "(ef)*F"
+
+[face]
+corner = "9/(8*n)"
+beyond = "-1/(16*n)"
+
+[vertex]
+self = "3/4"
+around = "1/(4*n)"
+
+[edge]
+end = "1/4"
+face = "1/4"
+)toml";
+
 TEST(FastQuadRules, MayLookFar) {
-  for (const char* rules : {kWide, kFourPoint})
+  for (const char* rules : {kWide, kFourPoint, kFaces})
     expect_same_everywhere(parsed(std::string(rules) + kBoundary), 120, 2);
+}
+
+/// Rules of the boundary that look farther than those inside: along it, past a vertex of any number
+/// of faces, and across faces whose other side may lie on the boundary.
+TEST(FastQuadRules, MayLookFarFromTheBoundary) {
+  const std::string base = "extends = \"catmull-clark\"\n";
+  const std::string inward = R"toml(
+[roles."boundary.edge"]
+inner = "evefev"
+
+[boundary.edge]
+end = "5/8"
+inner = "-1/8"
+)toml";
+  const std::string along = R"toml(
+[boundary.edge]
+end = "9/16"
+beyond = "-1/16"
+)toml";
+  for (const std::string& rules : {along, inward}) {
+    const Scheme scheme = parsed(base + rules);
+    expect_same_everywhere(scheme, 80, 2);
+    EXPECT_EQ(expect_same(scheme, band(5, 1), 3, 1), 1);
+    EXPECT_EQ(expect_same(scheme, band(5, 2), 3, 1), 1);
+  }
 }
 
 /// Where the end's rule applies at regular vertices, an edge depends on whether an end is on the
