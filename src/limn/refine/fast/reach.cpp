@@ -195,15 +195,15 @@ class Finder {
     const Index to_right = mirrored(lattice_, 2 * n, x, y);
     const Index nearest = std::min(ring(x, y), ring(to_right, y));
     const Hull& hull = strip(x, y);
-    const bool inside = all(hull, x, y, [&](Index a, Index b) {
-      return in_patch(lattice_, n, {a, b});
-    });
-    // the side opposite, of a quad, may lie on the boundary whatever the corners are
-    const bool seen = lattice_ == Lattice::quad ? inside : all(hull, x, y, [&](Index a, Index b) {
-      return in_sight(lattice_, n, {a, b});
-    });
-    if (nearest > reach_.fan_zone && !seen) return false;
-    return nearest <= reach_.corner_zone || (x > depth && to_right > depth && inside);
+    if (nearest > reach_.fan_zone && !all(hull, x, y, [&](Index a, Index b) {
+          return in_sight(lattice_, n, {a, b});
+        }))
+      return false;
+    // beyond that, other sides may lie on the boundary as well
+    return nearest <= reach_.corner_zone ||
+           (x > depth && to_right > depth && all(hull, x, y, [&](Index a, Index b) {
+              return in_patch(lattice_, n, {a, b});
+            }));
   }
 
   const Scheme& scheme_;
