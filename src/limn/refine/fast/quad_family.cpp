@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cassert>
 
-#include "limn/refine/fast/quad_layout.h"
+#include "limn/refine/fast/quad_frame.h"
 #include "limn/refine/fast/zones.h"
 
 namespace limn::fast {
@@ -12,53 +12,18 @@ namespace {
 constexpr Index kPatchGrain = 2048;
 constexpr Index kFaceChunk = 32768;  // refined faces that one call of a parallel loop writes
 
-/// Where point (a, b) of the frame of a side lies in the patch.
-Offset to_patch(Index n, Index side, Offset p) {
-  for (; side > 0; --side) p = {n - p.b, p.a};
-  return p;
-}
-
-/// Old points: the corners, the inner points of the sides, and rows beyond the sides.
 PatchShape make_shape(Index n, Index halo) {
-  PatchShape shape;
-  for (Index side = 0; side < 4; ++side) shape.frame.push_back(to_patch(n, side, {0, 0}));
-  for (Index side = 0; side < 4; ++side)
-    for (Index t = 1; t < n; ++t) shape.frame.push_back(to_patch(n, side, {t, 0}));
-  for (Index side = 0; side < 4; ++side)
-    for (Index r = 1; r <= halo; ++r)  // as the neighbour has its rows: the other way round
-      for (Index x = n; x >= 0; --x) shape.frame.push_back(to_patch(n, side, {x, -r}));
-  for (Index y = 1; y < n; ++y)
-    for (Index x = 1; x < n; ++x) shape.inner.push_back({x, y});
+  PatchShape shape{quad_frame_places(n, halo), quad_inner_places(n), {}};
   const auto point = [](Offset fine) {
     return FinePoint{class_of(fine.a, fine.b), {fine.a / 2, fine.b / 2}};
   };
   shape.runs.resize(5);  // the sides, and the inside
   for (Index side = 0; side < 4; ++side)
     for (Index t = 1; t < 2 * n; ++t)
-      shape.runs[static_cast<std::size_t>(side)].push_back(point(to_patch(2 * n, side, {t, 0})));
-  for (Index y = 1; y < 2 * n; ++y)
-    for (Index x = 1; x < 2 * n; ++x) shape.runs[4].push_back(point({x, y}));
+      shape.runs[static_cast<std::size_t>(side)].push_back(
+          point(in_quad_patch(2 * n, side, {t, 0})));
+  for (const Offset place : quad_inner_places(2 * n)) shape.runs[4].push_back(point(place));
   return shape;
-}
-
-/// Numbers of the shape's frame for one patch, in its order.
-void number_frame(const QuadLayout& layout, Index halo, Index f, Index* out) {
-  const Mesh& mesh = layout.control();
-  const Index n = layout.n();
-  for (Index side = 0; side < 4; ++side) *out++ = mesh.origin(4 * f + side);
-  for (Index side = 0; side < 4 && n > 1; ++side) {
-    const Index h = 4 * f + side, step = layout.leads(h) ? 1 : -1;
-    for (Index t = 1, number = layout.edge_point(h, 1); t < n; ++t, number += step) *out++ = number;
-  }
-  for (Index side = 0; side < 4; ++side)
-    for (Index r = 1; r <= halo; ++r, out += n + 1) {
-      const Index across = mesh.twin(4 * f + side);
-      if (across != kNone) {
-        layout.row(across, r, out);
-      } else {
-        std::fill_n(out, n + 1, mesh.origin(4 * f));
-      }
-    }
 }
 
 /// The half-edge of the refined mesh that starts as h does, on the same edge.
@@ -109,14 +74,20 @@ class QuadFamily final : public Family {
       first_ = 1;
     }
     if (control.face_count() == 0) return;
-    Result<StencilTables> read = read_stencils(scheme, mesh());
+    std::vector<VertexKind> kinds = vertex_kinds(mesh());
+    Result<StencilTables> read = read_stencils(scheme, kinds);
     if (!read) return;
     tables_ = std::move(*read);
     const Index grid = std::max(tables_.reach.smallest_grid, tables_.halo);
     plain_ = first_;
     while (plain_ < levels && (Index{1} << (plain_ - first_)) < grid) ++plain_;
     if (plain_ == levels) return;
-    groups_ = group_vertices(tables_, mesh());
+    groups_ = group_vertices(tables_, std::move(kinds), mesh());
+    add_codes(layout(first_), groups_);
+    faces_ = HugeArray<QuadTopology>(static_cast<std::size_t>(mesh().face_count()));
+    parallel_for_each(mesh().face_count(), [&](Index f) {
+      faces_[static_cast<std::size_t>(f)] = quad_topology(layout(first_), f);
+    });
     for (Index e = 0; e < mesh().edge_count(); ++e)
       if (mesh().is_boundary_edge(e)) sides_.push_back(mesh().halfedge_of_edge(e));
   }
@@ -195,10 +166,10 @@ class QuadFamily final : public Family {
         [&](Index first, Index last) {
           for (Index f = first; f < last; ++f) {
             const auto at = static_cast<std::size_t>(f);
-            number_frame(coarse, tables_.halo, f, plan.frame.data() + at * frame);
+            number_frame(coarse, faces_[at], tables_.halo, plan.frame.data() + at * frame);
             Index* run = plan.runs.data() + at * runs;
-            for (Index h = 4 * f; h < 4 * f + 4; ++h)
-              *run++ = fine.leads(h) ? fine.edge_begin(mesh().edge(h)) : kNone;
+            for (const QuadLayout::Code side : faces_[at].sides)
+              *run++ = (side & 1) != 0 ? fine.edge_begin(side >> 1) : kNone;
             *run = fine.face_begin(f);
           }
         },
@@ -212,6 +183,7 @@ class QuadFamily final : public Family {
   int plain_;
   StencilTables tables_;
   std::vector<ZoneGroup> groups_;
+  HugeArray<QuadTopology> faces_;
   std::vector<Index> sides_;  // half-edges on the boundary
 };
 

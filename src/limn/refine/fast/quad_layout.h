@@ -45,6 +45,14 @@ class QuadLayout {
     return edge_begin(mesh_->edge(h)) + (leads(h) ? t : n_ - t) - 1;
   }
 
+  /// A half-edge by its edge: twice that, and 1 more where the half-edge leads.
+  using Code = Index;
+  [[nodiscard]] Code code(Index h) const { return 2 * mesh_->edge(h) + (leads(h) ? 1 : 0); }
+  /// edge_point(h, t) for code(h).
+  [[nodiscard]] Index point_along(Code code, Index t) const {
+    return edge_begin(code >> 1) + ((code & 1) != 0 ? t : n_ - t) - 1;
+  }
+
   /// Point (x, y) in the frame of h: 0 ≤ x, y ≤ n.
   [[nodiscard]] Index point(Index h, Index x, Index y) const {
     if (0 < x && x < n_ && 0 < y && y < n_) return inner_point(h, x, y);
@@ -55,6 +63,17 @@ class QuadLayout {
   /// there is none.
   [[nodiscard]] Index point_beyond(Index h, Index x, Index y) const;
 
+  /// The same of an inner point, without a look at the mesh: 0 < x, y < n. A patch's inner points
+  /// are numbered evenly in each of its frames.
+  [[nodiscard]] Index inner_point(Index h, Index x, Index y) const {
+    const Frame& frame = frames_[static_cast<std::size_t>(h & 3)];
+    return face_begin(h >> 2) + frame.start + x * frame.along + y * frame.up;
+  }
+  /// From inner point (x, y) to (x + 1, y).
+  [[nodiscard]] Index inner_step(Index h) const {
+    return frames_[static_cast<std::size_t>(h & 3)].along;
+  }
+
   /// Points (0, y), (1, y), …, (n, y) in the frame of h, n + 1 numbers; 0 ≤ y ≤ n.
   void row(Index h, Index y, Index* out) const;
 
@@ -62,15 +81,10 @@ class QuadLayout {
   void write_faces(Index first, Index last, Index* out) const;
 
  private:
-  /// A patch's inner points are numbered evenly in each of its frames.
   struct Frame {
     Index start = 0, along = 0, up = 0;  ///< of (x, y): start + x·along + y·up
   };
 
-  [[nodiscard]] Index inner_point(Index h, Index x, Index y) const {
-    const Frame& frame = frames_[static_cast<std::size_t>(h & 3)];
-    return face_begin(h >> 2) + frame.start + x * frame.along + y * frame.up;
-  }
   /// 0 or n where x or y is.
   [[nodiscard]] Index point_on_sides(Index h, Index x, Index y) const;
 

@@ -176,7 +176,7 @@ class Finder {
     // opposite sides of a quad may both lie on the boundary
     if (lattice_ == Lattice::quad && reach_.strip_depth >= n) return false;
     for (Index y = 0; y <= 2 * n; ++y)
-      for (Index x = 0; in_patch(lattice_, 2 * n, {x, y}); ++x)
+      for (Index x = 0; patch_holds(lattice_, 2 * n, {x, y}); ++x)
         if (!fits_interior(x, y) || (boundary_ && y <= reach_.strip_depth && !fits_strip(x, y)))
           return false;
     return true;
@@ -186,7 +186,7 @@ class Finder {
     const Index n = reach_.smallest_grid;
     return ring_of_nearest_corner(lattice_, 2 * n, x, y) <= reach_.star_zone ||
            all(interior(x, y), x, y, [&](Index a, Index b) {
-             return in_sight(lattice_, n, {a, b});
+             return patch_sees(lattice_, n, {a, b});
            });
   }
 
@@ -196,13 +196,13 @@ class Finder {
     const Index nearest = std::min(ring(x, y), ring(to_right, y));
     const Hull& hull = strip(x, y);
     if (nearest > reach_.fan_zone && !all(hull, x, y, [&](Index a, Index b) {
-          return in_sight(lattice_, n, {a, b});
+          return patch_sees(lattice_, n, {a, b});
         }))
       return false;
     // beyond that, other sides may lie on the boundary as well
     return nearest <= reach_.corner_zone ||
            (x > depth && to_right > depth && all(hull, x, y, [&](Index a, Index b) {
-              return in_patch(lattice_, n, {a, b});
+              return patch_holds(lattice_, n, {a, b});
             }));
   }
 

@@ -59,12 +59,12 @@ bool beside_corner(Lattice lattice, Offset place) {
   return lattice == Lattice::triangle ? place.a + place.b >= 0 : place.a >= 0 || place.b >= 0;
 }
 
-bool in_patch(Lattice lattice, Index n, Offset place) {
+bool patch_holds(Lattice lattice, Index n, Offset place) {
   const auto [a, b] = place;
   return a >= 0 && b >= 0 && (lattice == Lattice::triangle ? a + b <= n : a <= n && b <= n);
 }
 
-bool in_sight(Lattice lattice, Index n, Offset place) {
+bool patch_sees(Lattice lattice, Index n, Offset place) {
   const auto [a, b] = place;
   if (lattice == Lattice::triangle) return a <= n && b <= n && a + b >= 0;
   const auto between = [](Index low, Index i, Index high) { return low <= i && i <= high; };

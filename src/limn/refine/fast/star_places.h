@@ -58,10 +58,10 @@ struct StarShape {
 [[nodiscard]] bool beside_corner(Lattice lattice, Offset place);
 
 /// Whether a place is in the patch at the origin.
-[[nodiscard]] bool in_patch(Lattice lattice, Index n, Offset place);
+[[nodiscard]] bool patch_holds(Lattice lattice, Index n, Offset place);
 
 /// Whether a place is in that patch or in one of those across its sides.
-[[nodiscard]] bool in_sight(Lattice lattice, Index n, Offset place);
+[[nodiscard]] bool patch_sees(Lattice lattice, Index n, Offset place);
 
 /// How many steps a point of the patch, y rows from the side y = 0, is from the side at that one's
 /// far end: its x in the frame that is the mirror image.
