@@ -50,7 +50,8 @@ QuadTopology quad_topology(const QuadLayout& layout, Index f) {
     face.corners[side] = mesh.origin(h);
     face.sides[side] = layout.code(h);
     if (twin != kNone)
-      face.across[side] = {twin, layout.code(mesh.next(twin)), layout.code(mesh.prev(twin))};
+      face.across[side] = {twin, layout.code(QuadLayout::turned(twin, 1)),
+                           layout.code(QuadLayout::turned(twin, 3))};
   }
   return face;
 }

@@ -42,11 +42,12 @@ QuadLayout::QuadLayout(const Mesh& control, Index n)
 
 Index QuadLayout::point_on_sides(Index h, Index x, Index y) const {
   assert(0 <= x && x <= n_ && 0 <= y && y <= n_);
-  if (y == 0) return x == 0 ? mesh_->origin(h) : x == n_ ? mesh_->target(h) : edge_point(h, x);
-  if (x == 0) return y == n_ ? mesh_->origin(mesh_->prev(h)) : edge_point(mesh_->prev(h), n_ - y);
-  const Index right = mesh_->next(h);
-  if (x == n_) return y == n_ ? mesh_->target(right) : edge_point(right, y);
-  return edge_point(mesh_->next(right), n_ - x);
+  // corner k is where side k begins
+  const auto corner = [&](Index k) { return mesh_->origin(turned(h, k)); };
+  if (y == 0) return x == 0 ? corner(0) : x == n_ ? corner(1) : edge_point(h, x);
+  if (x == 0) return y == n_ ? corner(3) : edge_point(turned(h, 3), n_ - y);
+  if (x == n_) return y == n_ ? corner(2) : edge_point(turned(h, 1), y);
+  return edge_point(turned(h, 2), n_ - x);
 }
 
 Index QuadLayout::point_beyond(Index h, Index x, Index y) const {
@@ -56,9 +57,9 @@ Index QuadLayout::point_beyond(Index h, Index x, Index y) const {
     return twin == kNone ? kNone : point(twin, along, up);
   };
   if (y < 0) return across(h, n_ - x, -y);
-  if (x < 0) return across(mesh_->prev(h), y, -x);
-  if (x > n_) return across(mesh_->next(h), n_ - y, x - n_);
-  if (y > n_) return across(mesh_->next(mesh_->next(h)), x, y - n_);
+  if (x < 0) return across(turned(h, 3), y, -x);
+  if (x > n_) return across(turned(h, 1), n_ - y, x - n_);
+  if (y > n_) return across(turned(h, 2), x, y - n_);
   return point(h, x, y);
 }
 

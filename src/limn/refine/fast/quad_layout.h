@@ -33,6 +33,9 @@ class QuadLayout {
   [[nodiscard]] Index edge_begin(Index e) const { return edges_at_ + e * (n_ - 1); }
   [[nodiscard]] Index face_begin(Index f) const { return faces_at_ + f * face_size_; }
 
+  /// The half-edge k sides after h in its face, 0 ≤ k ≤ 3.
+  [[nodiscard]] static Index turned(Index h, Index k) { return (h & ~3) | ((h + k) & 3); }
+
   /// Whether h stands for its edge, the lower half-edge of the two (mesh.h): the points of the edge
   /// are numbered along it.
   [[nodiscard]] bool leads(Index h) const {
