@@ -72,9 +72,13 @@ class QuickPeer final : public Peer {
     const Result<FastRefiner> refiner = FastRefiner::make(scheme_, std::move(control_), levels);
     if (!refiner) throw std::runtime_error(refiner.error().text());
     fine_ = HugeArray<Real>(3 * static_cast<std::size_t>(refiner->vertex_count()));
-    corners_ = HugeArray<Index>(3 * static_cast<std::size_t>(refiner->face_count()));
+    corners_ = HugeArray<Index>(static_cast<std::size_t>(refiner->corner_count()));
     refiner->template evaluate<Real>(points_, fine_);
     refiner->write_faces(corners_);
+    corners_per_face_ = static_cast<std::size_t>(refiner->corners_per_face());
+    if (corners_per_face_ > 0) return;
+    face_begin_.resize(static_cast<std::size_t>(refiner->face_count()) + 1);
+    refiner->write_face_begin(face_begin_);
   }
   [[nodiscard]] std::size_t vertex_count() const override { return fine_.size() / 3; }
   [[nodiscard]] Polygons polygons() const override {
@@ -82,8 +86,11 @@ class QuickPeer final : public Peer {
     for (std::size_t i = 0; i < fine_.size(); i += 3)
       polygons.positions.push_back({double(fine_[i]), double(fine_[i + 1]), double(fine_[i + 2])});
     polygons.corners.assign(corners_.begin(), corners_.end());
-    for (std::size_t end = 3; end <= corners_.size(); end += 3)
-      polygons.face_begin.push_back(static_cast<Index>(end));
+    if (corners_per_face_ == 0)
+      polygons.face_begin = face_begin_;
+    else
+      for (std::size_t end = corners_per_face_; end <= corners_.size(); end += corners_per_face_)
+        polygons.face_begin.push_back(static_cast<Index>(end));
     return polygons;
   }
 
@@ -93,6 +100,8 @@ class QuickPeer final : public Peer {
   std::vector<Real> points_;
   HugeArray<Real> fine_;
   HugeArray<Index> corners_;
+  std::size_t corners_per_face_ = 0;  // 0: see face_begin_
+  std::vector<Index> face_begin_;
 };
 
 /// nullptr where the scheme has no quick engine.

@@ -1,6 +1,7 @@
 // The quick engine on quads: its numbers, and its results beside the plain engine's, on any
 // polygons.
 
+#include "limn/base/parallel.h"
 #include "limn/refine/fast/quad_layout.h"
 #include "limn/refine/fast/reach.h"
 #include "refine/fast_check.h"
@@ -318,6 +319,29 @@ TEST(FastQuads, AreRefusedAsByThePlainEngine) {
   EXPECT_EQ(expect_same(shipped("box-spline-quad"), cube(), 2, 1), -1);
   EXPECT_EQ(expect_same(shipped("catmull-clark"), cube(), 40, 1), -1);
   EXPECT_EQ(expect_same(shipped("catmull-clark"), icosahedron(), 14, 1), -1);
+}
+
+/// Zones that overlap, too, are made in one order.
+TEST(FastQuads, AreTheSameBitsOnOneThreadAndMany) {
+  const Scheme wide = parsed(std::string(kFourPoint) + kBoundary);
+  for (const Scheme* scheme : {&shipped("catmull-clark"), &wide})
+    for (const Mesh& control : {fan(Lattice::quad, 9, 25), torus(Lattice::triangle, 30, 31)}) {
+      const FastRefiner refiner = FastRefiner::make(*scheme, control, 3).value();
+      const std::vector<Point3> points = random_points(control.vertex_count(), 1);
+      set_thread_limit(1);
+      const std::vector<float> one = evaluate<float>(refiner, points);
+      std::vector<Index> faces(static_cast<std::size_t>(refiner.corner_count()));
+      refiner.write_faces(faces);
+      for (const int threads : {2, 0}) {
+        set_thread_limit(threads);
+        const FastRefiner again = FastRefiner::make(*scheme, control, 3).value();
+        EXPECT_EQ(evaluate<float>(again, points), one);
+        std::vector<Index> corners(faces.size());
+        again.write_faces(corners);
+        EXPECT_EQ(corners, faces);
+      }
+      set_thread_limit(0);
+    }
 }
 
 TEST(FastQuads, MayBeNone) {

@@ -26,6 +26,7 @@ Offset in_quad_patch(Index n, Index side, Offset point) {
 
 std::vector<Offset> quad_frame_places(Index n, Index halo) {
   std::vector<Offset> places;
+  places.reserve(static_cast<std::size_t>(4 * n + 4 * halo * (n + 1)));
   for (Index side = 0; side < 4; ++side) places.push_back(in_quad_patch(n, side, {0, 0}));
   for (Index side = 0; side < 4; ++side)
     for (Index t = 1; t < n; ++t) places.push_back(in_quad_patch(n, side, {t, 0}));
@@ -37,6 +38,7 @@ std::vector<Offset> quad_frame_places(Index n, Index halo) {
 
 std::vector<Offset> quad_inner_places(Index n) {
   std::vector<Offset> places;
+  places.reserve(static_cast<std::size_t>((n - 1) * (n - 1)));
   for (Index y = 1; y < n; ++y)
     for (Index x = 1; x < n; ++x) places.push_back({x, y});
   return places;
