@@ -321,6 +321,19 @@ TEST(FastQuads, AreRefusedAsByThePlainEngine) {
   EXPECT_EQ(expect_same(shipped("catmull-clark"), icosahedron(), 14, 1), -1);
 }
 
+/// Then the plain engine makes all steps, in the quick one's numbers.
+TEST(FastQuads, AreLeftWhereNoTableWouldDo) {
+  const std::string straight = "efev";
+  std::string far;
+  for (int i = 0; i < 6; ++i) far += straight;
+  const Scheme scheme = parsed("extends = \"catmull-clark\"\n[roles.edge]\nfar = \"" + far +
+                               "\"\n[edge]\nend = \"1/4\"\nface = \"3/16\"\nfar = \"1/16\"\n");
+  for (const Mesh& mesh : {cube(), icosahedron(), torus(Lattice::quad, 9, 3)})
+    for (const int levels : {1, 2, 3}) EXPECT_EQ(expect_same(scheme, mesh, levels, 1), levels);
+  EXPECT_EQ(expect_same(shipped("catmull-clark"), star(Lattice::quad, 1001, 1), 2, 1), 2);
+  EXPECT_EQ(expect_same(shipped("catmull-clark"), star(Lattice::quad, 1000, 1), 2, 1), 0);
+}
+
 /// Zones that overlap, too, are made in one order.
 TEST(FastQuads, AreTheSameBitsOnOneThreadAndMany) {
   const Scheme wide = parsed(std::string(kFourPoint) + kBoundary);
