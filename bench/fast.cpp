@@ -4,10 +4,10 @@
 
 #include <benchmark/benchmark.h>
 
-#include <array>
 #include <cstring>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include <fmt/core.h>
 
@@ -18,7 +18,7 @@
 namespace limn {
 namespace {
 
-constexpr std::array kSchemes{"loop", "butterfly-modified", "laplacian-butterfly"};
+using Schemes = std::vector<const char*>;
 
 struct Job {
   Scheme scheme;
@@ -37,7 +37,7 @@ struct Output {
 
   explicit Output(const FastRefiner& refiner)
       : positions(3 * static_cast<std::size_t>(refiner.vertex_count())),
-        corners(3 * static_cast<std::size_t>(refiner.face_count())) {}
+        corners(static_cast<std::size_t>(refiner.corner_count())) {}
 };
 
 void report(benchmark::State& state, const FastRefiner& refiner) {
@@ -93,14 +93,15 @@ void evaluate_again(benchmark::State& state, const Job& job, int threads) {
   report(state, refiner);
 }
 
-void add(const std::string& mesh_name, const Polygons& control, int levels) {
+void add(const std::string& mesh_name, const Polygons& control, int levels,
+         const Schemes& schemes) {
   const auto row = [&](const std::string& what, auto body) {
     benchmark::RegisterBenchmark(fmt::format("{}/level:{}/{}", mesh_name, levels, what).c_str(),
                                  body)
         ->UseRealTime()
         ->Unit(benchmark::kMillisecond);
   };
-  for (const char* name : kSchemes) {
+  for (const char* name : schemes) {
     const auto job = std::make_shared<Job>();
     job->scheme = find_scheme(name).value();
     job->mesh = Mesh::build(control).value();
@@ -116,7 +117,7 @@ void add(const std::string& mesh_name, const Polygons& control, int levels) {
     }
     row(fmt::format("{}/one_thread/full_cold", name),
         [=](State& state) { refine_fully(state, *job, 1, true); });
-    if (name != kSchemes.front()) continue;
+    if (name != schemes.front()) continue;
     row("floor/full", [=](State& state) { write_bytes(state, *job, true); });
     row("floor/again", [=](State& state) { write_bytes(state, *job, false); });
   }
@@ -124,8 +125,14 @@ void add(const std::string& mesh_name, const Polygons& control, int levels) {
 
 const bool kAdded = [] {
   constexpr unsigned kSeed = 1;
-  add("sphere-2562", peers::random_sphere(4, 800, 12, kSeed), 5);
-  add("sphere-40962", peers::random_sphere(6, 12800, 12, kSeed), 3);
+  const Schemes triangles{"loop", "butterfly-modified", "laplacian-butterfly"};
+  const Schemes quads{"catmull-clark"};
+  const Polygons sphere = peers::random_sphere(4, 800, 12, kSeed);
+  add("sphere-2562", sphere, 5, triangles);
+  add("sphere-40962", peers::random_sphere(6, 12800, 12, kSeed), 3, triangles);
+  add("quads-3842", peers::cut_into_quads(peers::random_sphere(3, 200, 12, kSeed)), 5, quads);
+  add("quads-61442", peers::cut_into_quads(peers::random_sphere(5, 3200, 12, kSeed)), 3, quads);
+  add("sphere-2562", sphere, 5, quads);  // the first step is the plain engine's
   return true;
 }();
 

@@ -63,7 +63,8 @@ TEST_P(FastLimit, IsThePlainOne) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Schemes, FastLimit,
-                         testing::Values("loop", "optimal-low", "laplacian-loop", "butterfly"),
+                         testing::Values("loop", "optimal-low", "laplacian-loop", "butterfly",
+                                         "catmull-clark"),
                          [](const auto& info) { return test_name(info.param); });
 
 TEST(FastLimitOf, IsThereForLoopOnBodies) {
@@ -71,6 +72,11 @@ TEST(FastLimitOf, IsThereForLoopOnBodies) {
                            fan(Lattice::triangle, 5, 2), star(Lattice::triangle, 9, 2)})
     for (int levels = 0; levels <= 3; ++levels)
       EXPECT_TRUE(expect_same_limit<double>(shipped("loop"), mesh, levels, 1e-11));
+  for (const Mesh& mesh : {cube(), icosahedron(), torus(Lattice::quad, 4, 5),
+                           fan(Lattice::quad, 5, 2), star(Lattice::quad, 9, 2)})
+    for (int levels = 0; levels <= 3; ++levels)
+      if (mesh.uniform_degree() == 4 || levels > 0)
+        EXPECT_TRUE(expect_same_limit<double>(shipped("catmull-clark"), mesh, levels, 1e-11));
   // tangents look round the neighbours there
   EXPECT_FALSE(expect_same_limit<double>(shipped("butterfly"), icosahedron(), 2, 1e-11));
 }

@@ -92,7 +92,7 @@ TEST(Fan, IsAStarCutOpenWithARegularBoundary) {
 TEST(Star, IsRegularButForItsCentre) {
   for (const Lattice lattice : kBoth) {
     const Index regular = lattice == Lattice::triangle ? 6 : 4;
-    for (Index n = 3; n <= 9; ++n) {
+    for (Index n = lattice == Lattice::quad ? 2 : 3; n <= 9; ++n) {
       for (Index rings = 1; rings <= 4; ++rings) {
         const Mesh mesh = star(lattice, n, rings);
         EXPECT_EQ(mesh.check(), "");

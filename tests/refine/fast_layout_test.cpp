@@ -101,21 +101,68 @@ TEST(FastLayout, WritesFacesRowByRow) {
 }
 
 TEST(FastPlaces, AreThoseOfTheStar) {
-  for (const bool open : {false, true})
-    for (const Index sectors : {3, 6}) {
-      const Mesh mesh =
-          open ? fan(Lattice::triangle, sectors, 3) : star(Lattice::triangle, sectors, 3);
-      for (Index v = 0; v < mesh.vertex_count(); ++v)
-        EXPECT_EQ(vertex_at(sectors, open, sector_point(sectors, open, v)), v);
-      if (!open && sectors == 3) continue;  // no plane
-      for (Index h = 0; h < mesh.halfedge_count(); ++h) {
-        const Offset from = on_plane(sector_point(sectors, open, mesh.origin(h)));
-        const Offset to = on_plane(sector_point(sectors, open, mesh.target(h)));
-        const Offset way{to.a - from.a, to.b - from.b};
-        const std::array<Offset, 6> ways{{{1, 0}, {0, 1}, {-1, 1}, {-1, 0}, {0, -1}, {1, -1}}};
-        EXPECT_NE(std::find(ways.begin(), ways.end(), way), ways.end());
+  for (const Lattice lattice : {Lattice::triangle, Lattice::quad})
+    for (const bool open : {false, true})
+      for (const Index sectors : {3, 4, 6}) {
+        const Mesh mesh = open ? fan(lattice, sectors, 3) : star(lattice, sectors, 3);
+        const StarShape shape{lattice, sectors, open};
+        for (Index v = 0; v < mesh.vertex_count(); ++v)
+          EXPECT_EQ(vertex_at(shape, sector_point(shape, v)), v);
+        if (open ? sectors > plane_sectors(lattice) : sectors != plane_sectors(lattice))
+          continue;  // no plane
+        for (Index h = 0; h < mesh.halfedge_count(); ++h) {
+          const Offset from = on_plane(lattice, sector_point(shape, mesh.origin(h)));
+          const Offset to = on_plane(lattice, sector_point(shape, mesh.target(h)));
+          const Offset way{to.a - from.a, to.b - from.b};
+          const std::array<Offset, 6> ways{{{1, 0}, {0, 1}, {-1, 0}, {0, -1}, {-1, 1}, {1, -1}}};
+          const auto end = lattice == Lattice::triangle ? ways.end() : ways.begin() + 4;
+          EXPECT_NE(std::find(ways.begin(), end, way), end);
+        }
       }
+}
+
+/// The neighbours across the sides of a patch are itself, shifted or turned by 180° about the
+/// middle of a side; round a corner, they lie in the sectors before and after its own.
+TEST(FastPlaces, AreSeenFromPatches) {
+  for (const Lattice lattice : {Lattice::triangle, Lattice::quad})
+    for (const Index n : {1, 2, 3})
+      for (Index a = -9; a <= 9; ++a)
+        for (Index b = -9; b <= 9; ++b) {
+          std::vector<Offset> images{{a, b}};
+          if (lattice == Lattice::triangle) {
+            images.insert(images.end(), {{n - a, -b}, {n - a, n - b}, {-a, n - b}});
+          } else {
+            images.insert(images.end(), {{a - n, b}, {a + n, b}, {a, b - n}, {a, b + n}});
+          }
+          const bool seen = std::any_of(images.begin(), images.end(), [&](Offset image) {
+            return patch_holds(lattice, n, image);
+          });
+          EXPECT_EQ(patch_sees(lattice, n, {a, b}), seen);
+        }
+  for (const Lattice lattice : {Lattice::triangle, Lattice::quad}) {
+    const Index sectors = plane_sectors(lattice);
+    for (Index v = 0; v < star_size(lattice, sectors, 3); ++v) {
+      const SectorPoint point = sector_point({lattice, sectors, false}, v);
+      const bool beside = v == 0 || point.sector < 2 || point.sector == sectors - 1 ||
+                          (point.sector == 2 && point.y == 0);
+      EXPECT_EQ(beside_corner(lattice, on_plane(lattice, point)), beside);
     }
+  }
+}
+
+TEST(FastPlaces, HaveANearestCorner) {
+  const Index n = 6;
+  for (const Lattice lattice : {Lattice::triangle, Lattice::quad})
+    for (Index y = 0; y <= n; ++y)
+      for (Index x = 0; patch_holds(lattice, n, {x, y}); ++x) {
+        Index nearest = n;
+        for (Offset p{x, y}; nearest > 0;) {  // from each corner in turn
+          nearest = std::min(nearest, ring_of(lattice, p.a, p.b));
+          p = {p.b, mirrored(lattice, n, p.a, p.b)};
+          if (p == Offset{x, y}) break;
+        }
+        EXPECT_EQ(ring_of_nearest_corner(lattice, n, x, y), nearest);
+      }
 }
 
 /// By hand: Loop's stencils need the neighbours of an edge's or vertex's own faces only, the

@@ -123,7 +123,7 @@ Mesh torus(Lattice lattice, Index nx, Index ny) {
 }
 
 Mesh star(Lattice lattice, Index n, Index rings) {
-  assert(n >= 3 && rings >= 1);
+  assert(n >= (lattice == Lattice::quad ? 2 : 3) && rings >= 1);
   return lattice == Lattice::triangle ? triangle_star(n, rings, false) : quad_star(n, rings, false);
 }
 

@@ -1,17 +1,17 @@
 #pragma once
 /// The quick engine: refinement of a control mesh by a fixed number of steps, several times as fast
 /// as the plain engine (refine/refine.h), whose results it gives to rounding, for every scheme of a
-/// split that has a layout: triangle-dyadic.
+/// split that has a layout: triangle-dyadic and quad-dyadic.
 ///
 /// The finer the mesh, the more of it is regular: each control face is a patch whose inside needs
-/// one stencil for each parity, and its connectivity is arithmetic (triangle_layout.h). Nothing is
-/// typed in for a scheme: all stencils are read by refining linear forms with the plain engine
-/// (stencil_tables.h), which also makes the first steps where rules look farther than a control
-/// edge. Topology is worked out once; positions may be evaluated often.
+/// one stencil for each parity, and its connectivity is arithmetic (triangle_layout.h,
+/// quad_layout.h). Nothing is typed in for a scheme: all stencils are read by refining linear forms
+/// with the plain engine (stencil_tables.h), which also makes the first steps where rules look
+/// farther than a control edge. Topology is worked out once; positions may be evaluated often.
 ///
-/// Numbers of the refined mesh: see triangle_layout.h. The control vertices keep theirs, so vertex
-/// v < V is the image of control vertex v; the vertices of the levels in between do not come first.
-/// The order is another than the plain engine's.
+/// Numbers of the refined mesh: see triangle_layout.h and quad_family.h. The control vertices keep
+/// theirs, so vertex v < V is the image of control vertex v; the vertices of the levels in between
+/// do not come first. The order is another than the plain engine's.
 
 #include <memory>
 #include <span>
@@ -41,7 +41,8 @@ class FastRefiner {
   [[nodiscard]] Index corner_count() const;      ///< of all faces together
   [[nodiscard]] Index corners_per_face() const;  ///< or 0 where faces differ
   /// How many of the steps the plain engine makes: as a rule 0 or 1; all of them, where
-  /// the rules look too far, or a vertex has fewer than 3 or more than 1000 faces round it.
+  /// the rules look too far, or a vertex has fewer than 3 (of quads: 2) or more than 1000 faces
+  /// round it. Of other polygons than quads, a split that takes them leaves the first to it.
   [[nodiscard]] int plain_steps() const;
 
   /// Memory for intermediate levels, kept from one evaluation to the next: a quarter of the

@@ -7,14 +7,13 @@
 namespace limn::fast {
 
 /// Sums as a table of one target, which has three rows.
-[[nodiscard]] ZoneTable limit_table(const LimitSums& sums, Index faces, bool open);
+[[nodiscard]] ZoneTable limit_table(const LimitSums& sums, const StarShape& shape);
 
 /// At an isolated vertex: it stays, without tangents.
 [[nodiscard]] LimitSums limit_of_isolated();
 
-/// Sums at a regular vertex, on the lattice round it; `open`: on the boundary of half the plane,
-/// along the first axis.
-[[nodiscard]] std::vector<Stencil> limit_stencils(const LimitSums& sums, bool open);
+/// Sums at a regular interior vertex, on the lattice round it.
+[[nodiscard]] std::vector<Stencil> limit_stencils(const LimitSums& sums, Lattice lattice);
 
 /// Whether the sums are of use: they look no farther than one ring, and there are tangents.
 [[nodiscard]] bool near_limit(const LimitSums& sums);

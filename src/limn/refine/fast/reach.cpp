@@ -21,20 +21,16 @@ class Site {
   Site(const Scheme& scheme, Index sectors, bool open, bool& too_wide)
       : scheme_(scheme),
         too_wide_(too_wide),
-        sectors_(sectors),
-        open_(open),
-        mesh_(open ? fan(Lattice::triangle, sectors, kRings)
-                   : star(Lattice::triangle, sectors, kRings)) {}
+        shape_{scheme.split->lattice, sectors, open},
+        mesh_(open ? fan(shape_.lattice, sectors, kRings) : star(shape_.lattice, sectors, kRings)) {
+  }
 
   /// What the rule of a fine point of sector 0 sees.
   [[nodiscard]] std::vector<SectorPoint> seen(Index fine_x, Index fine_y) const {
-    const Index h = birth_of(mesh_, sectors_, open_, {0, fine_x, fine_y});
-    const std::set<Index> vertices = class_of(fine_x, fine_y) == 0 ? vertex_hull(scheme_, mesh_, h)
-                                                                   : edge_hull(scheme_, mesh_, h);
     std::vector<SectorPoint> points;
-    for (const Index v : vertices) {
-      points.push_back(sector_point(sectors_, open_, v));
-      if (points.back().x + points.back().y >= kRings) too_wide_ = true;
+    for (const Index v : birth_hull(scheme_, mesh_, shape_, {0, fine_x, fine_y})) {
+      points.push_back(sector_point(shape_, v));
+      if (ring(points.back()) >= kRings) too_wide_ = true;
     }
     return points;
   }
@@ -43,7 +39,7 @@ class Site {
   [[nodiscard]] Hull hull(Index fine_x, Index fine_y) const {
     Hull offsets;
     for (const SectorPoint& point : seen(fine_x, fine_y)) {
-      const Offset place = on_plane(point);
+      const Offset place = on_plane(shape_.lattice, point);
       offsets.push_back({place.a - fine_x / 2, place.b - fine_y / 2});
     }
     return offsets;
@@ -53,16 +49,19 @@ class Site {
   [[nodiscard]] Index rings(Index zone) const {
     Index result = 1;
     for (Index x = 0; x <= zone; ++x)
-      for (Index y = 0; x + y <= zone; ++y)
-        for (const SectorPoint& point : seen(x, y)) result = std::max(result, point.x + point.y);
+      for (Index y = 0; ring({0, x, y}) <= zone; ++y)
+        for (const SectorPoint& point : seen(x, y)) result = std::max(result, ring(point));
     return result;
   }
 
  private:
+  [[nodiscard]] Index ring(const SectorPoint& point) const {
+    return ring_of(shape_.lattice, point.x, point.y);
+  }
+
   const Scheme& scheme_;
   bool& too_wide_;
-  Index sectors_;
-  bool open_;
+  StarShape shape_;
   Mesh mesh_;
 };
 
@@ -70,9 +69,10 @@ class Finder {
  public:
   Finder(const Scheme& scheme, bool boundary)
       : scheme_(scheme),
+        lattice_(scheme.split->lattice),
         boundary_(boundary),
         ends_(scheme.rule(RuleKind::edge_end).has_value()),
-        star_(scheme, 6, false, too_wide_) {}
+        star_(scheme, plane_sectors(lattice_), false, too_wide_) {}
 
   std::optional<Reach> find() {
     for (const Index y : {0, 1})
@@ -112,17 +112,28 @@ class Finder {
     return strips_[static_cast<std::size_t>(2 * y + (x & 1))];
   }
 
-  /// Beyond a corner there is no one patch: a + b < 0, and so on round it.
+  [[nodiscard]] Index ring(Index x, Index y) const { return ring_of(lattice_, x, y); }
+  /// Whether what is seen from a boundary side is seen by way of faces that are there whatever the
+  /// number of faces at the side's left (right) end. Of quads, the side is continued by that of the
+  /// second one at its end, which need not lie on the boundary.
+  [[nodiscard]] bool before_left_end(Index a, Index b) const {
+    return lattice_ == Lattice::triangle ? a + b >= 0 : a >= 0;
+  }
+  static bool before_right_end(Index a, Index /*b*/) { return a <= 0; }
+
+  /// Beyond a corner there is no one patch.
   void find_star_zone() {
     reach_.star_zone = ends_ ? 1 : 0;
     for (Index x = 0; x < 2 * kRings; ++x)
       for (Index y = 0; y < 2 * kRings; ++y)
-        if (!all(interior(x, y), x, y, [](Index a, Index b) { return a + b >= 0; }))
-          reach_.star_zone = std::max(reach_.star_zone, x + y);
+        if (!all(interior(x, y), x, y, [&](Index a, Index b) {
+              return beside_corner(lattice_, {a, b});
+            }))
+          reach_.star_zone = std::max(reach_.star_zone, ring(x, y));
   }
 
   void find_strips() {
-    const Site side(scheme_, 3, true, too_wide_);
+    const Site side(scheme_, half_plane_sectors(lattice_), true, too_wide_);
     reach_.strip_depth = ends_ ? 1 : 0;
     for (Index y = 0; y < 2 * kRings; ++y)
       for (const Index x : {0, 1})
@@ -138,18 +149,19 @@ class Finder {
     Index& wide = reach_.fan_zone;
     Index& corner = reach_.corner_zone;
     wide = std::max(reach_.star_zone, reach_.strip_depth);
+    const auto in_corner = [&](Index a, Index b) { return mirrored(lattice_, 0, a, b) >= 0; };
     for (Index y = 0; y <= reach_.strip_depth; ++y)
       for (Index t = 0; t < 2 * kRings; ++t) {
+        const Index far = ring(t, y);
         const Hull& left = strip(t, y);
-        if (!all(left, t, y, [](Index a, Index b) { return a + b >= 0; }))
-          wide = std::max(wide, t + y);
+        if (!all(left, t, y, [&](Index a, Index b) { return before_left_end(a, b); }))
+          wide = std::max(wide, far);
         if (t <= reach_.strip_depth || !all(left, t, y, [](Index a, Index) { return a >= 0; }))
-          corner = std::max(corner, t + y);
-        const Index x = -y - t;  // from the end of the side
+          corner = std::max(corner, far);
+        const Index x = mirrored(lattice_, 0, t, y);  // from the end of the side
         const Hull& right = strip(x, y);
-        if (!all(right, x, y, [](Index a, Index) { return a <= 0; })) wide = std::max(wide, y + t);
-        if (!all(right, x, y, [](Index a, Index b) { return a + b <= 0; }))
-          corner = std::max(corner, y + t);
+        if (!all(right, x, y, before_right_end)) wide = std::max(wide, far);
+        if (!all(right, x, y, in_corner)) corner = std::max(corner, far);
       }
     corner = std::max(corner, wide);
   }
@@ -161,8 +173,10 @@ class Finder {
     // two zones may overlap, but no point may be born of the next control vertex, or at its end
     if (zone > 2 * n - (ends_ ? 2 : 1)) return false;
     if (reach_.star_rings > n || (boundary_ && reach_.fan_rings > n)) return false;
+    // opposite sides of a quad may both lie on the boundary
+    if (lattice_ == Lattice::quad && reach_.strip_depth >= n) return false;
     for (Index y = 0; y <= 2 * n; ++y)
-      for (Index x = 0; x + y <= 2 * n; ++x)
+      for (Index x = 0; patch_holds(lattice_, 2 * n, {x, y}); ++x)
         if (!fits_interior(x, y) || (boundary_ && y <= reach_.strip_depth && !fits_strip(x, y)))
           return false;
     return true;
@@ -170,26 +184,30 @@ class Finder {
 
   [[nodiscard]] bool fits_interior(Index x, Index y) const {
     const Index n = reach_.smallest_grid;
-    const Index nearest = std::min({x + y, 2 * n - x, 2 * n - y});
-    return nearest <= reach_.star_zone || all(interior(x, y), x, y, [n](Index a, Index b) {
-             return a <= n && b <= n && a + b >= 0;
+    return ring_of_nearest_corner(lattice_, 2 * n, x, y) <= reach_.star_zone ||
+           all(interior(x, y), x, y, [&](Index a, Index b) {
+             return patch_sees(lattice_, n, {a, b});
            });
   }
 
   [[nodiscard]] bool fits_strip(Index x, Index y) const {
-    const Index n = reach_.smallest_grid;
-    const Index left = x + y, right = 2 * n - x;
+    const Index n = reach_.smallest_grid, depth = reach_.strip_depth;
+    const Index to_right = mirrored(lattice_, 2 * n, x, y);
+    const Index nearest = std::min(ring(x, y), ring(to_right, y));
     const Hull& hull = strip(x, y);
-    if (std::min(left, right) > reach_.fan_zone &&
-        !all(hull, x, y, [n](Index a, Index b) { return a <= n && b <= n && a + b >= 0; }))
+    if (nearest > reach_.fan_zone && !all(hull, x, y, [&](Index a, Index b) {
+          return patch_sees(lattice_, n, {a, b});
+        }))
       return false;
-    if (std::min(left, right) <= reach_.corner_zone) return true;
-    const Index depth = reach_.strip_depth;
-    return x > depth && 2 * n - x - y > depth &&
-           all(hull, x, y, [n](Index a, Index b) { return a >= 0 && a + b <= n; });
+    // beyond that, other sides may lie on the boundary as well
+    return nearest <= reach_.corner_zone ||
+           (x > depth && to_right > depth && all(hull, x, y, [&](Index a, Index b) {
+              return patch_holds(lattice_, n, {a, b});
+            }));
   }
 
   const Scheme& scheme_;
+  Lattice lattice_;
   bool boundary_, ends_;
   bool too_wide_ = false;
   Site star_;
@@ -198,7 +216,7 @@ class Finder {
   Reach reach_;
 };
 
-/// The half-edge between two neighbours, either way.
+/// A half-edge of the edge between two neighbours; kNone where there is none.
 Index between(const Mesh& mesh, Index u, Index v) {
   for (const auto& [from, to] : {std::pair{u, v}, std::pair{v, u}}) {
     const Index first = mesh.halfedge_of_vertex(from);
@@ -211,18 +229,30 @@ Index between(const Mesh& mesh, Index u, Index v) {
   return kNone;
 }
 
+/// A half-edge of the face that has these neighbours and this vertex.
+Index face_with(const Mesh& mesh, Index u, Index v, Index corner) {
+  const Index h = between(mesh, u, v);
+  for (Index k = mesh.next(h); k != h; k = mesh.next(k))
+    if (mesh.origin(k) == corner) return h;
+  return mesh.twin(h);
+}
+
 }  // namespace
 
-Index birth_of(const Mesh& star, Index sectors, bool open, const SectorPoint& fine) {
+std::set<Index> birth_hull(const Scheme& scheme, const Mesh& star, const StarShape& shape,
+                           const SectorPoint& fine) {
   const auto vertex = [&](Index x, Index y) {
-    return vertex_at(sectors, open, {fine.sector, fine.x / 2 + x, fine.y / 2 + y});
+    return vertex_at(shape, {fine.sector, fine.x / 2 + x, fine.y / 2 + y});
   };
+  const auto edge = [&](Index u, Index v) { return edge_hull(scheme, star, between(star, u, v)); };
   switch (class_of(fine.x, fine.y)) {
-    case 0: return star.halfedge_of_vertex(vertex(0, 0));
-    case 1: return between(star, vertex(0, 0), vertex(1, 0));
-    case 2: return between(star, vertex(0, 0), vertex(0, 1));
-    default: return between(star, vertex(1, 0), vertex(0, 1));
+    case 0: return vertex_hull(scheme, star, star.halfedge_of_vertex(vertex(0, 0)));
+    case 1: return edge(vertex(0, 0), vertex(1, 0));
+    case 2: return edge(vertex(0, 0), vertex(0, 1));
+    default: break;
   }
+  if (shape.lattice == Lattice::triangle) return edge(vertex(1, 0), vertex(0, 1));
+  return face_hull(scheme, star, face_with(star, vertex(0, 0), vertex(1, 0), vertex(1, 1)));
 }
 
 std::optional<Reach> find_reach(const Scheme& scheme, bool boundary) {

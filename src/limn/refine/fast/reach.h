@@ -1,11 +1,12 @@
 #pragma once
-/// How far a triangle-dyadic scheme's rules look. A rule sees the mesh by walks (mesh/flag.h);
-/// where all faces that its walks visit are regular, its stencil is the regular one. The walks are
-/// made here on a regular star and on fans, with every case of every rule, so the answer holds for
-/// all valences and needs no weight.
+/// How far the rules of a dyadic scheme, on triangles or quads, look. A rule sees the mesh by walks
+/// (mesh/flag.h); where all faces that its walks visit are regular, its stencil is the regular one.
+/// The walks are made here on a regular star and on fans, with every case of every rule, so the
+/// answer holds for all valences and needs no weight.
 
 #include <array>
 #include <optional>
+#include <set>
 #include <vector>
 
 #include "limn/refine/fast/star_places.h"
@@ -21,9 +22,10 @@ namespace limn::fast {
 }
 inline constexpr std::size_t kClasses = 4;
 
-/// The old half-edge (or, for even coordinates, a half-edge out of the old vertex) of which fine
-/// point (x, y) of a sector is born, on a star or fan.
-[[nodiscard]] Index birth_of(const Mesh& star, Index sectors, bool open, const SectorPoint& fine);
+/// What the rule sees (walk_hull.h) by which fine point (x, y) of a sector is born, on a star or
+/// fan. Both coordinates odd, that is an edge of triangles or a face of quads.
+[[nodiscard]] std::set<Index> birth_hull(const Scheme& scheme, const Mesh& star,
+                                         const StarShape& shape, const SectorPoint& fine);
 
 /// Rings are counted round a control vertex: fine rings in steps of the finer grid, coarse rings
 /// in steps of the coarser.

@@ -14,8 +14,6 @@
 namespace limn::fast {
 namespace {
 
-constexpr Index kRegular = 6;     // faces at a regular interior vertex
-constexpr Index kHalfPlane = 3;   // and at a regular boundary vertex
 constexpr Index kClassRings = 2;  // of a star that holds a point of each class
 
 using Form = LinearForm<double>;
@@ -26,13 +24,13 @@ class Reader {
   explicit Reader(const Scheme& scheme)
       : scheme_(scheme), closed_(scheme, Boundary::left_out), open_(scheme, Boundary::refined) {}
 
-  Result<std::vector<Form>> star(Index n, Index rings, const std::vector<Index>& wanted) {
-    const StarStep step = star_step(*scheme_.split, n, static_cast<int>(rings));
-    return read(closed_, step.coarse, step.fine.births, step.images, wanted);
-  }
-
-  Result<std::vector<Form>> fan(Index faces, Index rings, const std::vector<Index>& wanted) {
-    const FanStep step = fan_step(*scheme_.split, faces, static_cast<int>(rings));
+  Result<std::vector<Form>> read(const StarShape& shape, Index rings,
+                                 const std::vector<Index>& wanted) {
+    if (!shape.open) {
+      const StarStep step = star_step(*scheme_.split, shape.sectors, static_cast<int>(rings));
+      return read(closed_, step.coarse, step.fine.births, step.images, wanted);
+    }
+    const FanStep step = fan_step(*scheme_.split, shape.sectors, static_cast<int>(rings));
     return read(open_, step.coarse, step.fine.front().births, step.images, wanted);
   }
 
@@ -52,13 +50,13 @@ class Reader {
   RuleTables<double> closed_, open_;
 };
 
-/// The form of fine point (x, y) of sector 0 as a stencil. `open`: on the fan of half the plane.
-Stencil to_stencil(const Form& form, bool open, Index fine_x, Index fine_y) {
-  const Index sectors = open ? kHalfPlane : kRegular;
+/// The form of fine point (x, y) of sector 0 as a stencil, on the star or fan that makes the plane
+/// or half of it.
+Stencil to_stencil(const Form& form, const StarShape& shape, Index fine_x, Index fine_y) {
   Stencil stencil;
   for (const auto& [vertex, weight] : form.terms) {
     if (weight == 0) continue;
-    const Offset place = on_plane(sector_point(sectors, open, vertex));
+    const Offset place = on_plane(shape.lattice, sector_point(shape, vertex));
     stencil.push_back({{place.a - fine_x / 2, place.b - fine_y / 2}, weight});
   }
   std::sort(stencil.begin(), stencil.end(),
@@ -66,21 +64,21 @@ Stencil to_stencil(const Form& form, bool open, Index fine_x, Index fine_y) {
   return stencil;
 }
 
-ZoneTable to_table(const std::vector<Form>& forms, Index sectors, bool open) {
+ZoneTable to_table(const std::vector<Form>& forms, const StarShape& shape) {
   std::set<Index> used;
   for (const Form& form : forms)
     for (const auto& [vertex, weight] : form.terms)
       if (weight != 0) used.insert(vertex);
   std::map<Index, int> slot;
   ZoneTable table;
-  table.sectors = sectors;
+  table.sectors = shape.sectors;
   for (const Index v : used) {
     slot[v] = static_cast<int>(table.sources.size());
-    table.sources.push_back(sector_point(sectors, open, v));
+    table.sources.push_back(sector_point(shape, v));
   }
   table.rows.sources = static_cast<int>(table.sources.size());
   for (std::size_t i = 0; i < forms.size(); ++i) {
-    table.targets.push_back(sector_point(sectors, open, static_cast<Index>(i)));
+    table.targets.push_back(sector_point(shape, static_cast<Index>(i)));
     for (const auto& [vertex, weight] : forms[i].terms)
       if (weight != 0) table.rows.terms.push_back({slot[vertex], weight});
     table.rows.row_begin.push_back(static_cast<int>(table.rows.terms.size()));
@@ -91,7 +89,7 @@ ZoneTable to_table(const std::vector<Form>& forms, Index sectors, bool open) {
 class TableMaker {
  public:
   TableMaker(const Scheme& scheme, const std::vector<VertexKind>& kinds)
-      : scheme_(scheme), kinds_(kinds), reader_(scheme) {}
+      : scheme_(scheme), lattice_(scheme.split->lattice), kinds_(kinds), reader_(scheme) {}
 
   Result<StencilTables> make() {
     const bool boundary =
@@ -100,6 +98,7 @@ class TableMaker {
     if (!reach)
       return Error{
           fmt::format("the rules of scheme '{}' look too far", scheme_.name), {}, {}, 0, 0};
+    tables_.lattice = lattice_;
     tables_.reach = *reach;
     if (Status status = read_interior(); !status) return status.error();
     if (boundary)
@@ -111,33 +110,42 @@ class TableMaker {
 
  private:
   Status read_interior() {
+    const StarShape plane{lattice_, plane_sectors(lattice_), false};
     std::vector<Index> wanted;
     for (const Index y : {0, 1})
-      for (const Index x : {0, 1}) wanted.push_back(vertex_at(kRegular, false, {0, x, y}));
-    const Result<std::vector<Form>> forms = reader_.star(kRegular, kClassRings, wanted);
+      for (const Index x : {0, 1}) wanted.push_back(vertex_at(plane, {0, x, y}));
+    const Result<std::vector<Form>> forms = reader_.read(plane, kClassRings, wanted);
     if (!forms) return forms.error();
     for (const Index y : {0, 1})
       for (const Index x : {0, 1}) {
         const std::size_t c = class_of(x, y);
-        tables_.interior[c] = to_stencil((*forms)[c], false, x, y);
+        tables_.interior[c] = to_stencil((*forms)[c], plane, x, y);
         for (const auto& [place, weight] : tables_.interior[c])
-          tables_.halo =
-              std::max({tables_.halo, -place.a, -place.b, place.a + place.b - (x + y + 1) / 2});
+          tables_.halo = std::max(tables_.halo, rows_beyond(x, y, place));
       }
     return Done{};
   }
 
+  /// How far a place lies beyond the sides of any patch that holds the fine point.
+  [[nodiscard]] Index rows_beyond(Index x, Index y, Offset place) const {
+    const auto [a, b] = place;
+    const Index beyond = lattice_ == Lattice::triangle ? a + b - (x + y + 1) / 2
+                                                       : std::max(a - (x + 1) / 2, b - (y + 1) / 2);
+    return std::max({-a, -b, beyond});
+  }
+
   Status read_strips() {
     const Index depth = tables_.reach.strip_depth;
+    const StarShape half{lattice_, half_plane_sectors(lattice_), true};
     std::vector<Index> wanted;
     for (Index y = 0; y <= depth; ++y)
-      for (const Index x : {0, 1}) wanted.push_back(vertex_at(kHalfPlane, true, {0, x, y}));
+      for (const Index x : {0, 1}) wanted.push_back(vertex_at(half, {0, x, y}));
     const Index rings = std::max(depth, kClassRings) + 1;
-    const Result<std::vector<Form>> forms = reader_.fan(kHalfPlane, rings, wanted);
+    const Result<std::vector<Form>> forms = reader_.read(half, rings, wanted);
     if (!forms) return forms.error();
     for (Index i = 0; i < 2 * (depth + 1); ++i)
       tables_.strips.push_back(
-          to_stencil((*forms)[static_cast<std::size_t>(i)], true, i % 2, i / 2));
+          to_stencil((*forms)[static_cast<std::size_t>(i)], half, i % 2, i / 2));
     return Done{};
   }
 
@@ -145,7 +153,8 @@ class TableMaker {
     if (kind.faces == 0) return Done{};
     const bool open = kind.open;
     const Index sectors = kind.faces;
-    if (sectors > kLargestTable || (!open && sectors < 3))
+    const StarShape shape{lattice_, sectors, open};
+    if (sectors > kLargestTable || (!open && sectors < fewest_sectors(lattice_)))
       return Error{fmt::format("no table for vertex {} of {} faces", kind.vertices[0], sectors),
                    {},
                    {},
@@ -155,18 +164,18 @@ class TableMaker {
     const Index zone = !open ? reach.star_zone : sectors == 1 ? reach.corner_zone : reach.fan_zone;
     const Index rings = std::max(zone, open ? reach.fan_rings : reach.star_rings);
     const Index size = zone == 0 ? 1
-                       : open    ? fan_size(Lattice::triangle, sectors, zone)
-                                 : star_size(Lattice::triangle, sectors, zone);
+                       : open    ? fan_size(lattice_, sectors, zone)
+                                 : star_size(lattice_, sectors, zone);
     std::vector<Index> wanted(static_cast<std::size_t>(size));
     std::iota(wanted.begin(), wanted.end(), 0);
-    const Result<std::vector<Form>> forms =
-        open ? reader_.fan(sectors, rings, wanted) : reader_.star(sectors, rings, wanted);
+    const Result<std::vector<Form>> forms = reader_.read(shape, rings, wanted);
     if (!forms) return forms.error();
-    (open ? tables_.fans : tables_.stars).emplace(sectors, to_table(*forms, sectors, open));
+    (open ? tables_.fans : tables_.stars).emplace(sectors, to_table(*forms, shape));
     return Done{};
   }
 
   const Scheme& scheme_;
+  Lattice lattice_;
   const std::vector<VertexKind>& kinds_;
   Reader reader_;
   StencilTables tables_;

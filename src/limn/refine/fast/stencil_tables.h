@@ -1,6 +1,6 @@
 #pragma once
-/// All stencils of a triangle-dyadic scheme, read by refining linear forms on stars and fans with
-/// the plain engine (refine/refine_values.h): nothing here knows a rule.
+/// All stencils of a dyadic scheme on triangles or quads, read by refining linear forms on stars
+/// and fans with the plain engine (refine/refine_values.h): nothing here knows a rule.
 
 #include <array>
 #include <map>
@@ -20,6 +20,7 @@ struct ZoneTable {
 };
 
 struct StencilTables {
+  Lattice lattice = Lattice::triangle;
   Reach reach;
   std::array<Stencil, kClasses> interior;  ///< by class_of
   Index halo = 0;  ///< rows beyond a patch's sides that interior stencils take from
@@ -32,10 +33,10 @@ struct StencilTables {
 
 inline constexpr Index kLargestTable = 1000;  ///< valence of a table
 
-/// The tables that refining a mesh with vertices of these kinds needs. Fails where a rule is
-/// missing, or looks too far (find_reach), or a vertex has fewer than 3 or more than kLargestTable
-/// faces in a ring: then the plain engine is the one to ask, which may say more. Cost: some 0.1 ms
-/// a valence.
+/// The tables that refining a mesh (of triangles or of quads, as the split has it) with vertices of
+/// these kinds needs. Fails where a rule is missing, or looks too far (find_reach), or a vertex has
+/// too few faces in a ring (fewest_sectors) or more than kLargestTable: then the plain engine is
+/// the one to ask, which may say more. Cost: some 0.1 ms a valence.
 [[nodiscard]] Result<StencilTables> read_stencils(const Scheme& scheme,
                                                   const std::vector<VertexKind>& kinds);
 

@@ -9,7 +9,7 @@
 namespace limn::fast {
 namespace {
 
-constexpr Index kRegular = 6, kHalfPlane = 3;  // faces at a regular vertex
+constexpr Lattice kLattice = Lattice::triangle;
 constexpr Index kPatchGrain = 2048;
 constexpr Index kFaceChunk = 32768;  // refined faces that one call of a parallel loop writes
 
@@ -109,16 +109,17 @@ class TriangleFamily final : public Family {
     using Found = std::optional<StepPlan>;
     if (groups_.empty()) return Found();
     const TriangleLayout at = layout(level);
-    const Result<LimitSums> regular = of(false, kRegular);
+    const Result<LimitSums> regular = of(false, plane_sectors(kLattice));
     if (!regular) return regular.error();
     if (!near_limit(*regular)) return Found();
     StepPlan plan;
-    plan.patches = patches(at, at, limit_stencils(*regular, false), 1);
+    plan.patches = patches(at, at, limit_stencils(*regular, kLattice), 1);
     if (!sides_.empty()) {
-      const Result<LimitSums> side = of(true, kHalfPlane);
+      const StarShape half{kLattice, half_plane_sectors(kLattice), true};
+      const Result<LimitSums> side = of(true, half.sectors);
       if (!side) return side.error();
       if (!near_limit(*side)) return Found();
-      plan.rows.push_back(limit_sides(limit_table(*side, kHalfPlane, true), at));
+      plan.rows.push_back(limit_sides(limit_table(*side, half), at));
     }
     for (const ZoneGroup& group : groups_) {
       const bool isolated = group.kind.faces == 0;
@@ -126,7 +127,7 @@ class TriangleFamily final : public Family {
           isolated ? limit_of_isolated() : of(group.kind.open, group.kind.faces);
       if (!sums) return sums.error();
       if (!near_limit(*sums)) return Found();
-      ZoneTable table = limit_table(*sums, group.kind.faces, group.kind.open);
+      ZoneTable table = limit_table(*sums, {kLattice, group.kind.faces, group.kind.open});
       plan.rows.push_back({std::move(table.rows), number_points(group, at, table.sources),
                            number_points(group, at, table.targets), false});
     }
@@ -157,7 +158,7 @@ class TriangleFamily final : public Family {
     for (const Index h : sides_)
       for (Index t = 1; t < at.n(); ++t) {
         for (const SectorPoint& source : table.sources) {
-          const Offset place = on_plane(source);
+          const Offset place = on_plane(kLattice, source);
           sources.push_back(at.point_beyond(h, t + place.a, place.b));
         }
         targets.push_back(at.point(h, t, 0));

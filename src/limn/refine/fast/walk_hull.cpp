@@ -1,5 +1,7 @@
 #include "limn/refine/fast/walk_hull.h"
 
+#include <algorithm>
+
 #include "limn/scheme/placement.h"
 
 namespace limn::fast {
@@ -19,6 +21,13 @@ class Explorer {
       for (const RuleCase& rule_case : *rule)
         for (const Weight& weight : rule_case.weights) walk(weight.walk, anchor.flags[i]);
     }
+  }
+
+  /// Those of a face's rule.
+  void explore_face(Index f) {
+    if (!explored_.insert(f).second) return;
+    for (Index h = mesh_.face_begin(f); h < mesh_.face_begin(f + 1); ++h)
+      explore(RuleKind::face, h);
   }
 
   std::set<Index> seen;
@@ -53,17 +62,25 @@ class Explorer {
   }
 
   void walk(const Walk& walk, Flag flag) {
-    if (!follow(walk.before, flag) || !walk.repeated) return;
-    const Index turns = mesh_.valence(vertex_of(mesh_, flag));
+    if (!follow(walk.before, flag)) return;
+    if (!walk.repeated) {
+      if (walk.reads_face) explore_face(mesh_.face(flag.halfedge));
+      return;
+    }
+    // round a vertex, or a face
+    const Index turns =
+        std::max(mesh_.valence(vertex_of(mesh_, flag)), mesh_.degree(mesh_.face(flag.halfedge)));
     for (Index k = 0; k < turns; ++k) {
       Flag end = flag;
       (void)follow(walk.after, end);
+      if (walk.reads_face) explore_face(mesh_.face(end.halfedge));
       if (!follow(walk.step, flag)) return;
     }
   }
 
   const Scheme& scheme_;
   const Mesh& mesh_;
+  std::set<Index> explored_;  // faces
 };
 
 }  // namespace
@@ -99,9 +116,7 @@ std::set<Index> edge_hull(const Scheme& scheme, const Mesh& mesh, Index h) {
 
 std::set<Index> face_hull(const Scheme& scheme, const Mesh& mesh, Index h) {
   Explorer explorer(scheme, mesh);
-  const Index f = mesh.face(h);
-  for (Index k = mesh.face_begin(f); k < mesh.face_begin(f + 1); ++k)
-    explorer.explore(RuleKind::face, k);
+  explorer.explore_face(mesh.face(h));
   return explorer.seen;
 }
 

@@ -8,12 +8,12 @@
 namespace limn::fast {
 
 /// The rule (or rules, an edge's ends having their own) by which the vertex is born that belongs to
-/// old vertex origin(h), or to old edge edge(h): every case of it, whatever its guard.
+/// old vertex origin(h), to old edge edge(h), or to old face face(h): every case of it, whatever
+/// its guard. Where it weighs a face's new vertex, what that one's rule visits belongs to it.
 [[nodiscard]] std::set<Index> vertex_hull(const Scheme& scheme, const Mesh& mesh, Index h);
 [[nodiscard]] std::set<Index> edge_hull(const Scheme& scheme, const Mesh& mesh, Index h);
-/// The same of the vertex born from face(h), or near an end of h on the boundary (its target where
-/// `at_target`).
 [[nodiscard]] std::set<Index> face_hull(const Scheme& scheme, const Mesh& mesh, Index h);
+/// The same of the vertex born near an end of h on the boundary (its target where `at_target`).
 [[nodiscard]] std::set<Index> edge_end_hull(const Scheme& scheme, const Mesh& mesh, Index h,
                                             bool at_target);
 

@@ -82,6 +82,7 @@ template <class Coarse, class Fine>
 void add_strips(const StencilTables& tables, const std::vector<Index>& sides, const Coarse& coarse,
                 const Fine& fine, std::vector<RowPlan>& plans) {
   const Mesh& mesh = fine.control();
+  const Lattice lattice = tables.lattice;
   const auto zone_of = [&](Index v) {  // of two edges: one face
     return mesh.valence(v) == 2 ? tables.reach.corner_zone : tables.reach.fan_zone;
   };
@@ -92,7 +93,10 @@ void add_strips(const StencilTables& tables, const std::vector<Index>& sides, co
   for (const Index h : sides) {
     const Index left = zone_of(mesh.origin(h)), right = zone_of(mesh.target(h)), n = fine.n();
     for (Index y = 0; y <= tables.reach.strip_depth; ++y)
-      for (Index x = std::max(left - y, 0) + 1; x + y < n && n - x > right; ++x) {
+      for (Index x = 1; mirrored(lattice, n, x, y) > 0; ++x) {
+        if (ring_of(lattice, x, y) <= left ||
+            ring_of(lattice, mirrored(lattice, n, x, y), y) <= right)
+          continue;
         const auto c = static_cast<std::size_t>(2 * y + (x & 1));
         for (const Tap& tap : tables.strips[c]) {
           const Index source = coarse.point_beyond(h, x / 2 + tap.place.a, y / 2 + tap.place.b);
