@@ -12,7 +12,8 @@ namespace {
 std::vector<std::string> quick_schemes() {
   std::vector<std::string> names;
   for (const std::string& name : shipped_schemes())
-    if (has_fast_layout(*shipped(name).split)) names.push_back(name);
+    if (has_fast_layout(*shipped(name).split) && !shipped(name).split->any_polygons)
+      names.push_back(name);
   return names;
 }
 

@@ -1,5 +1,6 @@
 #include "limn/refine/fast/families.h"
 
+#include "limn/refine/fast/dual_family.h"
 #include "limn/refine/fast/triangle_family.h"
 
 namespace limn::fast {
@@ -13,6 +14,7 @@ Maker maker(const Split& split) {
   if (split.lattice == Lattice::triangle && old_and_edges && !split.births_faces &&
       split.dilation.growth() == 4)
     return make_triangle_family;
+  if (split.lattice == Lattice::quad && split.births_corners) return make_dual_family;
   return nullptr;
 }
 

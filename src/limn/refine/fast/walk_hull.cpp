@@ -97,4 +97,10 @@ std::set<Index> edge_hull(const Scheme& scheme, const Mesh& mesh, Index h) {
   return explorer.seen;
 }
 
+std::set<Index> corner_hull(const Scheme& scheme, const Mesh& mesh, Index h) {
+  Explorer explorer(scheme, mesh);
+  explorer.explore(RuleKind::corner, h);
+  return explorer.seen;
+}
+
 }  // namespace limn::fast

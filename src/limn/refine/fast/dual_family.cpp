@@ -1,0 +1,147 @@
+#include "limn/refine/fast/dual_family.h"
+
+#include <cassert>
+#include <numeric>
+
+#include "limn/base/parallel.h"
+#include "limn/refine/fast/dual_steps.h"
+
+namespace limn::fast {
+namespace {
+
+/// Whether there is a vertex that gives no face although it is off the boundary.
+bool loses_faces(const Mesh& mesh) {
+  for (Index v = 0; v < mesh.vertex_count(); ++v)
+    if (!mesh.is_isolated(v) && !mesh.is_boundary_vertex(v) && mesh.valence(v) == 2) return true;
+  return false;
+}
+
+/// Finds the vertices of patches in a mesh that the plain engine made. Its first half-edges are
+/// still those of the control mesh: they run from corner to corner of the faces' shrunk images.
+class PatchWalk {
+ public:
+  PatchWalk(const DualCorners& corners, const Mesh& fine, const DualLayout& layout,
+            std::vector<Index>& order)
+      : corners_(corners), fine_(fine), layout_(layout), order_(order) {}
+
+  void run(Index h) {
+    Index side = h;  // leaves (0, y) towards (-1, y)
+    set(h, 0, 0, fine_.origin(side));
+    if (corners_.has_x_arm(h)) walk_row(h, side, 0);
+    if (!corners_.has_y_arm(h)) return;
+    for (Index y = 1; y < layout_.n(); ++y) {
+      side = across(side);
+      set(h, 0, y, fine_.origin(side));
+      if (corners_.is_whole(h)) walk_row(h, side, y);
+    }
+  }
+
+ private:
+  void walk_row(Index h, Index side, Index y) {
+    side = fine_.prev(side);  // comes to (x, y) from (x, y-1)
+    for (Index x = 1; x < layout_.n(); ++x) {
+      side = across(side);
+      set(h, x, y, fine_.target(side));
+    }
+  }
+
+  void set(Index h, Index x, Index y, Index v) {
+    order_[static_cast<std::size_t>(layout_.point(h, x, y))] = v;
+  }
+
+  /// Over the quad beyond a side, to the side opposite.
+  [[nodiscard]] Index across(Index side) const { return fine_.next(fine_.next(fine_.twin(side))); }
+
+  const DualCorners& corners_;
+  const Mesh& fine_;
+  const DualLayout& layout_;
+  std::vector<Index>& order_;
+};
+
+class DualFamily final : public Family {
+ public:
+  DualFamily(const Scheme& scheme, const Mesh& control, int levels)
+      : first_(levels > 0 && loses_faces(control) ? 1 : 0),
+        owned_(first_ > 0 ? scheme.split->apply(control, 0).mesh : Mesh()),
+        control_(first_ > 0 ? owned_ : control),
+        corners_(control_),
+        plain_(levels) {
+    // without inner edges nothing grows, whatever the level
+    if (corners_.inner_edges().empty()) return;
+    Result<DualTables> read = read_dual_tables(scheme, control_);
+    if (!read || (!read->own_face && !corners_.rims().empty())) return;
+    tables_ = std::move(*read);
+    int plain = first_;
+    if (!tables_.own_face)
+      while (plain < levels && (plain == first_ || layout(plain).n() < tables_.smallest_grid))
+        ++plain;
+    plain_ = plain;
+  }
+
+  [[nodiscard]] int plain_steps() const override { return plain_; }
+
+  [[nodiscard]] Size size(int level) const override {
+    if (level == first_)
+      return {control_.vertex_count(), control_.face_count(), control_.halfedge_count()};
+    const DualLayout at = layout(level);
+    return {at.vertex_count(), at.face_count(), at.corner_count()};
+  }
+
+  [[nodiscard]] StepPlan plan(int level) const override {
+    if (level == first_) return plan_first_dual_step(corners_, tables_);
+    return plan_dual_step(corners_, tables_, layout(level).n());
+  }
+
+  [[nodiscard]] std::vector<Index> plain_order(
+      const std::vector<SplitResult>& steps) const override {
+    if (plain_ <= first_) return {};
+    const DualLayout at = layout(plain_);
+    std::vector<Index> order(static_cast<std::size_t>(at.vertex_count()));
+    for (Index h = 0; h < control_.halfedge_count(); ++h) {
+      if (at.n() == 1) {
+        order[static_cast<std::size_t>(at.point(h, 0, 0))] = h;
+      } else {
+        PatchWalk(corners_, steps.back().mesh, at, order).run(h);
+      }
+    }
+    // isolated vertices are the last of both
+    std::iota(order.begin() + at.isolated_begin(), order.end(), at.isolated_begin());
+    return order;
+  }
+
+  void write_faces(int level, std::span<Index> corners) const override {
+    if (level > first_) return layout(level).write_faces(corners.data());
+    parallel_for_each(control_.halfedge_count(),
+                      [&](Index h) { corners[static_cast<std::size_t>(h)] = control_.origin(h); });
+  }
+
+  [[nodiscard]] Index corners_per_face() const override { return corners_.is_regular() ? 4 : 0; }
+
+  void write_face_begin(int level, std::span<Index> begin) const override {
+    if (level > first_) return layout(level).write_face_begin(begin.data());
+    parallel_for_each(control_.face_count() + 1, [&](Index f) {
+      begin[static_cast<std::size_t>(f)] = control_.face_begin(f);
+    });
+  }
+
+ private:
+  [[nodiscard]] DualLayout layout(int level) const {
+    assert(level > first_);
+    return {corners_, corners_.inner_edges().empty() ? 1 : Index{1} << (level - first_ - 1)};
+  }
+
+  int first_;   // the level of control_
+  Mesh owned_;  // where it is not the control mesh itself
+  const Mesh& control_;
+  DualCorners corners_;
+  int plain_;
+  DualTables tables_;
+};
+
+}  // namespace
+
+std::unique_ptr<Family> make_dual_family(const Scheme& scheme, const Mesh& control, int levels) {
+  return std::make_unique<DualFamily>(scheme, control, levels);
+}
+
+}  // namespace limn::fast
