@@ -72,9 +72,11 @@ class QuickPeer final : public Peer {
     const Result<FastRefiner> refiner = FastRefiner::make(scheme_, std::move(control_), levels);
     if (!refiner) throw std::runtime_error(refiner.error().text());
     fine_ = HugeArray<Real>(3 * static_cast<std::size_t>(refiner->vertex_count()));
-    corners_ = HugeArray<Index>(3 * static_cast<std::size_t>(refiner->face_count()));
+    corners_ = HugeArray<Index>(static_cast<std::size_t>(refiner->corner_count()));
+    face_begin_ = HugeArray<Index>(static_cast<std::size_t>(refiner->face_count()) + 1);
     refiner->template evaluate<Real>(points_, fine_);
     refiner->write_faces(corners_);
+    refiner->write_face_begin(face_begin_);
   }
   [[nodiscard]] std::size_t vertex_count() const override { return fine_.size() / 3; }
   [[nodiscard]] Polygons polygons() const override {
@@ -82,8 +84,7 @@ class QuickPeer final : public Peer {
     for (std::size_t i = 0; i < fine_.size(); i += 3)
       polygons.positions.push_back({double(fine_[i]), double(fine_[i + 1]), double(fine_[i + 2])});
     polygons.corners.assign(corners_.begin(), corners_.end());
-    for (std::size_t end = 3; end <= corners_.size(); end += 3)
-      polygons.face_begin.push_back(static_cast<Index>(end));
+    polygons.face_begin.assign(face_begin_.begin(), face_begin_.end());
     return polygons;
   }
 
@@ -92,7 +93,7 @@ class QuickPeer final : public Peer {
   Mesh control_;
   std::vector<Real> points_;
   HugeArray<Real> fine_;
-  HugeArray<Index> corners_;
+  HugeArray<Index> corners_, face_begin_;
 };
 
 /// nullptr where the scheme has no quick engine.

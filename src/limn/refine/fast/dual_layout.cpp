@@ -37,6 +37,7 @@ void DualCorners::place_patches() {
     if (has_y_arm(h)) y_arms_.push_back(h);
     if (has_x_arm(h)) x_arms_.push_back(h);
   }
+  if (rims_.empty()) place_ = {};
 }
 
 void DualCorners::list_inner_elements() {

@@ -40,9 +40,9 @@ class DualCorners {
   explicit DualCorners(const Mesh& control);
 
   [[nodiscard]] const Mesh& control() const { return *mesh_; }
-  [[nodiscard]] bool is_whole(Index h) const { return place_[at(h)] >= 0; }
+  [[nodiscard]] bool is_whole(Index h) const { return whole_rank(h) >= 0; }
   /// Which of the whole patches, or of the rims, that of h is.
-  [[nodiscard]] Index whole_rank(Index h) const { return place_[at(h)]; }
+  [[nodiscard]] Index whole_rank(Index h) const { return rims_.empty() ? h : place_[at(h)]; }
   [[nodiscard]] Index rim_rank(Index h) const { return ~place_[at(h)]; }
   [[nodiscard]] bool has_y_arm(Index h) const { return mesh_->twin(h) != kNone; }
   [[nodiscard]] bool has_x_arm(Index h) const { return mesh_->twin(mesh_->prev(h)) != kNone; }
@@ -69,7 +69,7 @@ class DualCorners {
   void list_inner_elements();
 
   const Mesh* mesh_;
-  std::vector<Index> place_;  // rank, or its complement for a rim
+  std::vector<Index> place_;  // rank, or its complement for a rim; empty where there are none
   std::vector<Index> wholes_, rims_, y_arms_, x_arms_;
   std::vector<std::pair<Index, Index>> arms_before_;  // by rim: along y, along x
   std::vector<Index> inner_edges_, inner_vertices_, vertex_begin_, isolated_;

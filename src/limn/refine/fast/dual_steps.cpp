@@ -75,8 +75,8 @@ class StepPlanner {
 
   /// The frame's points as make_shape has them: those beyond x = 0, x = n, y = 0, y = n …
   void write_frame(Index h, Index* out) const {
-    const Index left = mesh_.next(h), right = mesh_.rotate(h);
-    const Index below = mesh_.prev(h), above = mesh_.next(mesh_.twin(h));
+    const Index twin = mesh_.twin(h), below = mesh_.prev(h);
+    const Index left = mesh_.next(h), right = mesh_.twin(below), above = mesh_.next(twin);
     for (Index j = 0; j < tables_.halo; ++j, out += static_cast<std::ptrdiff_t>(4) * n_) {
       coarse_.row(left, j, out);
       coarse_.row(right, n_ - 1 - j, out + n_);
@@ -85,13 +85,13 @@ class StepPlanner {
     }
     // … and beyond two sides: of use where there are four patches, else just any numbers
     const Index face = mesh_.next(left), vertex = mesh_.rotate(right);
-    const Index middle = mesh_.twin(h), middle2 = mesh_.next(mesh_.twin(below));
+    const Index far = mesh_.next(right);
     for (Index k = 0; k < tables_.halo; ++k)
       for (Index j = 0; j < tables_.halo; ++j) {
         *out++ = coarse_.point(face, j, k);
         *out++ = coarse_.point(vertex, n_ - 1 - j, n_ - 1 - k);
-        *out++ = coarse_.point(middle, j, n_ - 1 - k);
-        *out++ = coarse_.point(middle2, n_ - 1 - j, k);
+        *out++ = coarse_.point(twin, j, n_ - 1 - k);
+        *out++ = coarse_.point(far, n_ - 1 - j, k);
       }
   }
 
