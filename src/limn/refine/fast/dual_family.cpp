@@ -5,6 +5,7 @@
 
 #include "limn/base/parallel.h"
 #include "limn/refine/fast/dual_steps.h"
+#include "limn/refine/fast/dual_walk.h"
 
 namespace limn::fast {
 namespace {
@@ -15,48 +16,6 @@ bool loses_faces(const Mesh& mesh) {
     if (!mesh.is_isolated(v) && !mesh.is_boundary_vertex(v) && mesh.valence(v) == 2) return true;
   return false;
 }
-
-/// Finds the vertices of patches in a mesh that the plain engine made. Its first half-edges are
-/// still those of the control mesh: they run from corner to corner of the faces' shrunk images.
-class PatchWalk {
- public:
-  PatchWalk(const DualCorners& corners, const Mesh& fine, const DualLayout& layout,
-            std::vector<Index>& order)
-      : corners_(corners), fine_(fine), layout_(layout), order_(order) {}
-
-  void run(Index h) {
-    Index side = h;  // leaves (0, y) towards (-1, y)
-    set(h, 0, 0, fine_.origin(side));
-    if (corners_.has_x_arm(h)) walk_row(h, side, 0);
-    if (!corners_.has_y_arm(h)) return;
-    for (Index y = 1; y < layout_.n(); ++y) {
-      side = across(side);
-      set(h, 0, y, fine_.origin(side));
-      if (corners_.is_whole(h)) walk_row(h, side, y);
-    }
-  }
-
- private:
-  void walk_row(Index h, Index side, Index y) {
-    side = fine_.prev(side);  // comes to (x, y) from (x, y-1)
-    for (Index x = 1; x < layout_.n(); ++x) {
-      side = across(side);
-      set(h, x, y, fine_.target(side));
-    }
-  }
-
-  void set(Index h, Index x, Index y, Index v) {
-    order_[static_cast<std::size_t>(layout_.point(h, x, y))] = v;
-  }
-
-  /// Over the quad beyond a side, to the side opposite.
-  [[nodiscard]] Index across(Index side) const { return fine_.next(fine_.next(fine_.twin(side))); }
-
-  const DualCorners& corners_;
-  const Mesh& fine_;
-  const DualLayout& layout_;
-  std::vector<Index>& order_;
-};
 
 class DualFamily final : public Family {
  public:
@@ -69,7 +28,7 @@ class DualFamily final : public Family {
     // without inner edges nothing grows, whatever the level
     if (corners_.inner_edges().empty()) return;
     Result<DualTables> read = read_dual_tables(scheme, control_);
-    if (!read || (!read->own_face && !corners_.rims().empty())) return;
+    if (!read) return;
     tables_ = std::move(*read);
     int plain = first_;
     if (!tables_.own_face)
@@ -96,15 +55,10 @@ class DualFamily final : public Family {
       const std::vector<SplitResult>& steps) const override {
     if (plain_ <= first_) return {};
     const DualLayout at = layout(plain_);
+    if (at.n() > 1) return dual_order(at, steps.back().mesh);
     std::vector<Index> order(static_cast<std::size_t>(at.vertex_count()));
-    for (Index h = 0; h < control_.halfedge_count(); ++h) {
-      if (at.n() == 1) {
-        order[static_cast<std::size_t>(at.point(h, 0, 0))] = h;
-      } else {
-        PatchWalk(corners_, steps.back().mesh, at, order).run(h);
-      }
-    }
-    // isolated vertices are the last of both
+    for (Index h = 0; h < control_.halfedge_count(); ++h)
+      order[static_cast<std::size_t>(at.point(h, 0, 0))] = h;
     std::iota(order.begin() + at.isolated_begin(), order.end(), at.isolated_begin());
     return order;
   }

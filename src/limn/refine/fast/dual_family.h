@@ -7,7 +7,7 @@
 /// No step is plain where the rule sees its own face alone: the first one is made by rows for each
 /// number of corners, and at the boundary, from which the mesh recedes, nothing is special. A rule
 /// that looks beyond its face leaves the first steps to the plain engine, until centres are far
-/// enough apart, and all of them where the mesh has a boundary.
+/// enough apart, and has stencils of its own along the boundary (dual_rims.h).
 ///
 /// An interior vertex of valence 2 gives no face, which leaves vertices of valence 3. Then the
 /// first step is plain; its mesh, with the plain engine's numbers at level 1, takes the control

@@ -50,6 +50,12 @@ class DualCorners {
   [[nodiscard]] Index y_arm(Index h) const { return arms_before_[at(rim_rank(h))].first; }
   [[nodiscard]] Index x_arm(Index h) const { return arms_before_[at(rim_rank(h))].second; }
 
+  /// Whether point (x, y) is there, x and y being within the patch.
+  [[nodiscard]] bool has_point(Index h, Index x, Index y) const {
+    return is_whole(h) || (x == 0 && y == 0) || (y == 0 && has_x_arm(h)) ||
+           (x == 0 && has_y_arm(h));
+  }
+
   /// Half-edges of whole patches, of rims, and of arms.
   [[nodiscard]] const std::vector<Index>& wholes() const { return wholes_; }
   [[nodiscard]] const std::vector<Index>& rims() const { return rims_; }
@@ -95,6 +101,8 @@ class DualLayout {
     return x == 0 ? y_arm_begin(h) + y : x_arm_begin(h) + x;
   }
   [[nodiscard]] Index isolated_begin() const { return isolated_at_; }
+
+  [[nodiscard]] const DualCorners& corners() const { return *corners_; }
 
   /// Points (0, y) … (n-1, y) of the patch of h, or (x, 0) … (x, n-1), to out[0], …; where the
   /// patch is a rim, of its arm.

@@ -44,8 +44,12 @@ class StepPlanner {
 
   StepPlan plan() {
     plan_patches();
-    plan_arms(false);
-    plan_arms(true);
+    if (tables_.own_face) {
+      plan_arms(false);
+      plan_arms(true);
+    } else if (tables_.rims) {
+      add_dual_rims(*tables_.rims, coarse_, fine_, plan_.rows);
+    }
     for (const auto& [sides, zone] : tables_.zones) plan_zone(sides, zone);
     return std::move(plan_);
   }
@@ -78,9 +82,10 @@ class StepPlanner {
     const Index twin = mesh_.twin(h), below = mesh_.prev(h);
     const Index left = mesh_.next(h), right = mesh_.twin(below), above = mesh_.next(twin);
     for (Index j = 0; j < tables_.halo; ++j, out += static_cast<std::ptrdiff_t>(4) * n_) {
-      coarse_.row(left, j, out);
+      // a rim has no more than its arm
+      coarse_.row(left, corners_.is_whole(left) ? j : 0, out);
       coarse_.row(right, n_ - 1 - j, out + n_);
-      coarse_.column(below, j, out + std::ptrdiff_t{2} * n_);
+      coarse_.column(below, corners_.is_whole(below) ? j : 0, out + std::ptrdiff_t{2} * n_);
       coarse_.column(above, n_ - 1 - j, out + std::ptrdiff_t{3} * n_);
     }
     // … and beyond two sides: of use where there are four patches, else just any numbers
@@ -88,10 +93,10 @@ class StepPlanner {
     const Index far = mesh_.next(right);
     for (Index k = 0; k < tables_.halo; ++k)
       for (Index j = 0; j < tables_.halo; ++j) {
-        *out++ = coarse_.point(face, j, k);
+        *out++ = corners_.is_whole(face) ? coarse_.point(face, j, k) : coarse_.point(face, 0, 0);
         *out++ = coarse_.point(vertex, n_ - 1 - j, n_ - 1 - k);
-        *out++ = coarse_.point(twin, j, n_ - 1 - k);
-        *out++ = coarse_.point(far, n_ - 1 - j, k);
+        *out++ = coarse_.point(twin, corners_.is_whole(twin) ? j : 0, n_ - 1 - k);
+        *out++ = coarse_.point(far, n_ - 1 - j, corners_.is_whole(far) ? k : 0);
       }
   }
 
@@ -160,8 +165,7 @@ class StepPlanner {
   void plan_zone(Index sides, const DualZone& zone) {
     std::vector<Index> faces, vertices;  // half-edges
     for (Index f = 0; f < mesh_.face_count(); ++f)
-      if (mesh_.degree(f) == sides && (sides != 4 || has_rim(f)))
-        faces.push_back(mesh_.face_begin(f));
+      if (mesh_.degree(f) == sides && wants_zone(f)) faces.push_back(mesh_.face_begin(f));
     if (sides != 4)
       for (Index i = 0; i < std::ssize(corners_.inner_vertices()); ++i)
         if (corners_.vertex_begin(i + 1) - corners_.vertex_begin(i) == sides)
@@ -184,28 +188,23 @@ class StepPlanner {
               sector = h;
               h = face ? mesh_.next(h) : mesh_.rotate(h);
             }
-            number(coarse_, sectors, !face, zone.sources, &plan.sources[i * zone.sources.size()]);
-            number(fine_, sectors, !face, zone.targets, &plan.targets[i * zone.targets.size()]);
+            number_zone(coarse_, sectors, !face, zone.sources,
+                        plan.sources.data() + i * zone.sources.size());
+            number_zone(fine_, sectors, !face, zone.targets,
+                        plan.targets.data() + i * zone.targets.size());
           }
         },
         std::max<std::ptrdiff_t>(1, kNumberGrain / std::ssize(zone.targets)));
     plan_.rows.push_back(std::move(plan));
   }
 
-  [[nodiscard]] bool has_rim(Index f) const {
+  /// A regular face does at the boundary, for the sake of its rims' own points; but none where the
+  /// rule sees the boundary.
+  [[nodiscard]] bool wants_zone(Index f) const {
+    bool whole = true;
     for (Index h = mesh_.face_begin(f); h < mesh_.face_begin(f + 1); ++h)
-      if (!corners_.is_whole(h)) return true;
-    return false;
-  }
-
-  /// Round a vertex, patches are seen from their far corners.
-  static void number(const DualLayout& layout, const std::vector<Index>& sectors, bool turned,
-                     const std::vector<SectorPoint>& points, Index* out) {
-    const Index last = layout.n() - 1;
-    for (const SectorPoint& p : points) {
-      const Index h = sectors[static_cast<std::size_t>(p.sector)];
-      *out++ = turned ? layout.point(h, last - p.x, last - p.y) : layout.point(h, p.x, p.y);
-    }
+      whole = whole && corners_.is_whole(h);
+    return whole ? mesh_.degree(f) != 4 : tables_.own_face;
   }
 
   const DualCorners& corners_;
@@ -252,7 +251,6 @@ StepPlan plan_first_dual_step(const DualCorners& corners, const DualTables& tabl
 
 StepPlan plan_dual_step(const DualCorners& corners, const DualTables& tables, Index n) {
   assert(n >= tables.smallest_grid);
-  assert(tables.own_face || corners.rims().empty());
   StepPlan plan = StepPlanner(corners, tables, n).plan();
   plan_isolated(corners, DualLayout(corners, n).isolated_begin(),
                 DualLayout(corners, 2 * n).isolated_begin(), plan);

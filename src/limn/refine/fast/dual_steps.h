@@ -9,8 +9,8 @@ namespace limn::fast {
 /// From the control mesh to level 1 (dual_layout.h). Precondition: tables.own_face.
 [[nodiscard]] StepPlan plan_first_dual_step(const DualCorners& corners, const DualTables& tables);
 
-/// From the level of n points along a patch's side to the next. Preconditions: n is at least
-/// tables.smallest_grid; tables.own_face, or there is no boundary.
+/// From the level of n points along a patch's side to the next. Precondition: n is at least
+/// tables.smallest_grid.
 [[nodiscard]] StepPlan plan_dual_step(const DualCorners& corners, const DualTables& tables,
                                       Index n);
 

@@ -8,7 +8,6 @@
 
 #include "limn/mesh/lattice.h"
 #include "limn/refine/fast/walk_hull.h"
-#include "limn/refine/linear_form.h"
 #include "limn/refine/refine_values.h"
 #include "limn/refine/star_step.h"
 
@@ -90,6 +89,12 @@ class TableMaker {
       if (Status status = read_zone(n); !status) return status.error();
       rings = std::max(rings, tables_.zones.at(n).rings);
     }
+    if (!tables_.own_face && control_.has_boundary()) {
+      Result<DualRims> rims = read_dual_rims(scheme_, control_, tables_.halo);
+      if (!rims) return rims.error();
+      tables_.rims = std::move(*rims);
+      rings = std::max(rings, 2 * tables_.halo);
+    }
     while (tables_.smallest_grid < rings) tables_.smallest_grid *= 2;
     if (tables_.smallest_grid > kLargestGrid) return too_far(scheme_);
     return std::move(tables_);
@@ -148,27 +153,9 @@ class TableMaker {
     }
     const Result<std::vector<Form>> forms = star.forms(rules_, zone.targets);
     if (!forms) return forms.error();
-    fill_table(*forms, n, zone);
+    fill_zone(zone, *forms, [n](Index v) { return dual_point(n, v); });
     tables_.zones.emplace(n, std::move(zone));
     return Done{};
-  }
-
-  static void fill_table(const std::vector<Form>& forms, Index n, DualZone& zone) {
-    std::map<Index, int> slots;  // of the vertices that are used
-    for (const Form& form : forms)
-      for (const auto& [vertex, weight] : form.terms)
-        if (weight != 0) slots.emplace(vertex, 0);
-    for (auto& [vertex, slot] : slots) {
-      slot = static_cast<int>(zone.sources.size());
-      zone.sources.push_back(dual_point(n, vertex));
-    }
-    RowTable& table = zone.table;
-    table.sources = static_cast<int>(zone.sources.size());
-    for (const Form& form : forms) {
-      for (const auto& [vertex, weight] : form.terms)
-        if (weight != 0) table.terms.push_back({slots.at(vertex), weight});
-      table.row_begin.push_back(static_cast<int>(table.terms.size()));
-    }
   }
 
   const Scheme& scheme_;

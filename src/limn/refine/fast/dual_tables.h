@@ -6,20 +6,12 @@
 
 #include <array>
 #include <map>
-#include <vector>
+#include <optional>
 
-#include "limn/refine/fast/dual_places.h"
+#include "limn/refine/fast/dual_rims.h"
 #include "limn/refine/fast/reach.h"
-#include "limn/refine/fast/step_plan.h"
 
 namespace limn::fast {
-
-/// The fine points round a centre of n sides, as sums over the old points round it.
-struct DualZone {
-  std::vector<SectorPoint> sources, targets;  ///< dual_places.h
-  RowTable table;
-  Index rings = 1;  ///< of old points that the rules look at, weights aside
-};
 
 struct DualTables {
   /// Whether the rule sees nothing beyond its own face. Then it may stand at any face, at the
@@ -30,6 +22,7 @@ struct DualTables {
   Index halo = 1;  ///< rows beyond a patch's sides that interior stencils see
   Index zone = 1;  ///< fine points of rings 1 … zone round a centre need its zone's table
   std::map<Index, DualZone> zones;  ///< by sides of a centre, 4 among them
+  std::optional<DualRims> rims;     ///< where there is a boundary that the rule can see
   /// The fewest points along a patch's side (a power of two) for all this to be so: centres are
   /// then far enough apart.
   Index smallest_grid = 1;
