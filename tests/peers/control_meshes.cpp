@@ -25,19 +25,28 @@ class Editor {
         faces_(test::faces_of(polygons)),
         random_(seed) {}
 
-  /// Tries to flip `count` random inner edges between triangles.
+  /// Tries to flip `count` random inner edges between triangles. The mesh is built anew where an
+  /// edit comes near an earlier one.
   Editor& flip(int count, Index max_valence) {
+    Mesh mesh = build(faces_);
+    std::vector<bool> touched(positions_.size());
     for (; count > 0; --count) {
-      const Mesh mesh = build(faces_);
       const Index h = below(mesh.halfedge_count());
       const Index t = mesh.twin(h);
       if (t == kNone) continue;
-      const Index a = mesh.origin(h), b = mesh.origin(t);
-      const Index c = mesh.origin(mesh.prev(h)), d = mesh.origin(mesh.prev(t));
+      const std::array<Index, 4> near{mesh.origin(h), mesh.origin(t), mesh.origin(mesh.prev(h)),
+                                      mesh.origin(mesh.prev(t))};
+      const auto [a, b, c, d] = near;
+      if (std::any_of(near.begin(), near.end(), [&](Index v) { return touched[v]; })) {
+        mesh = build(faces_);
+        touched.assign(touched.size(), false);
+        continue;
+      }
       if (std::max(mesh.valence(c), mesh.valence(d)) >= max_valence) continue;
       if (!can_lose_edge(mesh, a) || !can_lose_edge(mesh, b) || adjacent(mesh, c, d)) continue;
       faces_[mesh.face(h)] = {a, d, c};
       faces_[mesh.face(t)] = {b, c, d};
+      for (const Index v : near) touched[v] = true;
     }
     return *this;
   }

@@ -3,6 +3,7 @@
 /// huge pages where the system gives them, so that the first touch costs a few faults, not one per
 /// 4 KiB.
 
+#include <algorithm>
 #include <cstddef>
 #include <span>
 #include <type_traits>
@@ -25,6 +26,9 @@ class HugeArray {
   HugeArray() = default;
   explicit HugeArray(std::size_t size)
       : data_(static_cast<T*>(detail::allocate_huge(size * sizeof(T)))), size_(size) {}
+  explicit HugeArray(std::span<const T> values) : HugeArray(values.size()) {
+    std::copy(values.begin(), values.end(), data_);
+  }
   HugeArray(HugeArray&& other) noexcept
       : data_(std::exchange(other.data_, nullptr)), size_(std::exchange(other.size_, 0)) {}
   HugeArray& operator=(HugeArray&& other) noexcept {

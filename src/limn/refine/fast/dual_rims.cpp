@@ -216,15 +216,15 @@ void add_strips(const DualRims& rims, const std::vector<Stencil>& strip,
   for (Index i = 0; i < std::ssize(strip) && !lines.empty(); ++i) {
     const Stencil& stencil = strip[static_cast<std::size_t>(i)];
     const Index depth = i / 2;
-    RowPlan plan{to_rows(stencil), {}, {}, false};
+    std::vector<Index> sources, targets;
     for (const Index h : lines)
       for (Index t = from + i % 2; t < to; t += 2) {
         for (const Tap& tap : stencil)
-          plan.sources.push_back(
+          sources.push_back(
               line_point(coarse, h, t / 2 + tap.place.a, tap.place.b - (depth + 1) / 2));
-        plan.targets.push_back(line_point(fine, h, t, -depth));
+        targets.push_back(line_point(fine, h, t, -depth));
       }
-    rows.push_back(std::move(plan));
+    rows.push_back({to_rows(stencil), HugeArray<Index>(sources), HugeArray<Index>(targets), false});
   }
 }
 
@@ -250,23 +250,28 @@ void add_dual_rims(const DualRims& rims, const DualLayout& coarse, const DualLay
   }
   add_strips(rims, rims.strip, lines, coarse, fine, rows);
   add_strips(rims, rims.narrow, narrow, coarse, fine, rows);
-  std::map<RimPattern, RowPlan> plans;
+  struct Places {
+    std::vector<Index> sources, targets;
+  };
+  std::map<RimPattern, Places> groups;
   for (Index f = 0; f < mesh.face_count(); ++f) {
     RimPattern pattern = pattern_of(corners, f);
     if (!touches_boundary(pattern)) continue;
     const Index first = turn_to_least(pattern), degree = mesh.degree(f);
-    const DualZone& zone = rims.zones.at(pattern);
-    RowPlan& plan = plans[pattern];
-    if (plan.targets.empty()) plan.table = zone.table;
     std::vector<Index> sectors;
     for (Index s = 0; s < degree; ++s) sectors.push_back(mesh.face_begin(f) + (first + s) % degree);
-    const std::size_t sources = plan.sources.size(), targets = plan.targets.size();
-    plan.sources.resize(sources + zone.sources.size());
-    plan.targets.resize(targets + zone.targets.size());
-    number_zone(coarse, sectors, false, zone.sources, plan.sources.data() + sources);
-    number_zone(fine, sectors, false, zone.targets, plan.targets.data() + targets);
+    const DualZone& zone = rims.zones.at(pattern);
+    auto& [sources, targets] = groups[pattern];
+    sources.resize(sources.size() + zone.sources.size());
+    targets.resize(targets.size() + zone.targets.size());
+    number_zone(coarse, sectors, false, zone.sources,
+                sources.data() + sources.size() - zone.sources.size());
+    number_zone(fine, sectors, false, zone.targets,
+                targets.data() + targets.size() - zone.targets.size());
   }
-  for (auto& [pattern, plan] : plans) rows.push_back(std::move(plan));
+  for (const auto& [pattern, places] : groups)
+    rows.push_back({rims.zones.at(pattern).table, HugeArray<Index>(places.sources),
+                    HugeArray<Index>(places.targets), false});
 }
 
 }  // namespace limn::fast

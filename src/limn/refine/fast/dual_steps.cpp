@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <numeric>
 
 #include "limn/base/parallel.h"
 
@@ -107,8 +108,8 @@ class StepPlanner {
     if (arms.empty()) return;
     RowPlan plan;
     plan.table = arm_table(along_x);
-    plan.sources.resize(arms.size() * static_cast<std::size_t>(plan.table.sources));
-    plan.targets.resize(arms.size() * static_cast<std::size_t>(plan.table.targets()));
+    plan.sources = HugeArray<Index>(arms.size() * static_cast<std::size_t>(plan.table.sources));
+    plan.targets = HugeArray<Index>(arms.size() * static_cast<std::size_t>(plan.table.targets()));
     parallel_for(
         Index{0}, static_cast<Index>(arms.size()),
         [&](Index first, Index last) {
@@ -175,8 +176,8 @@ class StepPlanner {
     // between two centres lie 2n fine points
     RowPlan plan{zone.table, {}, {}, tables_.zone > n_};
     const std::size_t centres = faces.size() + vertices.size();
-    plan.sources.resize(centres * zone.sources.size());
-    plan.targets.resize(centres * zone.targets.size());
+    plan.sources = HugeArray<Index>(centres * zone.sources.size());
+    plan.targets = HugeArray<Index>(centres * zone.targets.size());
     parallel_for(
         std::size_t{0}, centres,
         [&](std::size_t first, std::size_t last) {
@@ -219,12 +220,11 @@ class StepPlanner {
 void plan_isolated(const DualCorners& corners, Index from, Index to, StepPlan& plan) {
   const std::vector<Index>& isolated = corners.isolated();
   if (isolated.empty()) return;
-  RowPlan rows{{1, {0, 1}, {{0, 1.0}}}, {}, {}, false};
-  for (Index i = 0; i < std::ssize(isolated); ++i) {
-    rows.sources.push_back(from == kNone ? isolated[static_cast<std::size_t>(i)] : from + i);
-    rows.targets.push_back(to + i);
-  }
-  plan.rows.push_back(std::move(rows));
+  std::vector<Index> sources = isolated, targets(isolated.size());
+  if (from != kNone) std::iota(sources.begin(), sources.end(), from);
+  std::iota(targets.begin(), targets.end(), to);
+  plan.rows.push_back(
+      {{1, {0, 1}, {{0, 1.0}}}, HugeArray<Index>(sources), HugeArray<Index>(targets), false});
 }
 
 }  // namespace
@@ -235,15 +235,16 @@ StepPlan plan_first_dual_step(const DualCorners& corners, const DualTables& tabl
   const DualLayout fine(corners, 1);
   StepPlan plan;
   for (const auto& [sides, zone] : tables.zones) {
-    RowPlan rows{zone.table, {}, {}, false};
+    std::vector<Index> sources, targets;
     for (Index f = 0; f < mesh.face_count(); ++f) {
       if (mesh.degree(f) != sides) continue;
       const Index h = mesh.face_begin(f);
-      for (const SectorPoint& p : zone.sources) rows.sources.push_back(mesh.origin(h + p.sector));
-      for (const SectorPoint& p : zone.targets)
-        rows.targets.push_back(fine.point(h + p.sector, 0, 0));
+      for (const SectorPoint& p : zone.sources) sources.push_back(mesh.origin(h + p.sector));
+      for (const SectorPoint& p : zone.targets) targets.push_back(fine.point(h + p.sector, 0, 0));
     }
-    if (!rows.sources.empty()) plan.rows.push_back(std::move(rows));
+    if (!sources.empty())
+      plan.rows.push_back(
+          {zone.table, HugeArray<Index>(sources), HugeArray<Index>(targets), false});
   }
   plan_isolated(corners, kNone, fine.isolated_begin(), plan);
   return plan;

@@ -54,7 +54,7 @@ void make_rows(const RowPlan& plan, const Real* in, Real* out) {
     weights.push_back(static_cast<Real>(term.weight));
   const std::ptrdiff_t targets = plan.table.targets();
   if (targets == 0) return;
-  const std::ptrdiff_t places = std::ssize(plan.targets) / targets;
+  const std::ptrdiff_t places = static_cast<std::ptrdiff_t>(plan.targets.size()) / targets;
   parallel_for(
       std::ptrdiff_t{0}, places,
       [&](std::ptrdiff_t first, std::ptrdiff_t last) {

@@ -90,11 +90,12 @@ ZoneTable to_table(const std::vector<Form>& forms, Index sectors, bool open) {
 
 class TableMaker {
  public:
-  TableMaker(const Scheme& scheme, const Mesh& control)
-      : scheme_(scheme), control_(control), reader_(scheme) {}
+  TableMaker(const Scheme& scheme, const std::vector<VertexKind>& kinds)
+      : scheme_(scheme), kinds_(kinds), reader_(scheme) {}
 
   Result<StencilTables> make() {
-    const bool boundary = control_.has_boundary();
+    const bool boundary =
+        std::any_of(kinds_.begin(), kinds_.end(), [](const VertexKind& kind) { return kind.open; });
     const std::optional<Reach> reach = find_reach(scheme_, boundary);
     if (!reach)
       return Error{
@@ -103,8 +104,8 @@ class TableMaker {
     if (Status status = read_interior(); !status) return status.error();
     if (boundary)
       if (Status status = read_strips(); !status) return status.error();
-    for (Index v = 0; v < control_.vertex_count(); ++v)
-      if (Status status = read_zone(v); !status) return status.error();
+    for (const VertexKind& kind : kinds_)
+      if (Status status = read_zone(kind); !status) return status.error();
     return std::move(tables_);
   }
 
@@ -140,14 +141,16 @@ class TableMaker {
     return Done{};
   }
 
-  Status read_zone(Index v) {
-    if (control_.is_isolated(v)) return Done{};
-    const bool open = control_.is_boundary_vertex(v);
-    const Index sectors = control_.valence(v) - (open ? 1 : 0);
-    std::map<Index, ZoneTable>& known = open ? tables_.fans : tables_.stars;
-    if (known.contains(sectors)) return Done{};
+  Status read_zone(const VertexKind& kind) {
+    if (kind.faces == 0) return Done{};
+    const bool open = kind.open;
+    const Index sectors = kind.faces;
     if (sectors > kLargestTable || (!open && sectors < 3))
-      return Error{fmt::format("no table for vertex {} of {} faces", v, sectors), {}, {}, 0, 0};
+      return Error{fmt::format("no table for vertex {} of {} faces", kind.vertices[0], sectors),
+                   {},
+                   {},
+                   0,
+                   0};
     const Reach& reach = tables_.reach;
     const Index zone = !open ? reach.star_zone : sectors == 1 ? reach.corner_zone : reach.fan_zone;
     const Index rings = std::max(zone, open ? reach.fan_rings : reach.star_rings);
@@ -159,20 +162,20 @@ class TableMaker {
     const Result<std::vector<Form>> forms =
         open ? reader_.fan(sectors, rings, wanted) : reader_.star(sectors, rings, wanted);
     if (!forms) return forms.error();
-    known.emplace(sectors, to_table(*forms, sectors, open));
+    (open ? tables_.fans : tables_.stars).emplace(sectors, to_table(*forms, sectors, open));
     return Done{};
   }
 
   const Scheme& scheme_;
-  const Mesh& control_;
+  const std::vector<VertexKind>& kinds_;
   Reader reader_;
   StencilTables tables_;
 };
 
 }  // namespace
 
-Result<StencilTables> read_stencils(const Scheme& scheme, const Mesh& control) {
-  return TableMaker(scheme, control).make();
+Result<StencilTables> read_stencils(const Scheme& scheme, const std::vector<VertexKind>& kinds) {
+  return TableMaker(scheme, kinds).make();
 }
 
 }  // namespace limn::fast

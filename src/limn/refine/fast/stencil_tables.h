@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "limn/refine/fast/reach.h"
+#include "limn/refine/fast/vertex_kinds.h"
 
 namespace limn::fast {
 
@@ -31,9 +32,11 @@ struct StencilTables {
 
 inline constexpr Index kLargestTable = 1000;  ///< valence of a table
 
-/// The tables that refining `control` (of triangles) needs. Fails where a rule is missing, or looks
-/// too far (find_reach), or a vertex has fewer than 3 or more than kLargestTable faces in a ring:
-/// then the plain engine is the one to ask, which may say more. Cost: some 0.1 ms a valence.
-[[nodiscard]] Result<StencilTables> read_stencils(const Scheme& scheme, const Mesh& control);
+/// The tables that refining a mesh with vertices of these kinds needs. Fails where a rule is
+/// missing, or looks too far (find_reach), or a vertex has fewer than 3 or more than kLargestTable
+/// faces in a ring: then the plain engine is the one to ask, which may say more. Cost: some 0.1 ms
+/// a valence.
+[[nodiscard]] Result<StencilTables> read_stencils(const Scheme& scheme,
+                                                  const std::vector<VertexKind>& kinds);
 
 }  // namespace limn::fast

@@ -39,7 +39,7 @@ struct PatchPlan {
 struct RowPlan {
   RowTable table;
   /// Numbers of old (new) points: places × table.sources (table.targets()).
-  std::vector<Index> sources, targets;
+  HugeArray<Index> sources, targets;
   /// Whether two places may have a target in common: they are then made one after the other.
   bool overlap = false;
 };

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "limn/refine/fast/triangle_layout.h"
+#include "limn/refine/fast/triangle_frame.h"
 #include "limn/refine/fast/zones.h"
 
 namespace limn::fast {
@@ -11,23 +11,8 @@ namespace {
 constexpr Index kPatchGrain = 2048;
 constexpr Index kFaceChunk = 32768;  // refined faces that one call of a parallel loop writes
 
-/// Where point (a, b) of the frame of a side lies in the patch.
-Offset in_patch(Index n, Index side, Offset p) {
-  for (; side > 0; --side) p = {n - p.a - p.b, p.a};
-  return p;
-}
-
-/// Old points: the corners, the inner points of the sides, and rows beyond the sides.
 PatchShape make_shape(Index n, Index halo) {
-  PatchShape shape;
-  for (Index side = 0; side < 3; ++side) shape.frame.push_back(in_patch(n, side, {0, 0}));
-  for (Index side = 0; side < 3; ++side)
-    for (Index t = 1; t < n; ++t) shape.frame.push_back(in_patch(n, side, {t, 0}));
-  for (Index side = 0; side < 3; ++side)
-    for (Index r = 1; r <= halo; ++r)
-      for (Index i = 0; i <= n - r; ++i) shape.frame.push_back(in_patch(n, side, {r + i, -r}));
-  for (Index y = 1; y < n; ++y)
-    for (Index x = 1; x + y < n; ++x) shape.inner.push_back({x, y});
+  PatchShape shape{frame_places(n, halo), inner_places(n), {}};
   const auto point = [](Offset fine) {
     return FinePoint{class_of(fine.a, fine.b), {fine.a / 2, fine.b / 2}};
   };
@@ -35,30 +20,8 @@ PatchShape make_shape(Index n, Index halo) {
   for (Index side = 0; side < 3; ++side)
     for (Index t = 1; t < 2 * n; ++t)
       shape.runs[static_cast<std::size_t>(side)].push_back(point(in_patch(2 * n, side, {t, 0})));
-  for (Index y = 1; y < 2 * n; ++y)
-    for (Index x = 1; x + y < 2 * n; ++x) shape.runs[3].push_back(point({x, y}));
+  for (const Offset place : inner_places(2 * n)) shape.runs[3].push_back(point(place));
   return shape;
-}
-
-/// Numbers of the shape's frame for one patch, in its order.
-void number_frame(const TriangleLayout& layout, Index halo, Index f, Index* out) {
-  const Mesh& mesh = layout.control();
-  const Index n = layout.n();
-  for (Index side = 0; side < 3; ++side) *out++ = mesh.origin(3 * f + side);
-  for (Index side = 0; side < 3 && n > 1; ++side) {
-    const Index h = 3 * f + side, step = layout.leads(h) ? 1 : -1;
-    for (Index t = 1, number = layout.edge_point(h, 1); t < n; ++t, number += step) *out++ = number;
-  }
-  for (Index side = 0; side < 3; ++side)
-    for (Index r = 1; r <= halo; ++r) {
-      const Index across = mesh.twin(3 * f + side), count = n - r + 1;
-      if (across != kNone) {
-        layout.column(mesh.next(across), r, out, 1);
-      } else {
-        std::fill_n(out, count, mesh.origin(3 * f));
-      }
-      out += count;
-    }
 }
 
 /// The half-edge of the refined mesh that starts as h does, on the same edge.
@@ -100,14 +63,20 @@ class TriangleFamily final : public Family {
   TriangleFamily(const Scheme& scheme, const Mesh& control, int levels)
       : control_(control), plain_(levels) {
     if (control.face_count() == 0) return;
-    Result<StencilTables> read = read_stencils(scheme, control);
+    std::vector<VertexKind> kinds = vertex_kinds(control);
+    Result<StencilTables> read = read_stencils(scheme, kinds);
     if (!read) return;
     tables_ = std::move(*read);
     const Index grid = std::max(tables_.reach.smallest_grid, tables_.halo);
     plain_ = 0;
     while (plain_ < levels && (Index{1} << plain_) < grid) ++plain_;
     if (plain_ == levels) return;
-    groups_ = group_vertices(tables_, control);
+    groups_ = group_vertices(tables_, std::move(kinds), control);
+    add_codes(layout(0), groups_);
+    faces_ = HugeArray<FaceTopology>(static_cast<std::size_t>(control.face_count()));
+    parallel_for_each(control.face_count(), [&](Index f) {
+      faces_[static_cast<std::size_t>(f)] = face_topology(layout(0), f);
+    });
     for (Index e = 0; e < control.edge_count(); ++e)
       if (control.is_boundary_edge(e)) sides_.push_back(control.halfedge_of_edge(e));
   }
@@ -167,10 +136,10 @@ class TriangleFamily final : public Family {
         [&](Index first, Index last) {
           for (Index f = first; f < last; ++f) {
             const auto at = static_cast<std::size_t>(f);
-            number_frame(coarse, tables_.halo, f, plan.frame.data() + at * frame);
+            number_frame(coarse, faces_[at], tables_.halo, plan.frame.data() + at * frame);
             Index* run = plan.runs.data() + at * runs;
-            for (Index h = 3 * f; h < 3 * f + 3; ++h)
-              *run++ = fine.leads(h) ? fine.edge_begin(control_.edge(h)) : kNone;
+            for (const FaceTopology::Code side : faces_[at].sides)
+              *run++ = (side & 1) != 0 ? fine.edge_begin(side >> 1) : kNone;
             *run = fine.face_begin(f);
           }
         },
@@ -182,6 +151,7 @@ class TriangleFamily final : public Family {
   int plain_;
   StencilTables tables_;
   std::vector<ZoneGroup> groups_;
+  HugeArray<FaceTopology> faces_;
   std::vector<Index> sides_;  // half-edges on the boundary
 };
 

@@ -42,6 +42,7 @@ Index* write_consecutive(Index low, Index high, Index pairs, Index* out) {
 
 Index TriangleLayout::point(Index h, Index x, Index y) const {
   assert(x >= 0 && y >= 0 && x + y <= n_);
+  if (y == 0) return x == 0 ? mesh_->origin(h) : x == n_ ? mesh_->target(h) : edge_point(h, x);
   const Index f = mesh_->face(h);
   const Index first = 3 * f;
   for (Index k = h - first; k > 0; --k) {  // a corner back: the origin was at (n, 0)
@@ -49,10 +50,8 @@ Index TriangleLayout::point(Index h, Index x, Index y) const {
     x = n_ - x - y;
     y = old;
   }
-  if (y == 0) {
-    if (x == 0) return mesh_->origin(first);
-    return x == n_ ? mesh_->origin(first + 1) : edge_point(first, x);
-  }
+  if (y == 0 && x > 0) return x == n_ ? mesh_->origin(first + 1) : edge_point(first, x);
+  if (y == 0) return mesh_->origin(first);
   if (x == 0) return y == n_ ? mesh_->origin(first + 2) : edge_point(first + 2, n_ - y);
   if (x + y == n_) return edge_point(first + 1, y);
   return face_begin(f) + row_begin(y) + x - 1;

@@ -51,6 +51,14 @@ class TriangleLayout {
     return edge_begin(mesh_->edge(h)) + (leads(h) ? t : n_ - t) - 1;
   }
 
+  /// A half-edge by its edge: twice that, and 1 more where the half-edge leads.
+  using Code = Index;
+  [[nodiscard]] Code code(Index h) const { return 2 * mesh_->edge(h) + (leads(h) ? 1 : 0); }
+  /// edge_point(h, t) for code(h).
+  [[nodiscard]] Index point_along(Code code, Index t) const {
+    return edge_begin(code >> 1) + ((code & 1) != 0 ? t : n_ - t) - 1;
+  }
+
   /// Point (x, y) in the frame of h: x, y ≥ 0, x + y ≤ n.
   [[nodiscard]] Index point(Index h, Index x, Index y) const;
 

@@ -1,7 +1,5 @@
 #include "limn/refine/fast/zones.h"
 
-#include <algorithm>
-
 namespace limn::fast {
 namespace {
 
@@ -29,23 +27,17 @@ void find_sectors(ZoneGroup& group, const Mesh& control) {
 
 }  // namespace
 
-std::vector<ZoneGroup> group_vertices(const StencilTables& tables, const Mesh& control) {
-  std::map<const ZoneTable*, std::vector<Index>> members;
-  for (Index v = 0; v < control.vertex_count(); ++v) {
-    const bool open = control.is_boundary_vertex(v);
-    const ZoneTable& table = control.is_isolated(v) ? identity_table()
-                             : open                 ? tables.fans.at(control.valence(v) - 1)
-                                                    : tables.stars.at(control.valence(v));
-    members[&table].push_back(v);
-  }
+std::vector<ZoneGroup> group_vertices(const StencilTables& tables, std::vector<VertexKind> kinds,
+                                      const Mesh& control) {
   std::vector<ZoneGroup> groups;
-  groups.reserve(members.size());
-  for (auto& [table, vertices] : members) groups.push_back({table, std::move(vertices), {}});
-  // not in the order of addresses, which differs from run to run
-  std::sort(groups.begin(), groups.end(), [](const ZoneGroup& a, const ZoneGroup& b) {
-    return a.vertices.front() < b.vertices.front();
-  });
-  for (ZoneGroup& group : groups) find_sectors(group, control);
+  groups.reserve(kinds.size());
+  for (VertexKind& kind : kinds) {
+    const ZoneTable& table = kind.faces == 0 ? identity_table()
+                             : kind.open     ? tables.fans.at(kind.faces)
+                                             : tables.stars.at(kind.faces);
+    groups.push_back({&table, std::move(kind.vertices), {}, {}});
+    find_sectors(groups.back(), control);
+  }
   return groups;
 }
 

@@ -17,35 +17,52 @@ struct ZoneGroup {
   std::vector<Index> vertices;
   /// The half-edges out of them, counterclockwise, as many for each as the table has sectors.
   std::vector<Index> sectors;
+  std::vector<Index> codes;  ///< of these half-edges (Layout::code)
 };
 
 /// All vertices of the control mesh; the tables must outlive the groups. An isolated vertex stays.
 [[nodiscard]] std::vector<ZoneGroup> group_vertices(const StencilTables& tables,
+                                                    std::vector<VertexKind> kinds,
                                                     const Mesh& control);
 
-/// A layout numbers point (x, y) in the frame of half-edge h: `Index point(h, x, y) const`.
+/// A layout numbers point (x, y) in the frame of half-edge h: `Index point(h, x, y) const`; those
+/// on the half-edge also from its code, without a look at the mesh: `point_along(code, x)`, x < n.
 /// The numbers of the points round each of a group's vertices, which have their own.
 template <class Layout>
-[[nodiscard]] std::vector<Index> number_points(const ZoneGroup& group, const Layout& layout,
-                                               const std::vector<SectorPoint>& points) {
+[[nodiscard]] HugeArray<Index> number_points(const ZoneGroup& group, const Layout& layout,
+                                             const std::vector<SectorPoint>& points) {
   constexpr Index kVertexGrain = 1024;
-  std::vector<Index> numbers(group.vertices.size() * points.size());
+  HugeArray<Index> numbers(group.vertices.size() * points.size());
   parallel_for(
       Index{0}, static_cast<Index>(group.vertices.size()),
       [&](Index first, Index last) {
         Index* number = numbers.data() + first * std::ssize(points);
         for (Index i = first; i < last; ++i) {
-          const Index* out = group.sectors.data() + std::ptrdiff_t{i} * group.table->sectors;
-          for (const SectorPoint& p : points)
-            *number++ = p.x + p.y == 0 ? group.vertices[static_cast<std::size_t>(i)]
-                                       : layout.point(out[p.sector], p.x, p.y);
+          const auto at = static_cast<std::size_t>(i);
+          const auto sector = at * static_cast<std::size_t>(group.table->sectors);
+          for (const SectorPoint& p : points) {
+            const std::size_t s = sector + static_cast<std::size_t>(p.sector);
+            *number++ = p.x + p.y == 0                 ? group.vertices[at]
+                        : p.y == 0 && p.x < layout.n() ? layout.point_along(group.codes[s], p.x)
+                                                       : layout.point(group.sectors[s], p.x, p.y);
+          }
         }
       },
       kVertexGrain);
   return numbers;
 }
 
+template <class Layout>
+void add_codes(const Layout& layout, std::vector<ZoneGroup>& groups) {
+  for (ZoneGroup& group : groups) {
+    group.codes.resize(group.sectors.size());
+    parallel_for_each(group.sectors.size(),
+                      [&](std::size_t i) { group.codes[i] = layout.code(group.sectors[i]); });
+  }
+}
+
 /// The points of zones, group by group.
+/// `groups` have been given codes.
 template <class Coarse, class Fine>
 void add_zones(const std::vector<ZoneGroup>& groups, const Coarse& coarse, const Fine& fine,
                bool overlap, std::vector<RowPlan>& plans) {
@@ -62,8 +79,10 @@ void add_strips(const StencilTables& tables, const std::vector<Index>& sides, co
   const auto zone_of = [&](Index v) {  // of two edges: one face
     return mesh.valence(v) == 2 ? tables.reach.corner_zone : tables.reach.fan_zone;
   };
-  std::vector<RowPlan> strips;
-  for (const Stencil& stencil : tables.strips) strips.push_back({to_rows(stencil), {}, {}, false});
+  struct Strip {
+    std::vector<Index> sources, targets;
+  };
+  std::vector<Strip> strips(tables.strips.size());
   for (const Index h : sides) {
     const Index left = zone_of(mesh.origin(h)), right = zone_of(mesh.target(h)), n = fine.n();
     for (Index y = 0; y <= tables.reach.strip_depth; ++y)
@@ -77,8 +96,10 @@ void add_strips(const StencilTables& tables, const std::vector<Index>& sides, co
         strips[c].targets.push_back(fine.point(h, x, y));
       }
   }
-  for (RowPlan& strip : strips)
-    if (!strip.targets.empty()) plans.push_back(std::move(strip));
+  for (std::size_t c = 0; c < strips.size(); ++c)
+    if (!strips[c].targets.empty())
+      plans.push_back({to_rows(tables.strips[c]), HugeArray<Index>(strips[c].sources),
+                       HugeArray<Index>(strips[c].targets), false});
 }
 
 }  // namespace limn::fast
