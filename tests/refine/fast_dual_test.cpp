@@ -241,11 +241,21 @@ constexpr const char* kFar = R"toml(
 [roles.corner]
 straight = "vefev"
 outward = "fevefev"
+skew = "vefevev"
+
+[corner]
+round = "((k == 0)*n + 3 + 2*cos(2*pi*k/n))/(4*n) - (k == 0)*3/32"
+straight = "1/64"
+outward = "1/64"
+skew = "1/64"
+)toml";
+constexpr const char* kFarther = R"toml(
+[roles.corner]
+straight = "vefevefev"
 
 [corner]
 round = "((k == 0)*n + 3 + 2*cos(2*pi*k/n))/(4*n) - (k == 0)/16"
-straight = "1/64"
-outward = "1/64"
+straight = "1/32"
 )toml";
 
 TEST(FastDualTables, SeeHowFarRulesLook) {
@@ -335,6 +345,14 @@ TEST(FastDualRules, MayLookBeyondTheFace) {
       for (int levels = 0; levels <= 5; ++levels)
         EXPECT_LE(expect_same_dual(scheme, mesh, levels, 2), most(mesh));
   }
+}
+
+TEST(FastDualRules, MayLookFar) {
+  const Scheme scheme = parsed(kFarther);
+  for (const Mesh& mesh : {cube(), tetrahedron(), fan(Lattice::quad, 3, 2),
+                           star(Lattice::quad, 5, 1), face_star(3, 2), tree(Lattice::quad, 1)})
+    for (int levels = 0; levels <= 5; ++levels)
+      EXPECT_LE(expect_same_dual(scheme, mesh, levels, 2), 4);
 }
 
 /// Whatever the weights: each mutant moves some of them.
