@@ -258,8 +258,9 @@ void add_dual_rims(const DualRims& rims, const DualLayout& coarse, const DualLay
     RimPattern pattern = pattern_of(corners, f);
     if (!touches_boundary(pattern)) continue;
     const Index first = turn_to_least(pattern), degree = mesh.degree(f);
-    std::vector<Index> sectors;
-    for (Index s = 0; s < degree; ++s) sectors.push_back(mesh.face_begin(f) + (first + s) % degree);
+    std::vector<Index> sectors(pattern.size());
+    for (Index s = 0; s < degree; ++s)
+      sectors[static_cast<std::size_t>(s)] = mesh.face_begin(f) + (first + s) % degree;
     const DualZone& zone = rims.zones.at(pattern);
     auto& [sources, targets] = groups[pattern];
     sources.resize(sources.size() + zone.sources.size());
