@@ -44,13 +44,13 @@ Mesh mesh_of(const RimPattern& pattern) {
   Index vertices = n;
   std::vector<Index> beyond(pattern.size(), kNone);
   for (Index i = 0; i < n; ++i) {
-    if ((pattern[static_cast<std::size_t>(i)] & 1U) == 0) continue;
+    if ((pattern[static_cast<std::size_t>(i)] & 1) == 0) continue;
     beyond[static_cast<std::size_t>(i)] = vertices;
     add_quad(polygons, {(i + 1) % n, i, vertices, vertices + 1});
     vertices += 2;
   }
   for (Index i = 0; i < n; ++i) {
-    if ((pattern[static_cast<std::size_t>(i)] & 2U) == 0) continue;
+    if ((pattern[static_cast<std::size_t>(i)] & 2) == 0) continue;
     const Index before = beyond[static_cast<std::size_t>((i + n - 1) % n)];
     add_quad(polygons, {i, before + 1, vertices++, beyond[static_cast<std::size_t>(i)]});
   }
@@ -61,14 +61,12 @@ RimPattern pattern_of(const DualCorners& corners, Index f) {
   const Mesh& mesh = corners.control();
   RimPattern pattern;
   for (Index h = mesh.face_begin(f); h < mesh.face_begin(f + 1); ++h)
-    pattern.push_back(static_cast<unsigned char>((corners.has_y_arm(h) ? 1U : 0U) +
-                                                 (corners.is_whole(h) ? 2U : 0U)));
+    pattern.push_back((corners.has_y_arm(h) ? 1 : 0) + (corners.is_whole(h) ? 2 : 0));
   return pattern;
 }
 
 bool touches_boundary(const RimPattern& pattern) {
-  return std::any_of(pattern.begin(), pattern.end(),
-                     [](unsigned char side) { return (side & 2U) == 0; });
+  return std::any_of(pattern.begin(), pattern.end(), [](Index side) { return (side & 2) == 0; });
 }
 
 /// Turns the pattern to the least of its turns; returns which side comes first.

@@ -16,7 +16,7 @@ namespace limn::fast {
 
 /// How a face touches the boundary: for each side, bit 0 says whether it is off the boundary, and
 /// bit 1 the same of the vertex before it.
-using RimPattern = std::vector<unsigned char>;
+using RimPattern = std::vector<Index>;
 
 struct DualRims {
   /// How many steps the rule looks, at most. Fine points nearer than 2 · reach to a side of the
