@@ -9,6 +9,7 @@
 #include <array>
 #include <cstdlib>
 #include <filesystem>
+#include <new>
 #include <thread>
 
 namespace limn {
@@ -90,6 +91,36 @@ TEST_F(FileTest, AFailedWriteKeepsTheOldContent) {
   ::chmod(path("a").c_str(), 0444);
   EXPECT_FALSE(write_file(path("a"), "new").ok());
   EXPECT_EQ(*read_file(path("a")), "old");
+}
+
+TEST_F(FileTest, PiecesFollowEachOther) {
+  const auto fill = [](const Sink& sink) {
+    for (const char* piece : {"a", "", "bc", "d"}) sink(piece);
+  };
+  ASSERT_TRUE(write_file(path("a"), fill).ok());
+  EXPECT_EQ(*read_file(path("a")), "abcd");
+}
+
+TEST_F(FileTest, WhatIsThrownBetweenPiecesLeavesTheOldContent) {
+  ASSERT_TRUE(write_file(path("a"), "old").ok());
+  const auto fill = [](const Sink& sink) {
+    sink("new");
+    throw std::bad_alloc();
+  };
+  EXPECT_THROW((void)write_file(path("a"), fill), std::bad_alloc);
+  EXPECT_EQ(*read_file(path("a")), "old");
+  EXPECT_EQ(entries(), 1);
+}
+
+TEST_F(FileTest, AFullDiskIsSaidOnce) {
+  if (!fs::exists("/dev/full")) GTEST_SKIP() << "no /dev/full here";
+  int pieces = 0;
+  const Status status = write_file("/dev/full", [&](const Sink& sink) {
+    for (; pieces < 3; ++pieces) sink("x");
+  });
+  ASSERT_FALSE(status.ok());
+  EXPECT_EQ(status.error().file, "/dev/full");
+  EXPECT_EQ(pieces, 3);
 }
 
 TEST_F(FileTest, PipesAreWrittenAndReadDirectly) {

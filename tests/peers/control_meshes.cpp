@@ -25,28 +25,26 @@ class Editor {
         faces_(test::faces_of(polygons)),
         random_(seed) {}
 
-  /// Tries to flip `count` random inner edges between triangles. The mesh is built anew where an
-  /// edit comes near an earlier one.
+  /// Tries to flip `count` random inner edges between triangles.
   Editor& flip(int count, Index max_valence) {
     Mesh mesh = build(faces_);
-    std::vector<bool> touched(positions_.size());
+    // vertices whose faces are not those in `mesh` any more: it is built anew only near them
+    std::vector<bool> changed(positions_.size());
     for (; count > 0; --count) {
       const Index h = below(mesh.halfedge_count());
+      if (is_near(mesh, h, changed)) {
+        mesh = build(faces_);
+        changed.assign(positions_.size(), false);
+      }
       const Index t = mesh.twin(h);
       if (t == kNone) continue;
-      const std::array<Index, 4> near{mesh.origin(h), mesh.origin(t), mesh.origin(mesh.prev(h)),
-                                      mesh.origin(mesh.prev(t))};
-      const auto [a, b, c, d] = near;
-      if (std::any_of(near.begin(), near.end(), [&](Index v) { return touched[v]; })) {
-        mesh = build(faces_);
-        touched.assign(touched.size(), false);
-        continue;
-      }
+      const Index a = mesh.origin(h), b = mesh.origin(t);
+      const Index c = mesh.origin(mesh.prev(h)), d = mesh.origin(mesh.prev(t));
       if (std::max(mesh.valence(c), mesh.valence(d)) >= max_valence) continue;
       if (!can_lose_edge(mesh, a) || !can_lose_edge(mesh, b) || adjacent(mesh, c, d)) continue;
       faces_[mesh.face(h)] = {a, d, c};
       faces_[mesh.face(t)] = {b, c, d};
-      for (const Index v : near) touched[v] = true;
+      for (const Index v : {a, b, c, d}) changed[v] = true;
     }
     return *this;
   }
@@ -107,6 +105,19 @@ class Editor {
 
   [[nodiscard]] Mesh build(const Faces& faces) const {
     return test::must_build(static_cast<Index>(positions_.size()), faces);
+  }
+
+  /// Whether a corner of the faces beside h is marked.
+  static bool is_near(const Mesh& mesh, Index h, const std::vector<bool>& marked) {
+    for (const Index side : {h, mesh.twin(h)}) {
+      if (side == kNone) continue;
+      Index k = side;
+      do {
+        if (marked[mesh.origin(k)]) return true;
+        k = mesh.next(k);
+      } while (k != side);
+    }
+    return false;
   }
 
   static bool can_lose_edge(const Mesh& mesh, Index v) {

@@ -1,55 +1,23 @@
-// OpenSubdiv: Far::TopologyRefiner, uniform, and PrimvarRefiner. The boundary is its "edge only"
-// interpolation: a cubic B-spline curve, corners rounded like the rest.
+// OpenSubdiv: Far::TopologyRefiner, uniform, and PrimvarRefiner.
 
 #include <opensubdiv/far/primvarRefiner.h>
-#include <opensubdiv/far/topologyDescriptor.h>
 
 #include <cmath>
-#include <stdexcept>
 #include <vector>
 
+#include "opensubdiv_topology.h"
 #include "peer.h"
 
 namespace limn::peers {
 namespace {
 
 namespace far = OpenSubdiv::Far;
-namespace sdc = OpenSubdiv::Sdc;
-
-template <class Real>
-struct OsdPoint {
-  Real x = 0, y = 0, z = 0;
-
-  // NOLINTBEGIN(readability-identifier-naming): the names that PrimvarRefiner calls
-  void Clear() { x = y = z = 0; }
-  void AddWithWeight(const OsdPoint& point, Real weight) {
-    x += weight * point.x;
-    y += weight * point.y;
-    z += weight * point.z;
-  }
-  // NOLINTEND(readability-identifier-naming)
-};
 
 template <class Real>
 class OpenSubdivPeer final : public Peer {
  public:
-  OpenSubdivPeer(Method method, const Polygons& control) {
-    std::vector<int> degrees;
-    for (Index f = 0; f < control.face_count(); ++f) degrees.push_back(control.degree(f));
-    far::TopologyDescriptor descriptor;
-    descriptor.numVertices = control.vertex_count();
-    descriptor.numFaces = control.face_count();
-    descriptor.numVertsPerFace = degrees.data();
-    descriptor.vertIndicesPerFace = control.corners.data();
-    sdc::Options options;
-    options.SetVtxBoundaryInterpolation(sdc::Options::VTX_BOUNDARY_EDGE_ONLY);
-    using Factory = far::TopologyRefinerFactory<far::TopologyDescriptor>;
-    const sdc::SchemeType scheme = method == Method::loop ? sdc::SCHEME_LOOP : sdc::SCHEME_CATMARK;
-    refiner_.reset(Factory::Create(descriptor, Factory::Options(scheme, options)));
-    if (!refiner_) throw std::runtime_error("OpenSubdiv refuses the mesh");
-    for (const Point3& p : control.positions)
-      points_.push_back({static_cast<Real>(p.x), static_cast<Real>(p.y), static_cast<Real>(p.z)});
-  }
+  OpenSubdivPeer(Method method, const Polygons& control)
+      : refiner_(osd_topology(method, control)), points_(osd_points<Real>(control.positions)) {}
 
   void refine(int levels) override {
     far::TopologyRefiner::UniformOptions uniform(levels);
@@ -88,9 +56,7 @@ class OpenSubdivPeer final : public Peer {
 
   [[nodiscard]] Polygons polygons() const override {
     Polygons result;
-    for (const OsdPoint<Real>& p : points_)
-      result.positions.push_back(
-          {static_cast<double>(p.x), static_cast<double>(p.y), static_cast<double>(p.z)});
+    result.positions = points_of(points_);
     const far::TopologyLevel& level = refiner_->GetLevel(refiner_->GetMaxLevel());
     for (int f = 0; f < level.GetNumFaces(); ++f) {
       const far::ConstIndexArray corners = level.GetFaceVertices(f);
@@ -109,7 +75,7 @@ class OpenSubdivPeer final : public Peer {
 }  // namespace
 
 std::unique_ptr<Peer> opensubdiv_peer(Method method, const Polygons& control, Precision precision) {
-  if (method != Method::loop && method != Method::catmull_clark) return nullptr;
+  if (!osd_has(method)) return nullptr;
   if (precision == Precision::double_float)
     return std::make_unique<OpenSubdivPeer<double>>(method, control);
   return std::make_unique<OpenSubdivPeer<float>>(method, control);

@@ -133,11 +133,22 @@ std::string temporary_name(const std::string& target) {
          std::to_string(counter.fetch_add(1)) + ".tmp";
 }
 
+using Fill = std::function<void(const Sink&)>;
+
+/// 0 or errno. After an error the rest is dropped.
+int write_all(int fd, const Fill& fill) {
+  int code = 0;
+  fill([&](std::string_view piece) {
+    if (code == 0) code = write_all(fd, piece);
+  });
+  return code;
+}
+
 /// Devices and pipes cannot be replaced by a rename.
-Status write_directly(const std::string& path, std::string_view content) {
+Status write_directly(const std::string& path, const Fill& fill) {
   Descriptor file(open_retrying(path.c_str(), O_WRONLY | O_NOCTTY));
   if (!file.open()) return system_error(path, "cannot open for writing", errno);
-  if (const int code = write_all(file.get(), content)) {
+  if (const int code = write_all(file.get(), fill)) {
     return system_error(path, "cannot write", code);
   }
   if (const int code = file.close()) return system_error(path, "cannot write", code);
@@ -147,8 +158,14 @@ Status write_directly(const std::string& path, std::string_view content) {
 /// Fills the open temporary file and renames it. No fsync: a crash of the machine may lose the
 /// new content, a crash of the program never leaves half of it.
 Status fill_and_rename(const std::string& path, Descriptor& file, const std::string& temporary,
-                       const std::string& target, std::string_view content) {
-  int code = write_all(file.get(), content);
+                       const std::string& target, const Fill& fill) {
+  int code = 0;
+  try {
+    code = write_all(file.get(), fill);
+  } catch (...) {
+    ::unlink(temporary.c_str());
+    throw;
+  }
   const int close_code = file.close();
   if (code == 0) code = close_code;
   if (code == 0 && ::rename(temporary.c_str(), target.c_str()) != 0) code = errno;
@@ -160,7 +177,7 @@ Status fill_and_rename(const std::string& path, Descriptor& file, const std::str
 /// `mode`: the permission bits of the file that is replaced, or 0 for a new file (the umask
 /// decides). `path`: as the user gave it, for messages.
 Status replace_file(const std::string& path, const std::string& target, mode_t mode,
-                    std::string_view content) {
+                    const Fill& fill) {
   for (int attempt = 0; attempt < 100; ++attempt) {
     const std::string temporary = temporary_name(target);
     // Registered before it exists, so that no interrupt can fall between the two.
@@ -172,7 +189,7 @@ Status replace_file(const std::string& path, const std::string& target, mode_t m
     }
     // A file system without permission bits may refuse; the content matters more.
     if (mode != 0 && ::fchmod(file.get(), mode) != 0) errno = 0;
-    return fill_and_rename(path, file, temporary, target, content);
+    return fill_and_rename(path, file, temporary, target, fill);
   }
   return system_error(path, "cannot write", EEXIST);
 }
@@ -202,11 +219,15 @@ Result<std::string> read_file(const std::string& path) {
 }
 
 Status write_file(const std::string& path, std::string_view content) {
+  return write_file(path, [&](const Sink& sink) { sink(content); });
+}
+
+Status write_file(const std::string& path, const std::function<void(const Sink&)>& fill) {
   if (path.empty()) return system_error(path, "cannot write to an empty path", ENOENT);
   struct stat info {};
   const bool exists = ::stat(path.c_str(), &info) == 0;
   if (exists && S_ISDIR(info.st_mode)) return system_error(path, "cannot write", EISDIR);
-  if (exists && !S_ISREG(info.st_mode)) return write_directly(path, content);
+  if (exists && !S_ISREG(info.st_mode)) return write_directly(path, fill);
   // A rename would replace even a file that is read-only.
   if (exists && ::access(path.c_str(), W_OK) != 0) {
     return system_error(path, "cannot write", errno);
@@ -214,7 +235,7 @@ Status write_file(const std::string& path, std::string_view content) {
   std::string target = path;
   if (const int code = follow_links(target)) return system_error(path, "cannot write", code);
   const mode_t mode = exists ? static_cast<mode_t>(info.st_mode & 0777) : 0;
-  return replace_file(path, target, mode, content);
+  return replace_file(path, target, mode, fill);
 }
 
 void remove_unfinished_files() noexcept {

@@ -49,6 +49,7 @@ class ValueStep {
   }
 
   std::vector<Value> run() {
+    find_end_rows();
     fill(faces_at_, births_.from_faces, [this](Index i) { return of_face(i); });
     fill(corners_at_, births_.from_corners, [this](Index i) { return of_corner(i); });
     fill(births_.from_vertices, births_.from_edges, [this](Index i) { return of_edge(i); });
@@ -59,6 +60,15 @@ class ValueStep {
   }
 
  private:
+  /// Before edges are asked for by the thousand: each vertex's row for the edges at it.
+  void find_end_rows() {
+    if (!ends_ || births_.from_edges == 0 || !births_.edge_ends.empty()) return;
+    end_rows_.resize(static_cast<std::size_t>(mesh_.vertex_count()));
+    parallel_for_each(mesh_.vertex_count(), [&](Index v) {
+      if (!mesh_.is_isolated(v)) end_rows_[static_cast<std::size_t>(v)] = end_row(v);
+    });
+  }
+
   template <class Of>
   void fill(Index first, Index count, Of of) {
     parallel_for(Index{0}, count, [&](Index begin, Index end) {
@@ -121,8 +131,9 @@ class ValueStep {
     if (mesh_.twin(h) == kNone)
       return apply_row(RuleKind::boundary_edge, h, false, tables_.row(RuleKind::boundary_edge, 0));
     if (ends_) {
-      const Row<Number>* from = end_row(mesh_.origin(h));
-      const Row<Number>* to = end_row(mesh_.target(h));
+      const bool found = !end_rows_.empty();
+      const Row<Number>* from = found ? end_rows_[mesh_.origin(h)] : end_row(mesh_.origin(h));
+      const Row<Number>* to = found ? end_rows_[mesh_.target(h)] : end_row(mesh_.target(h));
       if (from != nullptr && to != nullptr) {  // both ends claim it: the mean
         Value sum{};
         const Number half = Arithmetic<Number>::from(Rational(1, 2));
@@ -144,6 +155,7 @@ class ValueStep {
   const std::vector<Value>& old_;
   Index faces_at_, corners_at_, isolated_at_;
   std::vector<Value> fresh_;
+  std::vector<const Row<Number>*> end_rows_;  // of each old vertex, or empty
 };
 
 }  // namespace detail

@@ -74,6 +74,27 @@ void make_direct(Step& step, RuleKind kind) {
   step.direct = true;
 }
 
+/// Steps go on from where earlier ones ended, as far as these lead the same way.
+void share_hops(Program& program) {
+  std::vector<std::vector<Hop>> ways;  // of the ends that are kept
+  for (Step& step : program) {
+    if (!step.direct || step.per_sector) continue;
+    const std::vector<Hop> way(step.hops.begin(), step.hops.begin() + step.hop_count);
+    std::size_t shared = 0;
+    for (std::size_t i = 0; i < ways.size(); ++i)
+      if (ways[i].size() > shared && ways[i].size() <= way.size() &&
+          std::equal(ways[i].begin(), ways[i].end(), way.begin())) {
+        shared = ways[i].size();
+        step.after = static_cast<int>(i);
+      }
+    std::copy(way.begin() + static_cast<std::ptrdiff_t>(shared), way.end(), step.hops.begin());
+    step.hop_count = static_cast<std::uint8_t>(way.size() - shared);
+    if (ways.size() == kSharedSteps) continue;
+    step.kept = static_cast<int>(ways.size());
+    ways.push_back(way);
+  }
+}
+
 }  // namespace
 
 Program compile(const RuleCase& rule_case, RuleKind kind, Lattice lattice) {
@@ -93,6 +114,7 @@ Program compile(const RuleCase& rule_case, RuleKind kind, Lattice lattice) {
       program.push_back(std::move(step));
     }
   }
+  share_hops(program);
   return program;
 }
 

@@ -21,6 +21,9 @@ enum class Hop : std::uint8_t { next, prev, twin };
 struct Step {
   std::array<Hop, 32> hops;
   std::uint8_t hop_count = 0;
+  /// Where the hops begin: the end that an earlier step has kept under this number; -1: at the
+  /// anchor. And under which number this step's end is kept; -1: it is not.
+  int after = -1, kept = -1;
   bool direct = false;  ///< the hops say it all: the vertex is the origin where they end
   bool per_sector = false;
   Walk walk;
@@ -30,6 +33,7 @@ struct Step {
   const Weight* weight = nullptr;  // in the scheme that the tables were made for
 };
 using Program = std::vector<Step>;
+inline constexpr std::size_t kSharedSteps = 16;  ///< ends that a program may keep
 
 /// The weights of a rule at one valence: `weights` in the order of the program's steps, a
 /// repeated step having n of them. `program` is null where no case applies (edge ends, or a
@@ -128,6 +132,7 @@ void visit_walk(const Mesh& mesh, const Step& step, Flag flag, const Number& wei
 
 /// The half-edge where the hops end; kNone where they leave the mesh.
 [[nodiscard]] inline Index follow(const Mesh& mesh, const Step& step, Index h) {
+  if (h == kNone) return h;
   for (std::uint8_t i = 0; i < step.hop_count; ++i) {
     switch (step.hops[i]) {
       case Hop::next: h = mesh.next(h); break;
@@ -166,10 +171,13 @@ template <class Number, class Sink>
 void visit_stencil(const Mesh& mesh, RuleKind kind, Index h, bool at_target, const Row<Number>& row,
                    Sink&& sink) {
   const Number* weight = row.weights.data();
+  std::array<Index, kSharedSteps> ends;  // where steps' hops ended, for those that go on from there
   const auto visit = [&](const Step& step, Index anchor) {
-    if (step.direct)
-      if (const Index end = detail::follow(mesh, step, anchor); end != kNone)
-        return sink(Source{mesh.origin(end), false}, *weight);
+    if (step.direct) {
+      const Index end = detail::follow(mesh, step, step.after < 0 ? anchor : ends[step.after]);
+      if (step.kept >= 0) ends[step.kept] = end;
+      if (end != kNone) return sink(Source{mesh.origin(end), false}, *weight);
+    }
     const Flag start = anchor_flags(kind, mesh, anchor, at_target).flags[step.flag];
     detail::visit_walk(mesh, step, start, *weight, sink);
   };

@@ -4,6 +4,7 @@
 #include <rapidcheck/gtest.h>
 
 #include "limn/base/file.h"
+#include "limn/base/parallel.h"
 #include "limn/mesh/io/mesh_file.h"
 #include "mesh/io/mesh_samples.h"
 
@@ -41,6 +42,43 @@ RC_GTEST_PROP(RoundTrip, StlKeepsFloatsAndTriangles, ()) {
     RC_ASSERT(std::memcmp(&p, &q, sizeof(p)) == 0);
   }
   RC_ASSERT(*format_mesh("stl", *again) == text);
+}
+
+/// More vertices and faces than are formatted at once, and no two alike.
+Polygons large_mesh() {
+  constexpr Index kVertices = 150000, kFaces = 140000;
+  Polygons mesh;
+  for (Index v = 0; v < kVertices; ++v) mesh.positions.push_back({v / 3.0, -1.0 * v, v + 0.25});
+  for (Index f = 0; f < kFaces; ++f) {
+    for (Index k = 0; k < 3 + f % 3; ++k) mesh.corners.push_back((f + 17 * k) % kVertices);
+    mesh.face_begin.push_back(static_cast<Index>(mesh.corners.size()));
+  }
+  return mesh;
+}
+
+TEST(RoundTrip, LargeMeshesKeepTheirOrder) {
+  const Polygons mesh = large_mesh();
+  for (const std::string extension : {"obj", "off", "ply"}) {
+    const Result<Polygons> again = parse_mesh(*format_mesh(extension, mesh), extension, "memory");
+    ASSERT_TRUE(again.ok()) << again.error().text();
+    EXPECT_EQ(*again, mesh) << extension;
+  }
+  const Polygons triangles = triangulated(mesh);
+  const Result<Polygons> again = parse_mesh(*format_mesh("stl", mesh), "stl", "memory");
+  ASSERT_TRUE(again.ok()) << again.error().text();
+  ASSERT_EQ(again->corners.size(), triangles.corners.size());
+  for (std::size_t c = 0; c < triangles.corners.size(); ++c)
+    ASSERT_EQ(again->positions[again->corners[c]].y, mesh.positions[triangles.corners[c]].y) << c;
+}
+
+TEST(RoundTrip, OneThreadAndManyWriteTheSame) {
+  const Polygons mesh = large_mesh();
+  for (const std::string extension : {"obj", "off", "ply", "stl", "glb"}) {
+    set_thread_limit(1);
+    const std::string one = *format_mesh(extension, mesh, with_normals(mesh));
+    set_thread_limit(0);
+    EXPECT_TRUE(*format_mesh(extension, mesh, with_normals(mesh)) == one) << extension;
+  }
 }
 
 TEST(RoundTrip, ThroughFiles) {

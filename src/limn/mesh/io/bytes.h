@@ -5,6 +5,7 @@
 #include <bit>
 #include <cstddef>
 #include <cstring>
+#include <string>
 
 namespace limn::io {
 
@@ -32,6 +33,15 @@ char* store_little(char* to, T value) {
   std::memcpy(to, &value, sizeof(T));
   if (!kLittleEndianHost) std::reverse(to, to + sizeof(T));
   return to + sizeof(T);
+}
+
+/// Appends the values, one after the other, in little-endian order.
+template <class... T>
+void append_little(std::string& out, T... values) {
+  char bytes[(sizeof(T) + ...)];
+  char* to = bytes;
+  ((to = store_little(to, values)), ...);
+  out.append(bytes, sizeof bytes);
 }
 
 }  // namespace limn::io

@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "limn/base/error.h"
+#include "limn/base/file.h"
 #include "limn/mesh/io/mesh_file.h"
 #include "limn/mesh/io/text_scanner.h"
 #include "limn/mesh/polygons.h"
@@ -51,10 +52,11 @@ std::string count_of(std::size_t count, const char* one, const char* many);
 /// Says why the mesh that was read cannot be refined at all, or nothing if it can.
 std::string emptiness(const Polygons& mesh);
 
-/// Calls `use(a, b, c)` for every triangle of the fans from each face's first corner.
+/// Calls `use(a, b, c)` for every triangle of the fans from the first corner of the faces `first`
+/// to `last` - 1.
 template <class Use>
-void for_each_triangle(const Polygons& mesh, Use use) {
-  for (Index face = 0; face < mesh.face_count(); ++face) {
+void for_each_triangle(const Polygons& mesh, Index first, Index last, Use use) {
+  for (Index face = first; face < last; ++face) {
     const Index begin = mesh.face_begin[face];
     for (Index corner = begin + 2; corner < mesh.face_begin[face + 1]; ++corner) {
       use(mesh.corners[begin], mesh.corners[corner - 1], mesh.corners[corner]);
@@ -71,10 +73,10 @@ Result<Polygons> parse_stl(std::string_view content, const std::string& path, Wa
 
 /// Preconditions of these, checked by `format_mesh`: coordinates and normals are finite, and fit
 /// in a float where the format keeps floats; normals are none or one per vertex.
-std::string format_obj(const Polygons& mesh, const WriteOptions& options);
-std::string format_off(const Polygons& mesh, const WriteOptions& options);
-std::string format_ply(const Polygons& mesh, const WriteOptions& options);
-std::string format_stl(const Polygons& mesh, const WriteOptions& options);
-std::string format_glb(const Polygons& mesh, const WriteOptions& options);
+void format_obj(const Polygons& mesh, const WriteOptions& options, const Sink& sink);
+void format_off(const Polygons& mesh, const WriteOptions& options, const Sink& sink);
+void format_ply(const Polygons& mesh, const WriteOptions& options, const Sink& sink);
+void format_stl(const Polygons& mesh, const WriteOptions& options, const Sink& sink);
+void format_glb(const Polygons& mesh, const WriteOptions& options, const Sink& sink);
 
 }  // namespace limn::io

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <nlohmann/json.hpp>
 
+#include "limn/mesh/io/blocks.h"
 #include "limn/mesh/io/bytes.h"
 #include "limn/mesh/io/formats.h"
 
@@ -21,10 +22,8 @@ constexpr std::uint32_t kBinaryChunk = 0x004E4942;
 constexpr int kFloat = 5126, kUnsignedInt = 5125;
 constexpr int kArrayBuffer = 34962, kElementArrayBuffer = 34963;
 
-char* store(char* to, Point3 p) {
-  to = store_little(to, static_cast<float>(p.x));
-  to = store_little(to, static_cast<float>(p.y));
-  return store_little(to, static_cast<float>(p.z));
+void append(std::string& out, Point3 p) {
+  append_little(out, static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(p.z));
 }
 
 /// glTF demands unit normals; where there is none any direction does.
@@ -89,7 +88,7 @@ Json description(const Polygons& mesh, bool normals, std::size_t indices) {
 
 }  // namespace
 
-std::string format_glb(const Polygons& mesh, const WriteOptions& options) {
+void format_glb(const Polygons& mesh, const WriteOptions& options, const Sink& sink) {
   const bool normals = !options.normals.empty();
   const std::size_t indices = 3 * triangle_count(mesh);
   const Json gltf = description(mesh, normals, indices);
@@ -97,27 +96,30 @@ std::string format_glb(const Polygons& mesh, const WriteOptions& options) {
   json.resize((json.size() + 3) / 4 * 4, ' ');
   const std::size_t data = gltf["buffers"][0]["byteLength"];  // a multiple of 4 already
 
-  std::string out(12 + 8 + json.size() + 8 + data, '\0');
-  char* to = out.data();
-  const auto put = [&to](std::size_t value) {
-    to = store_little(to, static_cast<std::uint32_t>(value));
+  std::string head;
+  const auto put = [&head](std::size_t value) {
+    append_little(head, static_cast<std::uint32_t>(value));
   };
   put(kMagic);
   put(2);
-  put(out.size());
+  put(12 + 8 + json.size() + 8 + data);
   put(json.size());
   put(kJsonChunk);
-  to = std::copy(json.begin(), json.end(), to);
+  head += json;
   put(data);
   put(kBinaryChunk);
-  for (const Point3& point : mesh.positions) to = store(to, point);
-  for (const Point3& normal : options.normals) to = store(to, unit(normal));
-  for_each_triangle(mesh, [&put](Index a, Index b, Index c) {
-    put(static_cast<std::size_t>(a));
-    put(static_cast<std::size_t>(b));
-    put(static_cast<std::size_t>(c));
+  sink(head);
+  write_blocks(mesh.vertex_count(), sink, [&](Index first, Index last, std::string& out) {
+    for (Index v = first; v < last; ++v) append(out, mesh.positions[v]);
   });
-  return out;
+  write_blocks(static_cast<Index>(options.normals.size()), sink,
+               [&](Index first, Index last, std::string& out) {
+                 for (Index v = first; v < last; ++v) append(out, unit(options.normals[v]));
+               });
+  write_blocks(mesh.face_count(), sink, [&](Index first, Index last, std::string& out) {
+    for_each_triangle(mesh, first, last,
+                      [&](Index a, Index b, Index c) { append_little(out, a, b, c); });
+  });
 }
 
 }  // namespace limn::io

@@ -16,7 +16,7 @@ namespace {
 struct Format {
   std::string_view extension;
   Result<Polygons> (*parse)(std::string_view, const std::string&, Warnings*);  ///< null: not read
-  std::string (*format)(const Polygons&, const WriteOptions&);
+  void (*format)(const Polygons&, const WriteOptions&, const Sink&);
   bool keeps_floats;
   bool is_gltf;
 };
@@ -116,6 +116,17 @@ std::string unwritable(const Format& format, const Polygons& mesh, const WriteOp
                      [&](Index vertex) { return vertex >= 0 && vertex < mesh.vertex_count(); });
 }
 
+/// What writes this mesh; or why it cannot be written.
+Result<const Format*> format_for(std::string_view extension, const std::string& path,
+                                 const Polygons& mesh, const WriteOptions& options) {
+  const Format* format = find_format(extension, false);
+  if (format == nullptr) return unknown_extension(extension, path, false);
+  assert(is_consistent(mesh, options));
+  std::string fault = unwritable(*format, mesh, options);
+  if (!fault.empty()) return Error{std::move(fault), "", path, 0, 0};
+  return format;
+}
+
 }  // namespace
 
 std::string count_of(std::size_t count, const char* one, const char* many) {
@@ -157,22 +168,17 @@ Result<Polygons> read_mesh(const std::string& path, Warnings* warnings) {
 
 Result<std::string> format_mesh(std::string_view extension, const Polygons& mesh,
                                 const WriteOptions& options) {
-  const io::Format* format = io::find_format(extension, false);
-  if (format == nullptr) return io::unknown_extension(extension, "", false);
-  assert(io::is_consistent(mesh, options));
-  std::string fault = io::unwritable(*format, mesh, options);
-  if (!fault.empty()) return Error{std::move(fault), "", "", 0, 0};
-  return format->format(mesh, options);
+  Result<const io::Format*> format = io::format_for(extension, "", mesh, options);
+  if (!format) return format.error();
+  std::string content;
+  (*format)->format(mesh, options, [&](std::string_view piece) { content += piece; });
+  return content;
 }
 
 Status write_mesh(const std::string& path, const Polygons& mesh, const WriteOptions& options) {
-  if (Status known = check_writable(path); !known) return known;
-  Result<std::string> content = format_mesh(io::extension_of(path), mesh, options);
-  if (!content) {
-    content.error().file = path;
-    return content.error();
-  }
-  return write_file(path, *content);
+  Result<const io::Format*> format = io::format_for(io::extension_of(path), path, mesh, options);
+  if (!format) return format.error();
+  return write_file(path, [&](const Sink& sink) { (*format)->format(mesh, options, sink); });
 }
 
 Status check_readable(const std::string& path) {

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 
+#include "limn/mesh/io/blocks.h"
 #include "limn/mesh/io/formats.h"
 #include "limn/mesh/io/text_writer.h"
 
@@ -168,31 +169,32 @@ Result<Polygons> parse_obj(std::string_view content, const std::string& path, Wa
   return ObjReader(content, path, warnings).read();
 }
 
-std::string format_obj(const Polygons& mesh, const WriteOptions& options) {
-  std::string out;
-  out.reserve(48 * (mesh.positions.size() + options.normals.size()) + 9 * mesh.corners.size());
-  for (const Point3& point : mesh.positions) {
-    out += "v ";
-    append(out, point);
-    out += '\n';
-  }
-  for (const Point3& normal : options.normals) {
-    out += "vn ";
-    append(out, normal);
-    out += '\n';
-  }
-  for (Index face = 0; face < mesh.face_count(); ++face) {
-    out += 'f';
-    for (Index c = mesh.face_begin[face]; c < mesh.face_begin[face + 1]; ++c) {
-      out += ' ';
-      append(out, mesh.corners[c] + 1);
-      if (options.normals.empty()) continue;
-      out += "//";
-      append(out, mesh.corners[c] + 1);
+void format_obj(const Polygons& mesh, const WriteOptions& options, const Sink& sink) {
+  const auto write_points = [&](std::string_view keyword, const std::vector<Point3>& points) {
+    write_blocks(static_cast<Index>(points.size()), sink,
+                 [&](Index first, Index last, std::string& out) {
+                   for (Index i = first; i < last; ++i) {
+                     out += keyword;
+                     append(out, points[static_cast<std::size_t>(i)]);
+                     out += '\n';
+                   }
+                 });
+  };
+  write_points("v ", mesh.positions);
+  write_points("vn ", options.normals);
+  write_blocks(mesh.face_count(), sink, [&](Index first, Index last, std::string& out) {
+    for (Index face = first; face < last; ++face) {
+      out += 'f';
+      for (Index c = mesh.face_begin[face]; c < mesh.face_begin[face + 1]; ++c) {
+        out += ' ';
+        append(out, mesh.corners[c] + 1);
+        if (options.normals.empty()) continue;
+        out += "//";
+        append(out, mesh.corners[c] + 1);
+      }
+      out += '\n';
     }
-    out += '\n';
-  }
-  return out;
+  });
 }
 
 }  // namespace limn::io

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 
+#include "limn/mesh/io/blocks.h"
 #include "limn/mesh/io/formats.h"
 #include "limn/mesh/io/text_writer.h"
 
@@ -184,31 +185,32 @@ Result<Polygons> parse_off(std::string_view content, const std::string& path, Wa
   return OffReader(content, path, warnings).read();
 }
 
-std::string format_off(const Polygons& mesh, const WriteOptions& options) {
-  std::string out = options.normals.empty() ? "OFF\n" : "NOFF\n";
-  out.reserve(48 * (mesh.positions.size() + options.normals.size()) + 9 * mesh.corners.size() +
-              4 * mesh.face_begin.size() + 64);
-  append(out, mesh.vertex_count());
-  out += ' ';
-  append(out, mesh.face_count());
-  out += " 0\n";
-  for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
-    append(out, mesh.positions[v]);
-    if (!options.normals.empty()) {
-      out += ' ';
-      append(out, options.normals[v]);
+void format_off(const Polygons& mesh, const WriteOptions& options, const Sink& sink) {
+  std::string head = options.normals.empty() ? "OFF\n" : "NOFF\n";
+  append(head, mesh.vertex_count());
+  head += ' ';
+  append(head, mesh.face_count());
+  sink(head + " 0\n");
+  write_blocks(mesh.vertex_count(), sink, [&](Index first, Index last, std::string& out) {
+    for (Index v = first; v < last; ++v) {
+      append(out, mesh.positions[v]);
+      if (!options.normals.empty()) {
+        out += ' ';
+        append(out, options.normals[v]);
+      }
+      out += '\n';
     }
-    out += '\n';
-  }
-  for (Index face = 0; face < mesh.face_count(); ++face) {
-    append(out, mesh.degree(face));
-    for (Index c = mesh.face_begin[face]; c < mesh.face_begin[face + 1]; ++c) {
-      out += ' ';
-      append(out, mesh.corners[c]);
+  });
+  write_blocks(mesh.face_count(), sink, [&](Index first, Index last, std::string& out) {
+    for (Index face = first; face < last; ++face) {
+      append(out, mesh.degree(face));
+      for (Index c = mesh.face_begin[face]; c < mesh.face_begin[face + 1]; ++c) {
+        out += ' ';
+        append(out, mesh.corners[c]);
+      }
+      out += '\n';
     }
-    out += '\n';
-  }
-  return out;
+  });
 }
 
 }  // namespace limn::io

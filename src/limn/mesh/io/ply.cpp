@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <initializer_list>
 
+#include "limn/mesh/io/blocks.h"
 #include "limn/mesh/io/bytes.h"
 #include "limn/mesh/io/formats.h"
 #include "limn/mesh/io/ply_body.h"
@@ -256,28 +257,32 @@ Result<Polygons> parse_ply(std::string_view content, const std::string& path, Wa
   return read_elements(BinaryBody(content, in.offset(), header.format, path), header);
 }
 
-std::string format_ply(const Polygons& mesh, const WriteOptions& options) {
+void format_ply(const Polygons& mesh, const WriteOptions& options, const Sink& sink) {
   const bool normals = !options.normals.empty();
   bool wide = false;  // the length of a list needs more than a byte
   for (Index face = 0; face < mesh.face_count(); ++face) wide = wide || mesh.degree(face) > 255;
-  std::string out = header_text(mesh, normals, wide);
-  const std::size_t head = out.size();
-  out.resize(head + mesh.positions.size() * (normals ? 48 : 24) +
-             static_cast<std::size_t>(mesh.face_count()) * (wide ? 4 : 1) +
-             mesh.corners.size() * 4);
-  char* to = out.data() + head;
-  for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
-    to = store(to, mesh.positions[v]);
-    if (normals) to = store(to, options.normals[v]);
-  }
-  for (Index face = 0; face < mesh.face_count(); ++face) {
-    const Index degree = mesh.degree(face);
-    to = wide ? store_little(to, degree) : store_little(to, static_cast<std::uint8_t>(degree));
-    for (Index c = mesh.face_begin[face]; c < mesh.face_begin[face + 1]; ++c) {
-      to = store_little(to, mesh.corners[c]);
+  sink(header_text(mesh, normals, wide));
+  write_blocks(mesh.vertex_count(), sink, [&](Index first, Index last, std::string& out) {
+    out.resize(static_cast<std::size_t>(last - first) * (normals ? 48 : 24));
+    char* to = out.data();
+    for (Index v = first; v < last; ++v) {
+      to = store(to, mesh.positions[v]);
+      if (normals) to = store(to, options.normals[v]);
     }
-  }
-  return out;
+  });
+  write_blocks(mesh.face_count(), sink, [&](Index first, Index last, std::string& out) {
+    const Index corners = mesh.face_begin[last] - mesh.face_begin[first];
+    out.resize(static_cast<std::size_t>(last - first) * (wide ? 4 : 1) +
+               static_cast<std::size_t>(corners) * 4);
+    char* to = out.data();
+    for (Index face = first; face < last; ++face) {
+      const Index degree = mesh.degree(face);
+      to = wide ? store_little(to, degree) : store_little(to, static_cast<std::uint8_t>(degree));
+      for (Index c = mesh.face_begin[face]; c < mesh.face_begin[face + 1]; ++c) {
+        to = store_little(to, mesh.corners[c]);
+      }
+    }
+  });
 }
 
 }  // namespace limn::io

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "limn/mesh/io/blocks.h"
 #include "limn/mesh/io/bytes.h"
 #include "limn/mesh/io/formats.h"
 
@@ -233,19 +234,22 @@ Result<Polygons> parse_stl(std::string_view content, const std::string& path, Wa
   return is_binary(content) ? parse_binary(content, path) : StlTextReader(content, path).read();
 }
 
-std::string format_stl(const Polygons& mesh, const WriteOptions&) {
-  const std::size_t triangles = triangle_count(mesh);
+void format_stl(const Polygons& mesh, const WriteOptions&, const Sink& sink) {
   // Must not begin with "solid".
-  std::string out = "binary STL by limn";
-  out.resize(kHeadSize + kTriangleSize * triangles);
-  char* to = store_little(out.data() + kHeadSize - 4, static_cast<std::uint32_t>(triangles));
-  for_each_triangle(mesh, [&](Index a, Index b, Index c) {
-    const Point3 p = rounded(mesh.positions[a]), q = rounded(mesh.positions[b]),
-                 r = rounded(mesh.positions[c]);
-    to = store(store(store(store(to, face_normal(p, q, r)), p), q), r);
-    to = store_little(to, std::uint16_t{0});
+  std::string head = "binary STL by limn";
+  head.resize(kHeadSize);
+  store_little(head.data() + kHeadSize - 4, static_cast<std::uint32_t>(triangle_count(mesh)));
+  sink(head);
+  write_blocks(mesh.face_count(), sink, [&](Index first, Index last, std::string& out) {
+    for_each_triangle(mesh, first, last, [&](Index a, Index b, Index c) {
+      const Point3 p = rounded(mesh.positions[a]), q = rounded(mesh.positions[b]),
+                   r = rounded(mesh.positions[c]);
+      char triangle[kTriangleSize];
+      char* const normal_end = store(triangle, face_normal(p, q, r));
+      store_little(store(store(store(normal_end, p), q), r), std::uint16_t{0});
+      out.append(triangle, kTriangleSize);
+    });
   });
-  return out;
 }
 
 }  // namespace limn::io

@@ -2,13 +2,24 @@
 /// What a split has of its own: numbers for the vertices of each level, and how a level is made of
 /// the one before.
 
+#include <array>
+#include <functional>
 #include <memory>
+#include <optional>
 #include <span>
 
 #include "limn/refine/fast/step_plan.h"
 #include "limn/scheme/scheme.h"
 
 namespace limn::fast {
+
+/// Limit position and two tangents at a vertex, as sums over the vertices of a star or fan.
+struct LimitSums {
+  Index rings = 1;
+  std::array<std::vector<double>, 3> weights;  ///< numbered as in mesh/lattice.h
+};
+/// Of a vertex of so many faces, in a fan where `open`.
+using LimitSumsOf = std::function<Result<LimitSums>(bool open, Index faces)>;
 
 class Family {
  public:
@@ -25,6 +36,13 @@ class Family {
   [[nodiscard]] virtual Size size(int level) const = 0;
   /// From `level` to the next.
   [[nodiscard]] virtual StepPlan plan(int level) const = 0;
+  /// The limit surface at the vertices of `level` (see step_plan.h). Nothing where the sums look
+  /// farther than one ring, so that near irregular vertices they would not do, or the family
+  /// cannot.
+  [[nodiscard]] virtual Result<std::optional<StepPlan>> limit_plan(
+      int /*level*/, const LimitSumsOf& /*of*/) const {
+    return std::optional<StepPlan>();
+  }
   /// The plain engine's vertex at each number of level plain_steps(), given what the plain steps
   /// made; empty where the numbers are the same, as they are after no step and after one.
   [[nodiscard]] virtual std::vector<Index> plain_order(

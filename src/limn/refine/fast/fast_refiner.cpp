@@ -122,6 +122,45 @@ void FastRefiner::evaluate(std::span<const Real> control, std::span<Real> fine,
   }
 }
 
+struct FastRefiner::Limit::Plan {
+  ReadyStep step;
+};
+
+FastRefiner::Limit::Limit(std::unique_ptr<const Plan> plan) : plan_(std::move(plan)) {}
+FastRefiner::Limit::Limit(Limit&&) noexcept = default;
+FastRefiner::Limit& FastRefiner::Limit::operator=(Limit&&) noexcept = default;
+FastRefiner::Limit::~Limit() = default;
+std::size_t FastRefiner::Limit::bytes() const { return bytes_of(plan_->step.plan); }
+
+Result<std::optional<FastRefiner::Limit>> FastRefiner::limit(const fast::LimitSumsOf& of) const {
+  Result<std::optional<fast::StepPlan>> plan = state_->family->limit_plan(state_->levels, of);
+  if (!plan) return plan.error();
+  if (!*plan) return std::optional<Limit>();
+  fast::PatchProgram program =
+      fast::make_patch_program((*plan)->patches.shape, (*plan)->patches.stencils);
+  auto made = std::make_unique<Limit::Plan>();
+  made->step = {*std::move(*plan), std::move(program)};
+  return std::optional<Limit>(Limit(std::move(made)));
+}
+
+template <class Real>
+void FastRefiner::evaluate_limit(const Limit& limit, std::span<const Real> control,
+                                 std::span<Real> positions, std::span<Real> normals,
+                                 Scratch<Real>& scratch) const {
+  const std::size_t numbers = 3 * static_cast<std::size_t>(vertex_count());
+  assert(positions.size() == numbers && normals.size() == numbers);
+  // a point is read with the number after it
+  if (scratch.refined.size() < numbers + 1) scratch.refined = HugeArray<Real>(numbers + 1);
+  Real* refined = scratch.refined.data();
+  evaluate<Real>(control, {refined, numbers}, scratch);
+  refined[numbers] = 0;
+  const ReadyStep& step = limit.plan_->step;
+  fast::make_limit_patches<Real>(step.plan.patches, step.program, refined, positions.data(),
+                                 normals.data());
+  for (const fast::RowPlan& rows : step.plan.rows)
+    fast::make_limit_rows<Real>(rows, refined, positions.data(), normals.data());
+}
+
 void FastRefiner::write_faces(std::span<Index> corners) const {
   assert(corners.size() == static_cast<std::size_t>(corner_count()));
   state_->family->write_faces(state_->levels, corners);
@@ -150,6 +189,12 @@ template void FastRefiner::evaluate<float>(std::span<const float>, std::span<flo
                                            Scratch<float>&) const;
 template void FastRefiner::evaluate<double>(std::span<const double>, std::span<double>,
                                             Scratch<double>&) const;
+template void FastRefiner::evaluate_limit<float>(const Limit&, std::span<const float>,
+                                                 std::span<float>, std::span<float>,
+                                                 Scratch<float>&) const;
+template void FastRefiner::evaluate_limit<double>(const Limit&, std::span<const double>,
+                                                  std::span<double>, std::span<double>,
+                                                  Scratch<double>&) const;
 
 Result<Polygons> fast_refine(const Scheme& scheme, Mesh control,
                              const std::vector<Point3>& positions, int levels) {

@@ -17,7 +17,7 @@
 #include <span>
 
 #include "limn/base/huge_array.h"
-#include "limn/scheme/scheme.h"
+#include "limn/refine/fast/family.h"
 
 namespace limn {
 
@@ -49,6 +49,7 @@ class FastRefiner {
   template <class Real>
   struct Scratch {
     HugeArray<Real> numbers;
+    HugeArray<Real> refined;  ///< where the limit is evaluated
   };
 
   /// Positions of the refined vertices from those of the control vertices: x, y, z of each, one
@@ -62,6 +63,32 @@ class FastRefiner {
     Scratch<Real> scratch;
     evaluate(control, fine, scratch);
   }
+
+  /// The limit surface at the refined vertices; built once, evaluated often.
+  class Limit {
+   public:
+    Limit(Limit&&) noexcept;
+    Limit& operator=(Limit&&) noexcept;
+    ~Limit();
+    [[nodiscard]] std::size_t bytes() const;  ///< what it holds
+
+   private:
+    friend class FastRefiner;
+    struct Plan;
+    explicit Limit(std::unique_ptr<const Plan> plan);
+    std::unique_ptr<const Plan> plan_;
+  };
+  /// `of` gives limit stencils (fast/family.h), as approx_limit_stencil finds them. Nothing where
+  /// these look farther than one ring or a vertex has no tangents, and for splits whose
+  /// layout has no limit plan. Fails as `of`.
+  [[nodiscard]] Result<std::optional<Limit>> limit(const fast::LimitSumsOf& of) const;
+
+  /// Limit positions and unit normals at the refined vertices from the positions of the control
+  /// vertices; arrays as for `evaluate`. A normal is zero where the tangents are parallel. The
+  /// tangents are differences of neighbours, so that floats lose half a digit a level.
+  template <class Real>
+  void evaluate_limit(const Limit& limit, std::span<const Real> control, std::span<Real> positions,
+                      std::span<Real> normals, Scratch<Real>& scratch) const;
 
   /// The refined faces' vertices, face by face: corner_count() of them.
   void write_faces(std::span<Index> corners) const;

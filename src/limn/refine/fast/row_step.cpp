@@ -1,6 +1,7 @@
 #include "limn/refine/fast/row_step.h"
 
-#include <algorithm>
+#include <array>
+#include <cmath>
 #include <cstring>
 
 #include "limn/base/parallel.h"
@@ -25,17 +26,17 @@ class RowWorker {
   RowWorker(const RowTable& table, const std::vector<Real>& weights)
       : table_(table), weights_(weights), points_(static_cast<std::size_t>(table.sources)) {}
 
-  void run(const Index* sources, const Index* targets, const Real* in, Real* out) {
+  void load(const Index* sources, const Real* in) {
     for (std::size_t i = 0; i < points_.size(); ++i)
       std::memcpy(&points_[i], in + 3 * static_cast<std::ptrdiff_t>(sources[i]), sizeof(Four));
-    const int rows = table_.targets();
-    for (int row = 0; row < rows; ++row) {
-      Four sum{};
-      for (int t = table_.row_begin[row]; t < table_.row_begin[row + 1]; ++t)
-        sum += weights_[t] * points_[table_.terms[t].source];
-      Real* to = out + 3 * static_cast<std::ptrdiff_t>(targets[row]);
-      for (int i = 0; i < 3; ++i) to[i] = sum[i];
-    }
+  }
+
+  /// By reference, as such vectors are not returned alike on all processors.
+  void sum(int row, Four& to) const {
+    Four sum{};
+    for (int t = table_.row_begin[row]; t < table_.row_begin[row + 1]; ++t)
+      sum += weights_[t] * points_[table_.terms[t].source];
+    to = sum;
   }
 
  private:
@@ -44,29 +45,74 @@ class RowWorker {
   std::vector<Four> points_;
 };
 
-}  // namespace
-
 template <class Real>
-void make_rows(const RowPlan& plan, const Real* in, Real* out) {
+void put(const typename Quad<Real>::Type& value, Index number, Real* out) {
+  Real* to = out + 3 * static_cast<std::ptrdiff_t>(number);
+  for (int i = 0; i < 3; ++i) to[i] = value[i];
+}
+
+/// first := first × second as a unit vector, or zero.
+template <class Real>
+void cross_to_unit(typename Quad<Real>::Type& first, const typename Quad<Real>::Type& second) {
+  const typename Quad<Real>::Type normal{first[1] * second[2] - first[2] * second[1],
+                                         first[2] * second[0] - first[0] * second[2],
+                                         first[0] * second[1] - first[1] * second[0], 0};
+  const Real squared = normal[0] * normal[0] + normal[1] * normal[1] + normal[2] * normal[2];
+  first = normal * (squared > 0 ? 1 / std::sqrt(squared) : 0);
+}
+
+/// work(worker, a place's targets), after the place's sources have been read.
+template <class Real, class Work>
+void for_places(const RowPlan& plan, std::ptrdiff_t targets, const Real* in, Work work) {
+  if (targets == 0) return;
   std::vector<Real> weights;
   weights.reserve(plan.table.terms.size());
   for (const RowTable::Term& term : plan.table.terms)
     weights.push_back(static_cast<Real>(term.weight));
-  const std::ptrdiff_t targets = plan.table.targets();
-  if (targets == 0) return;
   const std::ptrdiff_t places = static_cast<std::ptrdiff_t>(plan.targets.size()) / targets;
   parallel_for(
       std::ptrdiff_t{0}, places,
       [&](std::ptrdiff_t first, std::ptrdiff_t last) {
         RowWorker<Real> worker(plan.table, weights);
-        for (std::ptrdiff_t i = first; i < last; ++i)
-          worker.run(plan.sources.data() + i * plan.table.sources,
-                     plan.targets.data() + i * targets, in, out);
+        for (std::ptrdiff_t i = first; i < last; ++i) {
+          worker.load(plan.sources.data() + i * plan.table.sources, in);
+          work(worker, plan.targets.data() + i * targets);
+        }
       },
       plan.overlap ? places : kPlaceGrain);
 }
 
+}  // namespace
+
+template <class Real>
+void make_rows(const RowPlan& plan, const Real* in, Real* out) {
+  const int rows = plan.table.targets();
+  for_places(plan, rows, in, [&](const RowWorker<Real>& worker, const Index* targets) {
+    typename Quad<Real>::Type sum;
+    for (int row = 0; row < rows; ++row) {
+      worker.sum(row, sum);
+      put<Real>(sum, targets[row], out);
+    }
+  });
+}
+
+template <class Real>
+void make_limit_rows(const RowPlan& plan, const Real* in, Real* positions, Real* normals) {
+  const int points = plan.table.targets() / 3;
+  for_places(plan, points, in, [&](const RowWorker<Real>& worker, const Index* targets) {
+    std::array<typename Quad<Real>::Type, 3> sums;
+    for (int i = 0; i < points; ++i) {
+      for (int k = 0; k < 3; ++k) worker.sum(3 * i + k, sums[static_cast<std::size_t>(k)]);
+      cross_to_unit<Real>(sums[1], sums[2]);
+      put<Real>(sums[0], targets[i], positions);
+      put<Real>(sums[1], targets[i], normals);
+    }
+  });
+}
+
 template void make_rows<float>(const RowPlan&, const float*, float*);
 template void make_rows<double>(const RowPlan&, const double*, double*);
+template void make_limit_rows<float>(const RowPlan&, const float*, float*, float*);
+template void make_limit_rows<double>(const RowPlan&, const double*, double*, double*);
 
 }  // namespace limn::fast

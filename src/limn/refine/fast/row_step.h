@@ -9,7 +9,13 @@ namespace limn::fast {
 template <class Real>
 void make_rows(const RowPlan& plan, const Real* in, Real* out);
 
+/// Of a limit plan (step_plan.h): limit positions, and unit normals.
+template <class Real>
+void make_limit_rows(const RowPlan& plan, const Real* in, Real* positions, Real* normals);
+
 extern template void make_rows<float>(const RowPlan&, const float*, float*);
 extern template void make_rows<double>(const RowPlan&, const double*, double*);
+extern template void make_limit_rows<float>(const RowPlan&, const float*, float*, float*);
+extern template void make_limit_rows<double>(const RowPlan&, const double*, double*, double*);
 
 }  // namespace limn::fast

@@ -50,6 +50,10 @@ struct StepPlan {
   std::vector<RowPlan> rows;
 };
 
+/// A plan of the limit surface at the vertices of a level is of the same kind: its patches have
+/// three stencils, for position and two tangents, of which all new points name the first; its rows
+/// make three sums for each target, one after the other.
+
 /// What a plan holds, in bytes.
 [[nodiscard]] std::size_t bytes_of(const StepPlan& plan);
 

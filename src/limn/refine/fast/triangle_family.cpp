@@ -2,25 +2,30 @@
 
 #include <algorithm>
 
+#include "limn/refine/fast/limit_zones.h"
 #include "limn/refine/fast/triangle_frame.h"
 #include "limn/refine/fast/zones.h"
 
 namespace limn::fast {
 namespace {
 
+constexpr Index kRegular = 6, kHalfPlane = 3;  // faces at a regular vertex
 constexpr Index kPatchGrain = 2048;
 constexpr Index kFaceChunk = 32768;  // refined faces that one call of a parallel loop writes
 
-PatchShape make_shape(Index n, Index halo) {
+/// New points cut each old edge into `factor`, 1 or 2.
+PatchShape make_shape(Index n, Index halo, Index factor) {
   PatchShape shape{frame_places(n, halo), inner_places(n), {}};
-  const auto point = [](Offset fine) {
-    return FinePoint{class_of(fine.a, fine.b), {fine.a / 2, fine.b / 2}};
+  const auto point = [&](Offset fine) {
+    return FinePoint{factor == 1 ? 0 : class_of(fine.a, fine.b),
+                     {fine.a / factor, fine.b / factor}};
   };
+  const Index fine = factor * n;
   shape.runs.resize(4);  // the sides, and the inside
   for (Index side = 0; side < 3; ++side)
-    for (Index t = 1; t < 2 * n; ++t)
-      shape.runs[static_cast<std::size_t>(side)].push_back(point(in_patch(2 * n, side, {t, 0})));
-  for (const Offset place : inner_places(2 * n)) shape.runs[3].push_back(point(place));
+    for (Index t = 1; t < fine; ++t)
+      shape.runs[static_cast<std::size_t>(side)].push_back(point(in_patch(fine, side, {t, 0})));
+  for (const Offset place : inner_places(fine)) shape.runs[3].push_back(point(place));
   return shape;
 }
 
@@ -70,7 +75,6 @@ class TriangleFamily final : public Family {
     const Index grid = std::max(tables_.reach.smallest_grid, tables_.halo);
     plain_ = 0;
     while (plain_ < levels && (Index{1} << plain_) < grid) ++plain_;
-    if (plain_ == levels) return;
     groups_ = group_vertices(tables_, std::move(kinds), control);
     add_codes(layout(0), groups_);
     faces_ = HugeArray<FaceTopology>(static_cast<std::size_t>(control.face_count()));
@@ -93,10 +97,40 @@ class TriangleFamily final : public Family {
     const Reach& reach = tables_.reach;
     const Index zone = std::max({reach.star_zone, reach.fan_zone, reach.corner_zone});
     StepPlan plan;
-    plan.patches = patches(coarse, fine);
+    plan.patches =
+        patches(coarse, fine, {tables_.interior.begin(), tables_.interior.end()}, tables_.halo);
     add_strips(tables_, sides_, coarse, fine, plan.rows);
     add_zones(groups_, coarse, fine, zone >= coarse.n(), plan.rows);
     return plan;
+  }
+
+  [[nodiscard]] Result<std::optional<StepPlan>> limit_plan(int level,
+                                                           const LimitSumsOf& of) const override {
+    using Found = std::optional<StepPlan>;
+    if (groups_.empty()) return Found();
+    const TriangleLayout at = layout(level);
+    const Result<LimitSums> regular = of(false, kRegular);
+    if (!regular) return regular.error();
+    if (!near_limit(*regular)) return Found();
+    StepPlan plan;
+    plan.patches = patches(at, at, limit_stencils(*regular, false), 1);
+    if (!sides_.empty()) {
+      const Result<LimitSums> side = of(true, kHalfPlane);
+      if (!side) return side.error();
+      if (!near_limit(*side)) return Found();
+      plan.rows.push_back(limit_sides(limit_table(*side, kHalfPlane, true), at));
+    }
+    for (const ZoneGroup& group : groups_) {
+      const bool isolated = group.kind.faces == 0;
+      const Result<LimitSums> sums =
+          isolated ? limit_of_isolated() : of(group.kind.open, group.kind.faces);
+      if (!sums) return sums.error();
+      if (!near_limit(*sums)) return Found();
+      ZoneTable table = limit_table(*sums, group.kind.faces, group.kind.open);
+      plan.rows.push_back({std::move(table.rows), number_points(group, at, table.sources),
+                           number_points(group, at, table.targets), false});
+    }
+    return Found(std::move(plan));
   }
 
   [[nodiscard]] std::vector<Index> plain_order(
@@ -117,15 +151,30 @@ class TriangleFamily final : public Family {
   [[nodiscard]] Index corners_per_face() const override { return 3; }
 
  private:
+  /// The rows at the inner points of boundary sides.
+  [[nodiscard]] RowPlan limit_sides(const ZoneTable& table, const TriangleLayout& at) const {
+    std::vector<Index> sources, targets;
+    for (const Index h : sides_)
+      for (Index t = 1; t < at.n(); ++t) {
+        for (const SectorPoint& source : table.sources) {
+          const Offset place = on_plane(source);
+          sources.push_back(at.point_beyond(h, t + place.a, place.b));
+        }
+        targets.push_back(at.point(h, t, 0));
+      }
+    return {table.rows, HugeArray<Index>(sources), HugeArray<Index>(targets), false};
+  }
+
   [[nodiscard]] TriangleLayout layout(int level) const {
     // without faces nothing grows, whatever the level
     return {control_, control_.face_count() == 0 ? 1 : Index{1} << level};
   }
 
-  [[nodiscard]] PatchPlan patches(const TriangleLayout& coarse, const TriangleLayout& fine) const {
+  [[nodiscard]] PatchPlan patches(const TriangleLayout& coarse, const TriangleLayout& fine,
+                                  std::vector<Stencil> stencils, Index halo) const {
     PatchPlan plan;
-    plan.shape = make_shape(coarse.n(), tables_.halo);
-    plan.stencils.assign(tables_.interior.begin(), tables_.interior.end());
+    plan.shape = make_shape(coarse.n(), halo, fine.n() / coarse.n());
+    plan.stencils = std::move(stencils);
     plan.patches = control_.face_count();
     plan.inner_begin = coarse.face_begin(0);
     const std::size_t frame = plan.shape.frame.size(), runs = plan.shape.runs.size();
@@ -136,7 +185,7 @@ class TriangleFamily final : public Family {
         [&](Index first, Index last) {
           for (Index f = first; f < last; ++f) {
             const auto at = static_cast<std::size_t>(f);
-            number_frame(coarse, faces_[at], tables_.halo, plan.frame.data() + at * frame);
+            number_frame(coarse, faces_[at], halo, plan.frame.data() + at * frame);
             Index* run = plan.runs.data() + at * runs;
             for (const FaceTopology::Code side : faces_[at].sides)
               *run++ = (side & 1) != 0 ? fine.edge_begin(side >> 1) : kNone;

@@ -14,8 +14,8 @@ namespace limn::fast {
 /// Control vertices of one table.
 struct ZoneGroup {
   const ZoneTable* table = nullptr;
-  std::vector<Index> vertices;
-  /// The half-edges out of them, counterclockwise, as many for each as the table has sectors.
+  VertexKind kind;
+  /// The half-edges out of its vertices, counterclockwise, as many for each as it has faces.
   std::vector<Index> sectors;
   std::vector<Index> codes;  ///< of these half-edges (Layout::code)
 };
@@ -32,17 +32,17 @@ template <class Layout>
 [[nodiscard]] HugeArray<Index> number_points(const ZoneGroup& group, const Layout& layout,
                                              const std::vector<SectorPoint>& points) {
   constexpr Index kVertexGrain = 1024;
-  HugeArray<Index> numbers(group.vertices.size() * points.size());
+  HugeArray<Index> numbers(group.kind.vertices.size() * points.size());
   parallel_for(
-      Index{0}, static_cast<Index>(group.vertices.size()),
+      Index{0}, static_cast<Index>(group.kind.vertices.size()),
       [&](Index first, Index last) {
         Index* number = numbers.data() + first * std::ssize(points);
         for (Index i = first; i < last; ++i) {
           const auto at = static_cast<std::size_t>(i);
-          const auto sector = at * static_cast<std::size_t>(group.table->sectors);
+          const auto sector = at * static_cast<std::size_t>(group.kind.faces);
           for (const SectorPoint& p : points) {
             const std::size_t s = sector + static_cast<std::size_t>(p.sector);
-            *number++ = p.x + p.y == 0                 ? group.vertices[at]
+            *number++ = p.x + p.y == 0                 ? group.kind.vertices[at]
                         : p.y == 0 && p.x < layout.n() ? layout.point_along(group.codes[s], p.x)
                                                        : layout.point(group.sectors[s], p.x, p.y);
           }

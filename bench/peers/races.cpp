@@ -1,0 +1,257 @@
+#include "races.h"
+
+#include <cstring>
+#include <functional>
+#include <stdexcept>
+#include <utility>
+
+#include "limn/base/parallel.h"
+#include "limn/refine/fast/fast_refiner.h"
+#include "limn/refine/refine.h"
+#include "peers/repeated_peer.h"
+
+namespace limn::peers {
+namespace {
+
+template <class T>
+T value_or_throw(Result<T> result) {
+  if (!result) throw std::runtime_error(result.error().text());
+  return *std::move(result);
+}
+
+class PlainTrial final : public Trial {
+ public:
+  PlainTrial(const Scheme& scheme, const Polygons& control, int steps)
+      : scheme_(scheme),
+        steps_(steps),
+        result_{value_or_throw(Mesh::build(control)), control.positions} {}
+
+  void run() override {
+    result_ =
+        value_or_throw(refine(scheme_, std::move(result_.mesh), std::move(result_.values), steps_));
+  }
+  [[nodiscard]] Size size() const override {
+    return {double(result_.mesh.vertex_count()), double(result_.mesh.halfedge_count())};
+  }
+
+ private:
+  const Scheme& scheme_;
+  int steps_;
+  Refined<Point3> result_;
+};
+
+template <class Real>
+std::vector<Real> numbers_of(const std::vector<Point3>& points) {
+  std::vector<Real> numbers;
+  for (const Point3& p : points)
+    for (const double c : {p.x, p.y, p.z}) numbers.push_back(static_cast<Real>(c));
+  return numbers;
+}
+
+template <class Real>
+HugeArray<Real> fine_positions(const FastRefiner& refiner) {
+  return HugeArray<Real>(3 * static_cast<std::size_t>(refiner.vertex_count()));
+}
+
+/// The quick engine, all of it, as for the others: reading the tables counts.
+template <class Real>
+class QuickTrial final : public Trial {
+ public:
+  QuickTrial(const Scheme& scheme, const Polygons& control, int steps)
+      : scheme_(scheme),
+        steps_(steps),
+        control_(value_or_throw(Mesh::build(control))),
+        points_(numbers_of<Real>(control.positions)) {}
+
+  void run() override {
+    const FastRefiner refiner =
+        value_or_throw(FastRefiner::make(scheme_, std::move(control_), steps_));
+    fine_ = fine_positions<Real>(refiner);
+    corners_ = HugeArray<Index>(static_cast<std::size_t>(refiner.corner_count()));
+    refiner.template evaluate<Real>(points_, fine_);
+    refiner.write_faces(corners_);
+    if (refiner.corners_per_face() > 0) return;
+    face_begin_ = HugeArray<Index>(static_cast<std::size_t>(refiner.face_count()) + 1);
+    refiner.write_face_begin(face_begin_);
+  }
+  [[nodiscard]] Size size() const override {
+    return {double(fine_.size()) / 3, double(corners_.size())};
+  }
+
+ private:
+  const Scheme& scheme_;
+  int steps_;
+  Mesh control_;
+  std::vector<Real> points_;
+  HugeArray<Real> fine_;
+  HugeArray<Index> corners_, face_begin_;
+};
+
+template <class Real>
+class QuickAgain final : public Trial {
+ public:
+  QuickAgain(const Scheme& scheme, const Polygons& control, int steps)
+      : refiner_(
+            value_or_throw(FastRefiner::make(scheme, value_or_throw(Mesh::build(control)), steps))),
+        points_(numbers_of<Real>(control.positions)),
+        fine_(fine_positions<Real>(refiner_)) {}
+
+  void run() override { refiner_.template evaluate<Real>(points_, fine_, scratch_); }
+  [[nodiscard]] Size size() const override { return {double(fine_.size()) / 3, 0}; }
+
+ private:
+  FastRefiner refiner_;
+  std::vector<Real> points_;
+  HugeArray<Real> fine_;
+  typename FastRefiner::Scratch<Real> scratch_;
+};
+
+class PeerTrial final : public Trial {
+ public:
+  PeerTrial(std::unique_ptr<Peer> peer, int steps) : peer_(std::move(peer)), steps_(steps) {}
+  void run() override { peer_->refine(steps_); }
+  [[nodiscard]] Size size() const override { return {double(peer_->vertex_count()), 0}; }
+
+ private:
+  std::unique_ptr<Peer> peer_;
+  int steps_;
+};
+
+class PeerAgain final : public Trial {
+ public:
+  explicit PeerAgain(std::unique_ptr<RepeatedPeer> peer) : peer_(std::move(peer)) {}
+  void run() override { peer_->evaluate(); }
+  [[nodiscard]] Size size() const override { return {double(peer_->vertex_count()), 0}; }
+
+ private:
+  std::unique_ptr<RepeatedPeer> peer_;
+};
+
+class FloorTrial final : public Trial {
+ public:
+  explicit FloorTrial(Size size) : size_(size) {
+    const auto bytes = static_cast<std::size_t>(floor_bytes(size));
+    do {
+      results_.emplace_back(bytes);
+      std::memset(results_.back().data(), 0, bytes);
+    } while (results_.size() * bytes < kMoreThanCaches);
+  }
+
+  /// In turns, so that no cache holds what is written.
+  void run() override {
+    HugeArray<char>& result = results_[next_++ % results_.size()];
+    std::memset(result.data(), 1, result.size());
+    asm volatile("" : : "r"(result.data()) : "memory");  // somebody might read it
+  }
+  [[nodiscard]] Size size() const override { return size_; }
+
+ private:
+  static constexpr std::size_t kMoreThanCaches = std::size_t{512} << 20U;
+  Size size_;
+  std::vector<HugeArray<char>> results_;
+  std::size_t next_ = 0;
+};
+
+/// A contender of ours: a trial of type T, made from these arguments, on so many threads.
+template <class T>
+Contender of_ours(std::string name, int threads, const Race& race, const Control& control) {
+  return {std::move(name), true, threads, [&race, &control, threads] {
+            set_thread_limit(threads);
+            return std::make_unique<T>(race.scheme, control.of(race), race.steps(control.level));
+          }};
+}
+
+/// On one thread and on two.
+template <class T>
+void add_ours(std::vector<Contender>& all, const std::string& name, const Race& race,
+              const Control& control) {
+  all.push_back(of_ours<T>(name, 1, race, control));
+  all.push_back(of_ours<T>(name + ", 2 threads", 2, race, control));
+}
+
+template <class Make>
+Contender of_theirs(std::string name, const Race& race, const Control& control, Make make) {
+  return {std::move(name), false, 1, [&race, &control, make]() -> std::unique_ptr<Trial> {
+            std::unique_ptr<Peer> peer = make(*race.method, control.of(race));
+            if (!peer) return nullptr;
+            return std::make_unique<PeerTrial>(std::move(peer), race.steps(control.level));
+          }};
+}
+
+template <class Make>
+Contender of_theirs_again(std::string name, int threads, const Race& race, const Control& control,
+                          Make make) {
+  return {std::move(name), false, threads,
+          [&race, &control, threads, make]() -> std::unique_ptr<Trial> {
+            set_thread_limit(threads);
+            std::unique_ptr<RepeatedPeer> peer =
+                make(*race.method, control.of(race), race.steps(control.level));
+            return peer ? std::make_unique<PeerAgain>(std::move(peer)) : nullptr;
+          }};
+}
+
+/// A function of tests/peers with its last argument given.
+template <class Make>
+auto on_floats(Make make) {
+  return [make](const auto&... rest) { return make(rest..., Precision::single_float); };
+}
+
+}  // namespace
+
+int Race::steps(int level) const { return level + (scheme.split->dilation.growth() == 3 ? 1 : 0); }
+
+std::vector<Race> races(const std::string& only) {
+  const std::vector<std::pair<std::string, std::optional<Method>>> known{
+      {"loop", Method::loop},
+      {"catmull-clark", Method::catmull_clark},
+      {"sqrt3", Method::sqrt3},
+      {"doo-sabin", Method::doo_sabin},
+      {"butterfly-modified", Method::modified_butterfly},
+      {"laplacian-butterfly", std::nullopt}};
+  std::vector<Race> all;
+  for (const auto& [name, method] : known)
+    if (only.empty() || only == name)
+      all.push_back({name, value_or_throw(find_scheme(name)), method});
+  if (all.empty()) all.push_back({only, value_or_throw(find_scheme(only)), std::nullopt});
+  return all;
+}
+
+std::vector<Contender> full_refinement(const Race& race, const Control& control) {
+  std::vector<Contender> all;
+  add_ours<PlainTrial>(all, "limn plain", race, control);
+  if (has_fast_layout(*race.scheme.split)) {
+    add_ours<QuickTrial<double>>(all, "limn quick", race, control);
+    add_ours<QuickTrial<float>>(all, "limn quick, float", race, control);
+  }
+  if (!race.method) return all;
+  all.push_back(of_theirs("OpenSubdiv, float", race, control, on_floats(opensubdiv_peer)));
+  all.push_back(of_theirs("CGAL", race, control, cgal_peer));
+  all.push_back(of_theirs("OpenMesh, float", race, control, on_floats(openmesh_peer)));
+  return all;
+}
+
+std::vector<Contender> repeated_evaluation(const Race& race, const Control& control) {
+  std::vector<Contender> all;
+  if (has_fast_layout(*race.scheme.split)) {
+    add_ours<QuickAgain<float>>(all, "limn quick, float", race, control);
+    add_ours<QuickAgain<double>>(all, "limn quick", race, control);
+  }
+  if (!race.method) return all;
+  const std::string name = "OpenSubdiv StencilTable, float";
+  all.push_back(of_theirs_again(name, 1, race, control, on_floats(opensubdiv_stencils)));
+  all.push_back(
+      of_theirs_again(name + ", 2 threads", 2, race, control, on_floats(opensubdiv_stencils)));
+  all.push_back(of_theirs_again("OpenSubdiv PrimvarRefiner, float", 1, race, control,
+                                on_floats(opensubdiv_primvars)));
+  return all;
+}
+
+double floor_bytes(Trial::Size size) {
+  return 3 * sizeof(float) * size.vertices + sizeof(Index) * size.corners;
+}
+
+Contender floor_of(Trial::Size size) {
+  return {"floor", true, 1, [size] { return std::make_unique<FloorTrial>(size); }};
+}
+
+}  // namespace limn::peers

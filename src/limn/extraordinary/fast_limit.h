@@ -1,0 +1,16 @@
+#pragma once
+/// Limit positions and normals by the quick engine (refine/fast/fast_refiner.h).
+
+#include "limn/extraordinary/limit_stencil.h"
+#include "limn/refine/fast/fast_refiner.h"
+
+namespace limn {
+
+/// The limit of a refiner of this scheme, for FastRefiner::evaluate_limit, from
+/// approx_limit_stencil and approx_boundary_limit_stencil: the points of approx_limit_points
+/// (limit_points.h), much faster. Nothing where the refiner takes none (FastRefiner::limit); ask
+/// approx_limit_points then. Fails as the stencils. Cost: a stencil for each valence in the mesh.
+[[nodiscard]] Result<std::optional<FastRefiner::Limit>> approx_fast_limit(
+    const Scheme& scheme, const FastRefiner& refiner);
+
+}  // namespace limn
