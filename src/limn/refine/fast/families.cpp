@@ -1,5 +1,6 @@
 #include "limn/refine/fast/families.h"
 
+#include "limn/refine/fast/dual_family.h"
 #include "limn/refine/fast/quad_family.h"
 #include "limn/refine/fast/sqrt3_family.h"
 #include "limn/refine/fast/triangle_family.h"
@@ -12,6 +13,7 @@ using Maker = std::unique_ptr<Family> (*)(const Scheme& scheme, const Mesh& cont
 /// By what a split does, not by its name.
 Maker maker(const Split& split) {
   const bool old_and_edges = split.births_vertices && split.births_edges && !split.births_corners;
+  if (split.lattice == Lattice::quad && split.births_corners) return make_dual_family;
   if (split.lattice == Lattice::triangle && split.trisects_boundary && split.dilation.growth() == 3)
     return make_sqrt3_family;
   if (!old_and_edges || split.dilation.growth() != 4) return nullptr;

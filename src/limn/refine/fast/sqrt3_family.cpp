@@ -330,9 +330,9 @@ class Sqrt3Family final : public Family {
 
   /// A group's table for a step; an isolated vertex has but one.
   [[nodiscard]] const ZoneTable& table_of(const ZoneGroup& group, const Sqrt3Tables& tables) const {
-    const Index sectors = group.table->sectors;
+    const Index sectors = group.kind.faces;
     if (sectors == 0) return *group.table;
-    const bool open = control_.is_boundary_vertex(group.vertices.front());
+    const bool open = group.kind.open;
     return (open ? tables.fans : tables.stars).at(sectors);
   }
 

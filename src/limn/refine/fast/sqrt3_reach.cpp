@@ -87,7 +87,7 @@ class Finder {
     Hull offsets;
     if (!made(x, y)) return offsets;
     for (const SectorPoint& point : seen(site, x, y)) {
-      const Offset place = on_plane(point);
+      const Offset place = on_plane(Lattice::triangle, point);
       offsets.push_back({place.a - x, place.b - y});
     }
     return offsets;

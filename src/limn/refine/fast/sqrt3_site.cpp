@@ -22,7 +22,7 @@ Sqrt3Site::Sqrt3Site(const Split& split, Index sectors, bool open, Index rings)
 void Sqrt3Site::place_all() {
   places_.resize(static_cast<std::size_t>(first_.mesh.vertex_count()));
   for (Index v = 0; v < control_.vertex_count(); ++v) {
-    const SectorPoint point = sector_point(sectors_, open_, v);
+    const SectorPoint point = sector_point({Lattice::triangle, sectors_, open_}, v);
     places_[v] = {point.sector, 3 * point.x, 3 * point.y};
   }
   SectorPoint* centroid = &places_[control_.vertex_count()];
@@ -41,7 +41,7 @@ Index Sqrt3Site::triangle_up(Index sector, Index x, Index y) const {
 
 Index Sqrt3Site::old_vertex(const SectorPoint& place) const {
   const auto& [sector, x, y] = place;
-  if (x % 3 == 0) return vertex_at(sectors_, open_, {sector, x / 3, y / 3});
+  if (x % 3 == 0) return vertex_at({Lattice::triangle, sectors_, open_}, {sector, x / 3, y / 3});
   const Index face =
       x % 3 == 1 ? triangle_up(sector, x / 3, y / 3) : triangle_up(sector, x / 3 + 1, y / 3) + 1;
   return control_.vertex_count() + face;

@@ -73,7 +73,7 @@ class TableMaker {
   static Stencil on_lattice(const Form& form, const Sqrt3Site& site) {
     Stencil stencil;
     for (const auto& [vertex, weight] : form.terms)
-      if (weight != 0) stencil.push_back({on_plane(site.place(vertex)), weight});
+      if (weight != 0) stencil.push_back({on_plane(Lattice::triangle, site.place(vertex)), weight});
     return stencil;
   }
 

@@ -126,4 +126,10 @@ std::set<Index> edge_end_hull(const Scheme& scheme, const Mesh& mesh, Index h, b
   return explorer.seen;
 }
 
+std::set<Index> corner_hull(const Scheme& scheme, const Mesh& mesh, Index h) {
+  Explorer explorer(scheme, mesh);
+  explorer.explore(RuleKind::corner, h);
+  return explorer.seen;
+}
+
 }  // namespace limn::fast

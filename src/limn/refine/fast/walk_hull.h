@@ -16,5 +16,7 @@ namespace limn::fast {
 /// The same of the vertex born near an end of h on the boundary (its target where `at_target`).
 [[nodiscard]] std::set<Index> edge_end_hull(const Scheme& scheme, const Mesh& mesh, Index h,
                                             bool at_target);
+/// The same of the vertex that is born from corner h (dual splits).
+[[nodiscard]] std::set<Index> corner_hull(const Scheme& scheme, const Mesh& mesh, Index h);
 
 }  // namespace limn::fast

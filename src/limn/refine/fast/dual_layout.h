@@ -1,0 +1,141 @@
+#pragma once
+/// Numbers for the vertices of a mesh made by dual steps, by arithmetic alone.
+///
+/// Each corner h of the control mesh (half-edge h; mesh.h) owns a *patch*: the quadrangle between
+/// the centre of its face, the midpoints of edges prev(h) and h, and its vertex. Level 1 has one
+/// vertex in each, level l has n × n, n = 2^(l-1). Point (x, y) of the patch, 0 ≤ x, y < n, lies x
+/// steps from the face's centre towards the midpoint of edge prev(h), and y steps towards that of
+/// edge h.
+///
+/// Where the vertex of h lies on the boundary, the mesh recedes and the patch is a *rim*: of its
+/// points there are (0, 0), the *arm* (x, 0) where edge prev(h) is not on the boundary, and the arm
+/// (0, y) where edge h is not. The other patches are whole.
+///
+/// Vertices are numbered in blocks: the n² points of each whole patch in the order of half-edges,
+/// row by row (y = 0, 1, …), x ascending; the points (0, 0) of the rims; the n-1 further points of
+/// each arm along y, then of each arm along x, both by their half-edges, outward; the isolated
+/// vertices of the control mesh.
+///
+/// Faces come in blocks, too:
+/// - of each control face, in order, its corners' points (0, 0);
+/// - of each vertex off the boundary its corners' points (n-1, n-1), counterclockwise;
+/// - of each whole patch, rows y = 0 … n-2 of quads x = -1 … n-1, the first and last being those
+///   across its sides x = 0 and x = n-1: (x, y) (x+1, y) (x+1, y+1) (x, y+1);
+/// - of each arm along y of a rim the quads x = -1, y = 0 … n-2 alike;
+/// - of each inner edge the quad at its midpoint.
+
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+#include "limn/mesh/mesh.h"
+
+namespace limn::fast {
+
+/// What the layouts of all levels have in common.
+class DualCorners {
+ public:
+  /// No interior vertex of `control` has valence 2 (such faces are lost; split_quad_dual.cpp). The
+  /// mesh must outlive this.
+  explicit DualCorners(const Mesh& control);
+
+  [[nodiscard]] const Mesh& control() const { return *mesh_; }
+  [[nodiscard]] bool is_whole(Index h) const { return whole_rank(h) >= 0; }
+  /// Which of the whole patches, or of the rims, that of h is.
+  [[nodiscard]] Index whole_rank(Index h) const { return rims_.empty() ? h : place_[at(h)]; }
+  [[nodiscard]] Index rim_rank(Index h) const { return ~place_[at(h)]; }
+  [[nodiscard]] bool has_y_arm(Index h) const { return mesh_->twin(h) != kNone; }
+  [[nodiscard]] bool has_x_arm(Index h) const { return mesh_->twin(mesh_->prev(h)) != kNone; }
+  /// Which of the arms along y (x) a rim's is.
+  [[nodiscard]] Index y_arm(Index h) const { return arms_before_[at(rim_rank(h))].first; }
+  [[nodiscard]] Index x_arm(Index h) const { return arms_before_[at(rim_rank(h))].second; }
+
+  /// Whether point (x, y) is there, x and y being within the patch.
+  [[nodiscard]] bool has_point(Index h, Index x, Index y) const {
+    return is_whole(h) || (x == 0 && y == 0) || (y == 0 && has_x_arm(h)) ||
+           (x == 0 && has_y_arm(h));
+  }
+
+  /// Half-edges of whole patches, of rims, and of arms.
+  [[nodiscard]] const std::vector<Index>& wholes() const { return wholes_; }
+  [[nodiscard]] const std::vector<Index>& rims() const { return rims_; }
+  [[nodiscard]] const std::vector<Index>& y_arms() const { return y_arms_; }
+  [[nodiscard]] const std::vector<Index>& x_arms() const { return x_arms_; }
+  [[nodiscard]] const std::vector<Index>& inner_edges() const { return inner_edges_; }
+  [[nodiscard]] const std::vector<Index>& inner_vertices() const { return inner_vertices_; }
+  /// Corners before those at inner vertex number i (or after the last).
+  [[nodiscard]] Index vertex_begin(Index i) const { return vertex_begin_[at(i)]; }
+  [[nodiscard]] const std::vector<Index>& isolated() const { return isolated_; }
+  /// Whether all faces, and all inner vertices, have four corners.
+  [[nodiscard]] bool is_regular() const;
+
+ private:
+  static std::size_t at(Index i) { return static_cast<std::size_t>(i); }
+  void place_patches();
+  void list_inner_elements();
+
+  const Mesh* mesh_;
+  std::vector<Index> place_;  // rank, or its complement for a rim; empty where there are none
+  std::vector<Index> wholes_, rims_, y_arms_, x_arms_;
+  std::vector<std::pair<Index, Index>> arms_before_;  // by rim: along y, along x
+  std::vector<Index> inner_edges_, inner_vertices_, vertex_begin_, isolated_;
+};
+
+/// One level. Light: keeps a reference to the corners.
+class DualLayout {
+ public:
+  /// n = 2^(level-1) points along a patch's side; there are fewer than 2^31 corners in all.
+  DualLayout(const DualCorners& corners, Index n);
+
+  [[nodiscard]] Index n() const { return n_; }
+  [[nodiscard]] Index vertex_count() const { return isolated_at_ + count(corners_->isolated()); }
+  [[nodiscard]] Index face_count() const { return quads_ + control().face_count() + inner_count(); }
+  [[nodiscard]] Index corner_count() const {
+    return 4 * quads_ + control().halfedge_count() + corners_->vertex_begin(inner_count());
+  }
+
+  /// Point (x, y) of the patch of h, which must have it.
+  [[nodiscard]] Index point(Index h, Index x, Index y) const {
+    if (corners_->is_whole(h)) return corners_->whole_rank(h) * n_ * n_ + y * n_ + x;
+    if (x == 0 && y == 0) return rims_at_ + corners_->rim_rank(h);
+    return x == 0 ? y_arm_begin(h) + y : x_arm_begin(h) + x;
+  }
+  [[nodiscard]] Index isolated_begin() const { return isolated_at_; }
+
+  [[nodiscard]] const DualCorners& corners() const { return *corners_; }
+
+  /// Points (0, y) … (n-1, y) of the patch of h, or (x, 0) … (x, n-1), to out[0], …; where the
+  /// patch is a rim, of its arm.
+  void row(Index h, Index y, Index* out) const;
+  void column(Index h, Index x, Index* out) const;
+
+  /// The corners of all faces: corner_count() numbers. In parallel.
+  void write_faces(Index* out) const;
+  /// Where each face begins in them: face_count() + 1 numbers. In parallel.
+  void write_face_begin(Index* out) const;
+
+ private:
+  template <class List>
+  static Index count(const List& list) {
+    return static_cast<Index>(list.size());
+  }
+  [[nodiscard]] const Mesh& control() const { return corners_->control(); }
+  [[nodiscard]] Index inner_count() const { return count(corners_->inner_vertices()); }
+  // where the arm of a rim would have its point 0
+  [[nodiscard]] Index y_arm_begin(Index h) const {
+    return y_arms_at_ + corners_->y_arm(h) * (n_ - 1) - 1;
+  }
+  [[nodiscard]] Index x_arm_begin(Index h) const {
+    return x_arms_at_ + corners_->x_arm(h) * (n_ - 1) - 1;
+  }
+  void write_patch(Index h, Index* out) const;
+  void write_arm(Index h, Index* out) const;
+  void write_edge(Index e, Index* out) const;
+  void write_vertex(Index v, Index* out) const;
+
+  const DualCorners* corners_;
+  Index n_, rims_at_, y_arms_at_, x_arms_at_, isolated_at_;
+  Index arm_quads_at_, edge_quads_at_, quads_;  // quads before the arms', the edges', in all
+};
+
+}  // namespace limn::fast

@@ -1,0 +1,261 @@
+#include "limn/refine/fast/dual_steps.h"
+
+#include <algorithm>
+#include <cassert>
+#include <numeric>
+
+#include "limn/base/parallel.h"
+
+namespace limn::fast {
+namespace {
+
+constexpr Index kNumberGrain = 16384;  // numbers that one call of a parallel loop makes
+
+/// What all patches do.
+PatchShape make_shape(Index n, Index halo) {
+  PatchShape shape;
+  for (Index j = 0; j < halo; ++j) {
+    for (Index y = 0; y < n; ++y) shape.frame.push_back({-1 - j, y});
+    for (Index y = 0; y < n; ++y) shape.frame.push_back({n + j, y});
+    for (Index x = 0; x < n; ++x) shape.frame.push_back({x, -1 - j});
+    for (Index x = 0; x < n; ++x) shape.frame.push_back({x, n + j});
+  }
+  for (Index k = 0; k < halo; ++k)
+    for (Index j = 0; j < halo; ++j)
+      shape.frame.insert(shape.frame.end(),
+                         {{-1 - j, -1 - k}, {n + j, n + k}, {-1 - j, n + k}, {n + j, -1 - k}});
+  for (Index y = 0; y < n; ++y)
+    for (Index x = 0; x < n; ++x) shape.inner.push_back({x, y});
+  shape.runs.resize(1);
+  for (Index y = 0; y < 2 * n; ++y)
+    for (Index x = 0; x < 2 * n; ++x)
+      shape.runs.front().push_back({class_of(x, y), {x / 2, y / 2}});
+  return shape;
+}
+
+class StepPlanner {
+ public:
+  StepPlanner(const DualCorners& corners, const DualTables& tables, Index n)
+      : corners_(corners),
+        mesh_(corners.control()),
+        tables_(tables),
+        n_(n),
+        coarse_(corners, n),
+        fine_(corners, 2 * n) {}
+
+  StepPlan plan() {
+    plan_patches();
+    if (tables_.own_face) {
+      plan_arms(false);
+      plan_arms(true);
+    } else if (tables_.rims) {
+      add_dual_rims(*tables_.rims, coarse_, fine_, plan_.rows);
+    }
+    for (const auto& [sides, zone] : tables_.zones) plan_zone(sides, zone);
+    return std::move(plan_);
+  }
+
+ private:
+  void plan_patches() {
+    PatchPlan& plan = plan_.patches;
+    const std::vector<Index>& wholes = corners_.wholes();
+    if (wholes.empty()) return;
+    plan.shape = make_shape(n_, tables_.halo);
+    plan.stencils.assign(tables_.interior.begin(), tables_.interior.end());
+    plan.patches = static_cast<Index>(wholes.size());
+    const std::size_t frame = plan.shape.frame.size();
+    plan.frame = HugeArray<Index>(frame * wholes.size());
+    plan.runs = HugeArray<Index>(wholes.size());
+    parallel_for(
+        Index{0}, plan.patches,
+        [&](Index first, Index last) {
+          for (Index p = first; p < last; ++p) {
+            const auto i = static_cast<std::size_t>(p);
+            write_frame(wholes[i], plan.frame.data() + i * frame);
+            plan.runs[i] = fine_.point(wholes[i], 0, 0);
+          }
+        },
+        std::max<std::ptrdiff_t>(1, kNumberGrain / static_cast<std::ptrdiff_t>(frame)));
+  }
+
+  /// The frame's points as make_shape has them: those beyond x = 0, x = n, y = 0, y = n …
+  void write_frame(Index h, Index* out) const {
+    const Index twin = mesh_.twin(h), below = mesh_.prev(h);
+    const Index left = mesh_.next(h), right = mesh_.twin(below), above = mesh_.next(twin);
+    for (Index j = 0; j < tables_.halo; ++j, out += static_cast<std::ptrdiff_t>(4) * n_) {
+      // a rim has no more than its arm
+      coarse_.row(left, corners_.is_whole(left) ? j : 0, out);
+      coarse_.row(right, n_ - 1 - j, out + n_);
+      coarse_.column(below, corners_.is_whole(below) ? j : 0, out + std::ptrdiff_t{2} * n_);
+      coarse_.column(above, n_ - 1 - j, out + std::ptrdiff_t{3} * n_);
+    }
+    // … and beyond two sides: of use where there are four patches, else just any numbers
+    const Index face = mesh_.next(left), vertex = mesh_.rotate(right);
+    const Index far = mesh_.next(right);
+    for (Index k = 0; k < tables_.halo; ++k)
+      for (Index j = 0; j < tables_.halo; ++j) {
+        *out++ = corners_.is_whole(face) ? coarse_.point(face, j, k) : coarse_.point(face, 0, 0);
+        *out++ = coarse_.point(vertex, n_ - 1 - j, n_ - 1 - k);
+        *out++ = coarse_.point(twin, corners_.is_whole(twin) ? j : 0, n_ - 1 - k);
+        *out++ = coarse_.point(far, n_ - 1 - j, corners_.is_whole(far) ? k : 0);
+      }
+  }
+
+  /// Rims have no inner points. Each arm reads itself and the line beside it, up to the first
+  /// points beyond the edge's midpoint.
+  void plan_arms(bool along_x) {
+    const std::vector<Index>& arms = along_x ? corners_.x_arms() : corners_.y_arms();
+    if (arms.empty()) return;
+    RowPlan plan;
+    plan.table = arm_table(along_x);
+    plan.sources = HugeArray<Index>(arms.size() * static_cast<std::size_t>(plan.table.sources));
+    plan.targets = HugeArray<Index>(arms.size() * static_cast<std::size_t>(plan.table.targets()));
+    parallel_for(
+        Index{0}, static_cast<Index>(arms.size()),
+        [&](Index first, Index last) {
+          for (std::ptrdiff_t i = first; i < last; ++i) {
+            const Index h = arms[static_cast<std::size_t>(i)];
+            Index* sources = plan.sources.data() + i * plan.table.sources;
+            Index* targets = plan.targets.data() + i * plan.table.targets();
+            if (along_x)
+              number_x_arm(h, sources, targets);
+            else
+              number_y_arm(h, sources, targets);
+          }
+        },
+        std::max<Index>(1, kNumberGrain / (4 * n_)));
+    plan_.rows.push_back(std::move(plan));
+  }
+
+  /// Sources are the arm's points 0 … n, then those beside it; targets its points 1 … 2n-1.
+  [[nodiscard]] RowTable arm_table(bool along_x) const {
+    RowTable table;
+    table.sources = 2 * (n_ + 1);
+    for (Index t = 1; t < 2 * n_; ++t) {
+      for (const auto& [place, weight] :
+           tables_.interior[along_x ? class_of(t, 0) : class_of(0, t)]) {
+        const Index along = t / 2 + (along_x ? place.a : place.b);
+        const Index aside = along_x ? place.b : place.a;
+        assert(along >= 0 && along <= n_ && (aside == 0 || aside == -1));
+        table.terms.push_back({static_cast<int>(along - aside * (n_ + 1)), weight});
+      }
+      table.row_begin.push_back(static_cast<int>(table.terms.size()));
+    }
+    return table;
+  }
+
+  void number_y_arm(Index h, Index* sources, Index* targets) const {
+    const Index twin = mesh_.twin(h);
+    coarse_.column(h, 0, sources);
+    sources[n_] = coarse_.point(mesh_.next(twin), n_ - 1, 0);
+    coarse_.row(mesh_.next(h), 0, sources + n_ + 1);
+    sources[2 * n_ + 1] = coarse_.point(twin, 0, n_ - 1);
+    for (Index t = 1; t < 2 * n_; ++t) *targets++ = fine_.point(h, 0, t);
+  }
+
+  void number_x_arm(Index h, Index* sources, Index* targets) const {
+    const Index below = mesh_.prev(h), twin = mesh_.twin(below);
+    coarse_.row(h, 0, sources);
+    sources[n_] = coarse_.point(twin, 0, n_ - 1);
+    coarse_.column(below, 0, sources + n_ + 1);
+    sources[2 * n_ + 1] = coarse_.point(mesh_.next(twin), n_ - 1, 0);
+    for (Index t = 1; t < 2 * n_; ++t) *targets++ = fine_.point(h, t, 0);
+  }
+
+  /// The centres of so many sides. Regular ones are done by the patches but for rims' own points.
+  void plan_zone(Index sides, const DualZone& zone) {
+    std::vector<Index> faces, vertices;  // half-edges
+    for (Index f = 0; f < mesh_.face_count(); ++f)
+      if (mesh_.degree(f) == sides && wants_zone(f)) faces.push_back(mesh_.face_begin(f));
+    if (sides != 4)
+      for (Index i = 0; i < std::ssize(corners_.inner_vertices()); ++i)
+        if (corners_.vertex_begin(i + 1) - corners_.vertex_begin(i) == sides)
+          vertices.push_back(
+              mesh_.halfedge_of_vertex(corners_.inner_vertices()[static_cast<std::size_t>(i)]));
+    if (faces.empty() && vertices.empty()) return;
+    // between two centres lie 2n fine points
+    RowPlan plan{zone.table, {}, {}, tables_.zone > n_};
+    const std::size_t centres = faces.size() + vertices.size();
+    plan.sources = HugeArray<Index>(centres * zone.sources.size());
+    plan.targets = HugeArray<Index>(centres * zone.targets.size());
+    parallel_for(
+        std::size_t{0}, centres,
+        [&](std::size_t first, std::size_t last) {
+          std::vector<Index> sectors(static_cast<std::size_t>(sides));
+          for (std::size_t i = first; i < last; ++i) {
+            const bool face = i < faces.size();
+            Index h = face ? faces[i] : vertices[i - faces.size()];
+            for (Index& sector : sectors) {
+              sector = h;
+              h = face ? mesh_.next(h) : mesh_.rotate(h);
+            }
+            number_zone(coarse_, sectors, !face, zone.sources,
+                        plan.sources.data() + i * zone.sources.size());
+            number_zone(fine_, sectors, !face, zone.targets,
+                        plan.targets.data() + i * zone.targets.size());
+          }
+        },
+        std::max<std::ptrdiff_t>(1, kNumberGrain / std::ssize(zone.targets)));
+    plan_.rows.push_back(std::move(plan));
+  }
+
+  /// A regular face does at the boundary, for the sake of its rims' own points; but none where the
+  /// rule sees the boundary.
+  [[nodiscard]] bool wants_zone(Index f) const {
+    bool whole = true;
+    for (Index h = mesh_.face_begin(f); h < mesh_.face_begin(f + 1); ++h)
+      whole = whole && corners_.is_whole(h);
+    return whole ? mesh_.degree(f) != 4 : tables_.own_face;
+  }
+
+  const DualCorners& corners_;
+  const Mesh& mesh_;
+  const DualTables& tables_;
+  Index n_;
+  DualLayout coarse_, fine_;
+  StepPlan plan_;
+};
+
+/// Vertices that no face uses stay as they are.
+void plan_isolated(const DualCorners& corners, Index from, Index to, StepPlan& plan) {
+  const std::vector<Index>& isolated = corners.isolated();
+  if (isolated.empty()) return;
+  std::vector<Index> sources = isolated, targets(isolated.size());
+  if (from != kNone) std::iota(sources.begin(), sources.end(), from);
+  std::iota(targets.begin(), targets.end(), to);
+  plan.rows.push_back(
+      {{1, {0, 1}, {{0, 1.0}}}, HugeArray<Index>(sources), HugeArray<Index>(targets), false});
+}
+
+}  // namespace
+
+StepPlan plan_first_dual_step(const DualCorners& corners, const DualTables& tables) {
+  assert(tables.own_face);
+  const Mesh& mesh = corners.control();
+  const DualLayout fine(corners, 1);
+  StepPlan plan;
+  for (const auto& [sides, zone] : tables.zones) {
+    std::vector<Index> sources, targets;
+    for (Index f = 0; f < mesh.face_count(); ++f) {
+      if (mesh.degree(f) != sides) continue;
+      const Index h = mesh.face_begin(f);
+      for (const SectorPoint& p : zone.sources) sources.push_back(mesh.origin(h + p.sector));
+      for (const SectorPoint& p : zone.targets) targets.push_back(fine.point(h + p.sector, 0, 0));
+    }
+    if (!sources.empty())
+      plan.rows.push_back(
+          {zone.table, HugeArray<Index>(sources), HugeArray<Index>(targets), false});
+  }
+  plan_isolated(corners, kNone, fine.isolated_begin(), plan);
+  return plan;
+}
+
+StepPlan plan_dual_step(const DualCorners& corners, const DualTables& tables, Index n) {
+  assert(n >= tables.smallest_grid);
+  StepPlan plan = StepPlanner(corners, tables, n).plan();
+  plan_isolated(corners, DualLayout(corners, n).isolated_begin(),
+                DualLayout(corners, 2 * n).isolated_begin(), plan);
+  return plan;
+}
+
+}  // namespace limn::fast

@@ -1,0 +1,52 @@
+#pragma once
+/// Tables for the points round a centre.
+
+#include <map>
+#include <vector>
+
+#include "limn/refine/fast/dual_layout.h"
+#include "limn/refine/fast/dual_places.h"
+#include "limn/refine/fast/step_plan.h"
+#include "limn/refine/linear_form.h"
+
+namespace limn::fast {
+
+/// The fine points round a centre, as sums over the old points round it.
+struct DualZone {
+  std::vector<SectorPoint> sources, targets;  ///< dual_places.h
+  RowTable table;
+  Index rings = 1;  ///< of old points that the rules look at, weights aside
+};
+
+/// Sets sources and table from the forms of the targets; place_of(vertex) is the place of a vertex
+/// that the forms are over.
+template <class PlaceOf>
+void fill_zone(DualZone& zone, const std::vector<LinearForm<double>>& forms, PlaceOf place_of) {
+  std::map<Index, int> slots;  // of the vertices that are used
+  for (const LinearForm<double>& form : forms)
+    for (const auto& [vertex, weight] : form.terms)
+      if (weight != 0) slots.emplace(vertex, 0);
+  for (auto& [vertex, slot] : slots) {
+    slot = static_cast<int>(zone.sources.size());
+    zone.sources.push_back(place_of(vertex));
+  }
+  zone.table.sources = static_cast<int>(zone.sources.size());
+  for (const LinearForm<double>& form : forms) {
+    for (const auto& [vertex, weight] : form.terms)
+      if (weight != 0) zone.table.terms.push_back({slots.at(vertex), weight});
+    zone.table.row_begin.push_back(static_cast<int>(zone.table.terms.size()));
+  }
+}
+
+/// Numbers of points round a face's centre, or (`vertex`) round a vertex, seen from which a patch's
+/// far corner is its first; sectors[s] is the half-edge whose patch is sector s.
+inline void number_zone(const DualLayout& layout, const std::vector<Index>& sectors, bool vertex,
+                        const std::vector<SectorPoint>& points, Index* out) {
+  const Index last = layout.n() - 1;
+  for (const SectorPoint& p : points) {
+    const Index h = sectors[static_cast<std::size_t>(p.sector)];
+    *out++ = vertex ? layout.point(h, last - p.x, last - p.y) : layout.point(h, p.x, p.y);
+  }
+}
+
+}  // namespace limn::fast
