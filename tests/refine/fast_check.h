@@ -16,6 +16,17 @@
 
 namespace limn::test {
 
+/// A ring of so many quads, so many rows wide.
+inline Mesh band(Index around, Index rows) {
+  Faces faces;
+  for (Index y = 0; y < rows; ++y)
+    for (Index x = 0; x < around; ++x) {
+      const Index next = (x + 1) % around, low = y * around, high = low + around;
+      faces.push_back({low + x, low + next, high + next, high + x});
+    }
+  return must_build((rows + 1) * around, faces);
+}
+
 inline std::vector<Point3> random_points(Index count, unsigned seed) {
   std::mt19937 random(seed);
   std::uniform_real_distribution<double> one(-1, 1);

@@ -19,17 +19,6 @@ Mesh random_quads(unsigned seed) {
   return mesh.uniform_degree() == 4 ? mesh : find_split("quad-dyadic")->apply(mesh, 0).mesh;
 }
 
-/// A ring of so many quads, so many rows wide.
-Mesh band(Index around, Index rows) {
-  Faces faces;
-  for (Index y = 0; y < rows; ++y)
-    for (Index x = 0; x < around; ++x) {
-      const Index next = (x + 1) % around, low = y * around, high = low + around;
-      faces.push_back({low + x, low + next, high + next, high + x});
-    }
-  return must_build((rows + 1) * around, faces);
-}
-
 std::vector<Mesh> some_quads() {
   std::vector<Mesh> meshes{cube(), fan(Lattice::quad, 1, 2)};
   for (unsigned seed = 0; seed < 12; ++seed) meshes.push_back(random_quads(seed));

@@ -73,7 +73,7 @@ class QuadFamily final : public Family {
   QuadFamily(const Scheme& scheme, const Mesh& control, int levels)
       : control_(control), plain_(levels) {
     const bool quads = control.uniform_degree() == 4 || control.face_count() == 0;
-    if (levels == 0) return;
+    if (!quads && levels == 0) return;
     if (!quads) {
       split_ = scheme.split->apply(control, 0).mesh;
       first_ = 1;
