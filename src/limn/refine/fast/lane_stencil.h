@@ -24,9 +24,11 @@ struct EqualTerms {
 
 namespace detail {
 
+// not left to the compiler, which thinks of the size of all of these together
 template <class Real, std::size_t size>
-inline void add_equal(const LanePoint<Real>* anchor, const std::array<std::ptrdiff_t, size>& slots,
-                      Vector<Real> weight, LanePoint<Real>& sum) {
+[[gnu::always_inline]] inline void add_equal(const LanePoint<Real>* anchor,
+                                             const std::array<std::ptrdiff_t, size>& slots,
+                                             Vector<Real> weight, LanePoint<Real>& sum) {
   LanePoint<Real> equal = anchor[slots[0]];
   for (std::size_t t = 1; t < size; ++t) {
     equal.x += anchor[slots[t]].x;
