@@ -18,6 +18,8 @@
 namespace limn::app {
 namespace {
 
+constexpr double kMuchMemory = 256e6;  // bytes; worth a word before the work begins
+
 struct RefineOptions {
   std::string mesh;
   SchemeOptions scheme;
@@ -100,6 +102,10 @@ Result<Polygons> refined_polygons(const RefineOptions& options, const Scheme& sc
   };
   std::optional<Refined<Point3>> refined;
   const bool quick = options.engine == "quick" && has_fast_layout(*scheme.split);
+  const RefineEstimate needed =
+      quick ? FastRefiner::estimate(*scheme.split, control.mesh, options.levels)
+            : estimate_refinement(*scheme.split, control.mesh, options.levels, sizeof(Point3));
+  if (needed.peak_bytes > kMuchMemory) line.show_now(text_of(needed, options.levels));
   if (quick && options.wants_limit() && options.curvatures.empty()) {
     Result<std::optional<FastLimitMesh>> limit =
         approx_fast_limit_mesh(scheme, control.mesh, control.points, options.levels);

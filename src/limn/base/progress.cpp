@@ -15,7 +15,11 @@ ProgressLine::~ProgressLine() {
 
 void ProgressLine::show(const std::string& text) {
   constexpr std::chrono::seconds kQuiet{1};
-  if (!enabled_ || std::chrono::steady_clock::now() - start_ < kQuiet) return;
+  if (std::chrono::steady_clock::now() - start_ >= kQuiet) show_now(text);
+}
+
+void ProgressLine::show_now(const std::string& text) {
+  if (!enabled_) return;
   std::fprintf(stderr, "\r\033[K%s", text.c_str());
   std::fflush(stderr);
   shown_ = true;

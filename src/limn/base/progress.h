@@ -16,6 +16,8 @@ class ProgressLine {
 
   /// Shows `text` in place of the last one, if the work has taken over a second so far.
   void show(const std::string& text);
+  /// The same, however early.
+  void show_now(const std::string& text);
 
  private:
   std::chrono::steady_clock::time_point start_;

@@ -90,6 +90,12 @@ RefineEstimate estimate_refinement(const Split& split, const Mesh& mesh, int lev
   return {result.last.vertices, result.last.faces, result.peak_bytes};
 }
 
+std::string text_of(const RefineEstimate& estimate, int levels) {
+  return fmt::format(
+      "{} level{} make about {:.3g} vertices and {:.3g} faces, in about {} of memory", levels,
+      levels == 1 ? "" : "s", estimate.vertices, estimate.faces, bytes_text(estimate.peak_bytes));
+}
+
 Status check_memory(const RefineEstimate& estimate, int levels, double memory_limit) {
   if (estimate.peak_bytes <= memory_limit) return Done{};
   return Error{fmt::format("{} and need about {} of memory; {} are free",

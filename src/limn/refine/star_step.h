@@ -21,7 +21,8 @@ struct StarStep {
   std::vector<Index> images;
 };
 
-/// n sectors as for `star` (mesh/lattice.h), rings ≥ 1. The margin is wide enough that no image's stencil meets the rim.
+/// n sectors as for `star` (mesh/lattice.h), rings ≥ 1. The margin is wide enough that no image's
+/// stencil meets the rim.
 [[nodiscard]] StarStep star_step(const Split& split, int n, int rings);
 
 /// The same of a fan: one step, or two where the boundary moves in every second one only.

@@ -22,19 +22,24 @@ struct ReadyStep {
   fast::PatchProgram program;
 };
 
-/// The most that the arrays of a result and the work on it take.
-Status check_room(const fast::Family::Size& last, int levels) {
-  const double vertices = last.vertices, faces = last.faces, corners = last.corners;
+/// The most that a result in doubles and the work on it take.
+double needed_bytes(double vertices, double faces, double corners) {
   constexpr double kPoint = 3 * sizeof(double);
-  // the level before, and the plans' numbers (measured: 1 to 4 bytes)
-  constexpr double kWork = kPoint / 3 + 4;
-  const double bytes = vertices * (kPoint + kWork) + (faces + corners) * sizeof(Index);
-  return check_memory({vertices, faces, bytes}, levels, available_memory());
+  // the level before, and the plans' numbers (measured: 1 to 9 bytes; 18 where √3 ends early)
+  constexpr double kWork = kPoint / 3 + 9;
+  return vertices * (kPoint + kWork) + (faces + corners) * sizeof(Index);
 }
 
 }  // namespace
 
 bool has_fast_layout(const Split& split) { return fast::has_family(split); }
+
+RefineEstimate FastRefiner::estimate(const Split& split, const Mesh& control, int levels) {
+  RefineEstimate estimate = estimate_refinement(split, control, levels, sizeof(Point3));
+  const double corners = (split.lattice == Lattice::triangle ? 3 : 4) * estimate.faces;
+  estimate.peak_bytes = needed_bytes(estimate.vertices, estimate.faces, corners);
+  return estimate;
+}
 
 struct FastRefiner::State {
   Mesh control;
@@ -61,7 +66,9 @@ Status FastRefiner::State::prepare(const Scheme& scheme) {
         !status)
       return status;
   size = family->size(levels);
-  if (Status status = check_room(size, levels); !status) return status;
+  const double after = size.vertices, faces = size.faces;
+  const RefineEstimate needed{after, faces, needed_bytes(after, faces, size.corners)};
+  if (Status status = check_memory(needed, levels, available_memory()); !status) return status;
   Result<fast::PlainSteps> made = fast::PlainSteps::make(scheme, control, first);
   if (!made) return made.error();
   plain.emplace(std::move(*made));

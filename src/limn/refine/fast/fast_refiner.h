@@ -18,6 +18,7 @@
 
 #include "limn/base/huge_array.h"
 #include "limn/refine/fast/family.h"
+#include "limn/refine/refine.h"
 
 namespace limn {
 
@@ -31,6 +32,9 @@ class FastRefiner {
   /// Cost: reading the tables, some 0.1 ms for each valence that is in the mesh, the plain steps,
   /// and for each further level some 0.1 µs a control vertex.
   [[nodiscard]] static Result<FastRefiner> make(const Scheme& scheme, Mesh control, int levels);
+
+  /// What `fast_refine` will make and need at most, by counting.
+  [[nodiscard]] static RefineEstimate estimate(const Split& split, const Mesh& control, int levels);
 
   FastRefiner(FastRefiner&&) noexcept;
   FastRefiner& operator=(FastRefiner&&) noexcept;
