@@ -32,6 +32,9 @@ struct RefineOptions {
   bool json = false;
   std::string engine = "quick";
 
+  [[nodiscard]] bool wants_quick(const Scheme& chosen) const {
+    return engine == "quick" && has_fast_layout(*chosen.split);
+  }
   /// Whether anything is asked of the limit surface.
   [[nodiscard]] bool wants_limit() const { return limit || normals || !curvatures.empty(); }
 };
@@ -91,8 +94,30 @@ Status take_to_limit(const RefineOptions& options, const Scheme& scheme, Refined
   return Done{};
 }
 
+/// What is needed, in a word before the work begins, where it is much.
+void announce(const RefineOptions& options, const Scheme& scheme, const Mesh& mesh,
+              ProgressLine& line) {
+  const RefineEstimate needed =
+      options.wants_quick(scheme)
+          ? FastRefiner::estimate(*scheme.split, mesh, options.levels)
+          : estimate_refinement(*scheme.split, mesh, options.levels, sizeof(Point3));
+  if (needed.peak_bytes > kMuchMemory) line.show_now(text_of(needed, options.levels));
+}
+
+/// Refinement and limit in one; nothing where the limit has no quick way.
+Result<std::optional<Polygons>> quick_limit(const RefineOptions& options, const Scheme& scheme,
+                                            const ControlMesh& control, WriteOptions& extras) {
+  Result<std::optional<FastLimitMesh>> limit =
+      approx_fast_limit_mesh(scheme, control.mesh, control.points, options.levels);
+  if (!limit) return limit.error();
+  if (!*limit) return std::optional<Polygons>();
+  if (options.normals) extras.normals = std::move((*limit)->normals);
+  if (options.limit) (*limit)->refined.positions = std::move((*limit)->limit);
+  return std::optional<Polygons>(std::move((*limit)->refined));
+}
+
 /// The refined mesh, by the engine that was asked for where there is a choice, and what the options
-/// ask of the limit. `seconds` is the time of refinement alone.
+/// ask of the limit. `seconds` is the time of refinement, without a limit that is found after it.
 Result<Polygons> refined_polygons(const RefineOptions& options, const Scheme& scheme,
                                   ControlMesh& control, WriteOptions& extras, ProgressLine& line,
                                   double& seconds) {
@@ -100,23 +125,14 @@ Result<Polygons> refined_polygons(const RefineOptions& options, const Scheme& sc
   const auto stop = [&] {
     seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   };
-  std::optional<Refined<Point3>> refined;
-  const bool quick = options.engine == "quick" && has_fast_layout(*scheme.split);
-  const RefineEstimate needed =
-      quick ? FastRefiner::estimate(*scheme.split, control.mesh, options.levels)
-            : estimate_refinement(*scheme.split, control.mesh, options.levels, sizeof(Point3));
-  if (needed.peak_bytes > kMuchMemory) line.show_now(text_of(needed, options.levels));
+  const bool quick = options.wants_quick(scheme);
   if (quick && options.wants_limit() && options.curvatures.empty()) {
-    Result<std::optional<FastLimitMesh>> limit =
-        approx_fast_limit_mesh(scheme, control.mesh, control.points, options.levels);
-    if (!limit) return limit.error();
-    if (*limit) {
-      stop();
-      if (options.normals) extras.normals = std::move((*limit)->normals);
-      if (options.limit) (*limit)->refined.positions = std::move((*limit)->limit);
-      return std::move((*limit)->refined);
-    }
+    Result<std::optional<Polygons>> fine = quick_limit(options, scheme, control, extras);
+    stop();
+    if (!fine) return fine.error();
+    if (*fine) return **std::move(fine);
   }
+  std::optional<Refined<Point3>> refined;
   if (quick) {
     Result<Polygons> fine = fast_refine(scheme, control.mesh, control.points, options.levels);
     stop();
@@ -158,6 +174,7 @@ int refine_mesh(const RefineOptions& options) {
   ProgressLine line;
   WriteOptions extras;
   double seconds = 0;
+  announce(options, *scheme, control->mesh, line);
   const Result<Polygons> result =
       refined_polygons(options, *scheme, *control, extras, line, seconds);
   if (!result) {
@@ -198,9 +215,8 @@ void declare_refine(CLI::App& parser, Action& action) {
                     "cut polygons into triangles first, each from its first corner");
   command
       ->add_option("--engine", options->engine,
-                   "quick: grids on the control faces, where the split has them "
-                   "(triangle-dyadic); plain: step by step. The same surface to rounding, its "
-                   "vertices and faces in another order")
+                   "quick: grids on the control faces; plain: step by step. The same surface to "
+                   "rounding, its vertices and faces in another order")
       ->capture_default_str()
       ->check(CLI::IsMember({"quick", "plain"}));
   command->add_flag("--json", options->json, "print one JSON object");

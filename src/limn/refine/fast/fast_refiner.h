@@ -1,17 +1,18 @@
 #pragma once
-/// The quick engine: refinement of a control mesh by a fixed number of steps, several times as fast
-/// as the plain engine (refine/refine.h), whose results it gives to rounding, for every scheme of a
-/// split that has a layout: triangle-dyadic and quad-dyadic.
+/// The quick engine: refinement of a control mesh by a fixed number of steps, many times as fast
+/// as the plain engine (refine/refine.h), whose results it gives to rounding, for every scheme of
+/// a split that has a family (families.h).
 ///
-/// The finer the mesh, the more of it is regular: each control face is a patch whose inside needs
-/// one stencil for each parity, and its connectivity is arithmetic (triangle_layout.h,
-/// quad_layout.h). Nothing is typed in for a scheme: all stencils are read by refining linear forms
-/// with the plain engine (stencil_tables.h), which also makes the first steps where rules look
-/// farther than a control edge. Topology is worked out once; positions may be evaluated often.
+/// The finer the mesh, the more of it is regular: it falls into patches, whose insides need a few
+/// stencils and whose connectivity is arithmetic. Nothing is typed in for a scheme: all stencils
+/// are read by refining linear forms with the plain engine (stencil_tables.h), which also makes the
+/// first steps where rules look farther than a control edge. Topology is worked out once; positions
+/// may be evaluated often.
 ///
-/// Numbers of the refined mesh: see triangle_layout.h and quad_family.h. The control vertices keep
-/// theirs, so vertex v < V is the image of control vertex v; the vertices of the levels in between
-/// do not come first. The order is another than the plain engine's.
+/// Numbers of the refined mesh: see triangle_layout.h, quad_family.h, sqrt3_layout.h and
+/// dual_layout.h. Where a split keeps the old vertices, control vertices keep their numbers, so
+/// vertex v < V is the image of control vertex v; the vertices of the levels in between do not come
+/// first. The order is another than the plain engine's.
 
 #include <memory>
 #include <span>
