@@ -12,6 +12,7 @@
 #include <fmt/core.h>
 
 #include "limn/base/parallel.h"
+#include "limn/extraordinary/fast_limit.h"
 #include "limn/refine/fast/fast_refiner.h"
 #include "peers/control_meshes.h"
 
@@ -93,6 +94,23 @@ void evaluate_again(benchmark::State& state, const Job& job, int threads) {
   report(state, refiner);
 }
 
+/// Limit positions and unit normals, the topology being known.
+void evaluate_limit(benchmark::State& state, const Job& job, int threads) {
+  set_thread_limit(threads);
+  const FastRefiner refiner = job.refiner().value();
+  const auto limit = approx_fast_limit(job.scheme, refiner).value();
+  if (!limit) return state.SkipWithError("no quick limit");
+  Output output(refiner);
+  HugeArray<float> normals(output.positions.size());
+  FastRefiner::Scratch<float> scratch;
+  for (auto _ : state) {
+    refiner.evaluate_limit<float>(*limit, job.positions, output.positions, normals, scratch);
+    benchmark::ClobberMemory();
+  }
+  set_thread_limit(0);
+  report(state, refiner);
+}
+
 void add(const std::string& mesh_name, const Polygons& control, int levels,
          const Schemes& schemes) {
   const auto row = [&](const std::string& what, auto body) {
@@ -114,6 +132,7 @@ void add(const std::string& mesh_name, const Polygons& control, int levels,
           fmt::format("{}/{}", name, threads == 1 ? "one_thread" : "all_threads");
       row(on + "/full", [=](State& state) { refine_fully(state, *job, threads, false); });
       row(on + "/again", [=](State& state) { evaluate_again(state, *job, threads); });
+      row(on + "/limit", [=](State& state) { evaluate_limit(state, *job, threads); });
     }
     row(fmt::format("{}/one_thread/full_cold", name),
         [=](State& state) { refine_fully(state, *job, 1, true); });

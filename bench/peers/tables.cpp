@@ -37,7 +37,8 @@ double least(const Outcome& outcome, Counts counts, Value value) {
 
 double warm(const Entry& entry) { return entry.warm.run; }
 double cold(const Entry& entry) { return entry.cold.run; }
-bool is_peer(const Entry& entry) { return !entry.ours; }
+/// On one thread: what ratios are to.
+bool is_peer(const Entry& entry) { return !entry.ours && entry.threads == 1; }
 
 double vertices(const Outcome& outcome) {
   double most = 0;
@@ -105,7 +106,7 @@ void print_machine() {
   fmt::print(
       "One thread: processor time. Two threads: the clock's, worth little where the load is not "
       "small. The other libraries' refinement uses one thread; OpenSubdiv's stencils are cut into "
-      "ranges for two.\n");
+      "ranges for two. Ratios to the best peer are to one on one thread.\n");
 }
 
 void print_full_head(const std::string& mesh) {
