@@ -31,6 +31,10 @@ target_link_libraries(limn
           $<BUILD_INTERFACE:nlohmann_json::nlohmann_json>
           $<BUILD_INTERFACE:FastFloat::fast_float>)
 target_include_directories(limn SYSTEM PRIVATE ${LIMN_TOML_INCLUDE_DIR})
+# Square roots in vectors: they need not set errno.
+set_source_files_properties(${PROJECT_SOURCE_DIR}/src/limn/refine/fast/patch_step.cpp
+  PROPERTIES COMPILE_OPTIONS -fno-math-errno)
+
 if(LIMN_HAS_TBB)
   target_compile_definitions(limn PRIVATE LIMN_HAS_TBB=1)
   target_link_libraries(limn PRIVATE TBB::tbb)

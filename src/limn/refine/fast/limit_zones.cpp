@@ -1,8 +1,23 @@
 #include "limn/refine/fast/limit_zones.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace limn::fast {
+namespace {
+
+/// Weights without the last digits of the eigenvectors that they come from: so those that symmetry
+/// makes equal are, and what should be zero is.
+std::vector<double> rounded(std::vector<double> weights) {
+  double largest = 0;
+  for (const double w : weights) largest = std::max(largest, std::abs(w));
+  const double unit = std::ldexp(largest, -42);
+  if (unit > 0)
+    for (double& w : weights) w = unit * std::round(w / unit);
+  return weights;
+}
+
+}  // namespace
 
 ZoneTable limit_table(const LimitSums& sums, const StarShape& shape) {
   ZoneTable table;
@@ -24,7 +39,8 @@ LimitSums limit_of_isolated() { return {0, {{{1.0}, {0.0}, {0.0}}}}; }
 std::vector<Stencil> limit_stencils(const LimitSums& sums, Lattice lattice) {
   const StarShape plane{lattice, plane_sectors(lattice), false};
   std::vector<Stencil> stencils;
-  for (const std::vector<double>& weights : sums.weights) {
+  for (const std::vector<double>& exact : sums.weights) {
+    const std::vector<double> weights = rounded(exact);
     Stencil& stencil = stencils.emplace_back();
     for (std::size_t i = 0; i < weights.size(); ++i)
       if (weights[i] != 0)

@@ -1,6 +1,7 @@
 #include "limn/refine/fast/patch_step.h"
 
 #include <cmath>
+#include <limits>
 
 #include "limn/refine/fast/lane_stencil.h"
 #include "limn/refine/fast/patch_worker.h"
@@ -18,18 +19,44 @@ std::vector<LaneStencil<Real>> lane_stencils(const PatchPlan& plan, const PatchP
   return stencils;
 }
 
-/// first := first × second, as unit vectors; zero stays.
+/// Position and two tangents of the points of a block, and the normal from these.
 template <class Real>
-void cross_to_unit(LanePoint<Real>& first, const LanePoint<Real>& second) {
-  const LanePoint<Real> normal{first.y * second.z - first.z * second.y,
-                               first.z * second.x - first.x * second.z,
-                               first.x * second.y - first.y * second.x};
-  const Vector<Real> squared = normal.x * normal.x + normal.y * normal.y + normal.z * normal.z;
-  Vector<Real> scale{};
-  for (int lane = 0; lane < kLanes<Real>; ++lane)
-    scale[lane] = squared[lane] > 0 ? 1 / std::sqrt(squared[lane]) : 0;
-  first = {normal.x * scale, normal.y * scale, normal.z * scale};
-}
+class LimitLines {
+ public:
+  explicit LimitLines(std::size_t points)
+      : position_(points), first_(points), second_(points), lengths_(points * kLanes<Real>) {}
+
+  void make(const std::vector<LaneStencil<Real>>& stencils, const LanePoint<Real>* grid,
+            const StencilPoints& points) {
+    stencils[0].apply(grid, points, position_.data());
+    stencils[1].apply(grid, points, first_.data());
+    stencils[2].apply(grid, points, second_.data());
+    cross_to_units();
+  }
+  [[nodiscard]] const LanePoint<Real>* positions() const { return position_.data(); }
+  [[nodiscard]] const LanePoint<Real>* normals() const { return first_.data(); }
+
+ private:
+  /// first := first × second, as unit vectors; zero stays. In three loops, so that the compiler
+  /// takes several roots in one instruction.
+  void cross_to_units() {
+    for (std::size_t i = 0; i < first_.size(); ++i) {
+      const LanePoint<Real> a = first_[i], b = second_[i];
+      const LanePoint<Real> n{a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+      first_[i] = n;
+      store(&lengths_[i * kLanes<Real>], n.x * n.x + n.y * n.y + n.z * n.z);
+    }
+    constexpr Real kSmallest = std::numeric_limits<Real>::min();
+    for (Real& l : lengths_) l = 1 / std::sqrt(l + kSmallest);  // no branch
+    for (std::size_t i = 0; i < first_.size(); ++i) {
+      const Vector<Real> scale = load(&lengths_[i * kLanes<Real>]);
+      first_[i] = {first_[i].x * scale, first_[i].y * scale, first_[i].z * scale};
+    }
+  }
+
+  Line<Real> position_, first_, second_;
+  std::vector<Real> lengths_;  // of the normals, then their inverses
+};
 
 }  // namespace
 
@@ -53,17 +80,14 @@ void make_limit_patches(const PatchPlan& plan, const PatchProgram& program, cons
                         Real* positions, Real* normals) {
   const std::vector<LaneStencil<Real>> stencils = lane_stencils<Real>(plan, program);
   for_batches(plan, program, in, [&] {
-    const Line<Real> line(static_cast<std::size_t>(program.line));
-    return
-        [&, sums = std::array<Line<Real>, 3>{line, line, line}](PatchWorker<Real>& worker) mutable {
-          for (const PatchBlock& block : program.blocks) {
-            for (std::size_t i = 0; i < sums.size(); ++i)
-              stencils[i].apply(worker.grid(), block.points.front(), sums[i].data());
-            for (std::size_t i = 0; i < sums[1].size(); ++i) cross_to_unit(sums[1][i], sums[2][i]);
-            worker.put(block, sums[0].data(), positions);
-            worker.put(block, sums[1].data(), normals);
-          }
-        };
+    return [&, sums = LimitLines<Real>(static_cast<std::size_t>(program.line))](
+               PatchWorker<Real>& worker) mutable {
+      for (const PatchBlock& block : program.blocks) {
+        sums.make(stencils, worker.grid(), block.points.front());
+        worker.put(block, sums.positions(), positions);
+        worker.put(block, sums.normals(), normals);
+      }
+    };
   });
 }
 
