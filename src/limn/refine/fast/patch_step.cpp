@@ -15,6 +15,7 @@ using Line = std::vector<LanePoint<Real>>;
 template <class Real>
 std::vector<LaneStencil<Real>> lane_stencils(const PatchPlan& plan, const PatchProgram& program) {
   std::vector<LaneStencil<Real>> stencils;
+  stencils.reserve(plan.stencils.size());
   for (const Stencil& stencil : plan.stencils) stencils.emplace_back(stencil, program);
   return stencils;
 }

@@ -52,6 +52,7 @@ Offset in_patch(Index n, Index side, Offset point) {
 
 std::vector<Offset> frame_places(Index n, Index halo) {
   std::vector<Offset> places;
+  places.reserve(3 * static_cast<std::size_t>(n + halo * n));
   for (Index side = 0; side < 3; ++side) places.push_back(in_patch(n, side, {0, 0}));
   for (Index side = 0; side < 3; ++side)
     for (Index t = 1; t < n; ++t) places.push_back(in_patch(n, side, {t, 0}));
@@ -63,6 +64,7 @@ std::vector<Offset> frame_places(Index n, Index halo) {
 
 std::vector<Offset> inner_places(Index n) {
   std::vector<Offset> places;
+  places.reserve(static_cast<std::size_t>((n - 1) * (n - 2) / 2));
   for (Index y = 1; y < n; ++y)
     for (Index x = 1; x + y < n; ++x) places.push_back({x, y});
   return places;
