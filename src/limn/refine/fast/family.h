@@ -44,7 +44,7 @@ class Family {
     return std::optional<StepPlan>();
   }
   /// The plain engine's vertex at each number of level plain_steps(), given what the plain steps
-  /// made; empty where the numbers are the same, as they are after no step and after one.
+  /// made; empty where the numbers are the same.
   [[nodiscard]] virtual std::vector<Index> plain_order(
       const std::vector<SplitResult>& steps) const = 0;
   /// The corners of the faces of a level, face by face.

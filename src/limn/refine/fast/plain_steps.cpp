@@ -21,6 +21,13 @@ Births births(const Split& split, const Mesh& mesh) {
 }
 
 }  // namespace
+Index first_part(const Mesh& coarse, const SplitResult& split, Index h) {
+  const Index middle = split.births.from_vertices + coarse.edge(h);
+  Index part = split.mesh.halfedge_of_vertex(coarse.origin(h));
+  while (split.mesh.target(part) != middle) part = split.mesh.rotate(part);
+  return part;
+}
+
 Result<PlainSteps> PlainSteps::make(const Scheme& scheme, const Mesh& control, int count) {
   PlainSteps steps(scheme, control);
   for (int step = 0; step < count; ++step) {

@@ -5,6 +5,10 @@
 
 namespace limn::fast {
 
+/// Of a split that cuts edges in two: the half-edge of the refined mesh that starts as h does, on
+/// the same edge.
+[[nodiscard]] Index first_part(const Mesh& coarse, const SplitResult& split, Index h);
+
 class PlainSteps {
  public:
   /// `count` ≥ 0 steps from the control mesh; scheme and mesh must outlive them. Fails as refine

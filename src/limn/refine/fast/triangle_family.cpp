@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "limn/refine/fast/limit_zones.h"
+#include "limn/refine/fast/plain_steps.h"
 #include "limn/refine/fast/triangle_frame.h"
 #include "limn/refine/fast/zones.h"
 
@@ -27,14 +28,6 @@ PatchShape make_shape(Index n, Index halo, Index factor) {
       shape.runs[static_cast<std::size_t>(side)].push_back(point(in_patch(fine, side, {t, 0})));
   for (const Offset place : inner_places(fine)) shape.runs[3].push_back(point(place));
   return shape;
-}
-
-/// The half-edge of the refined mesh that starts as h does, on the same edge.
-Index first_part(const Mesh& coarse, const SplitResult& split, Index h) {
-  const Index middle = split.births.from_vertices + coarse.edge(h);
-  Index part = split.mesh.halfedge_of_vertex(coarse.origin(h));
-  while (split.mesh.target(part) != middle) part = split.mesh.rotate(part);
-  return part;
 }
 
 /// The plain engine's vertices, by walking each control face row by row.
@@ -106,32 +99,10 @@ class TriangleFamily final : public Family {
 
   [[nodiscard]] Result<std::optional<StepPlan>> limit_plan(int level,
                                                            const LimitSumsOf& of) const override {
-    using Found = std::optional<StepPlan>;
-    if (groups_.empty()) return Found();
     const TriangleLayout at = layout(level);
-    const Result<LimitSums> regular = of(false, plane_sectors(kLattice));
-    if (!regular) return regular.error();
-    if (!near_limit(*regular)) return Found();
-    StepPlan plan;
-    plan.patches = patches(at, at, limit_stencils(*regular, kLattice), 1);
-    if (!sides_.empty()) {
-      const StarShape half{kLattice, half_plane_sectors(kLattice), true};
-      const Result<LimitSums> side = of(true, half.sectors);
-      if (!side) return side.error();
-      if (!near_limit(*side)) return Found();
-      plan.rows.push_back(limit_sides(limit_table(*side, half), at));
-    }
-    for (const ZoneGroup& group : groups_) {
-      const bool isolated = group.kind.faces == 0;
-      const Result<LimitSums> sums =
-          isolated ? limit_of_isolated() : of(group.kind.open, group.kind.faces);
-      if (!sums) return sums.error();
-      if (!near_limit(*sums)) return Found();
-      ZoneTable table = limit_table(*sums, {kLattice, group.kind.faces, group.kind.open});
-      plan.rows.push_back({std::move(table.rows), number_points(group, at, table.sources),
-                           number_points(group, at, table.targets), false});
-    }
-    return Found(std::move(plan));
+    return grid_limit_plan(groups_, sides_, at, kLattice, of, [&](std::vector<Stencil> stencils) {
+      return patches(at, at, std::move(stencils), 1);
+    });
   }
 
   [[nodiscard]] std::vector<Index> plain_order(
@@ -152,20 +123,6 @@ class TriangleFamily final : public Family {
   [[nodiscard]] Index corners_per_face() const override { return 3; }
 
  private:
-  /// The rows at the inner points of boundary sides.
-  [[nodiscard]] RowPlan limit_sides(const ZoneTable& table, const TriangleLayout& at) const {
-    std::vector<Index> sources, targets;
-    for (const Index h : sides_)
-      for (Index t = 1; t < at.n(); ++t) {
-        for (const SectorPoint& source : table.sources) {
-          const Offset place = on_plane(kLattice, source);
-          sources.push_back(at.point_beyond(h, t + place.a, place.b));
-        }
-        targets.push_back(at.point(h, t, 0));
-      }
-    return {table.rows, HugeArray<Index>(sources), HugeArray<Index>(targets), false};
-  }
-
   [[nodiscard]] TriangleLayout layout(int level) const {
     // without faces nothing grows, whatever the level
     return {control_, control_.face_count() == 0 ? 1 : Index{1} << level};
