@@ -1,16 +1,18 @@
 #include "limn/extraordinary/limit_sites.h"
 
+#include "limn/refine/linear_form.h"
 #include "limn/refine/refine.h"
 
 namespace limn {
 namespace {
 
-Result<LimitPatch> refined(const Scheme& scheme, const Mesh& mesh,
-                           const std::vector<Point3>& values, int step,
-                           RuleTables<double>& tables) {
-  Result<Refined<Point3>> fine = refine_once(scheme, mesh, values, step, tables);
+template <class Value>
+Result<LimitPatch<Value>> refined(const Scheme& scheme, const Mesh& mesh,
+                                  const std::vector<Value>& values, int step,
+                                  RuleTables<double>& tables) {
+  Result<Refined<Value>> fine = refine_once(scheme, mesh, values, step, tables);
   if (!fine) return fine.error();
-  return LimitPatch{std::move(fine->mesh), std::move(fine->values), {}};
+  return LimitPatch<Value>{std::move(fine->mesh), std::move(fine->values), {}};
 }
 
 /// Faces of a mesh as one of their own. Where they meet in a vertex only, each fan gets a copy of
@@ -141,23 +143,26 @@ std::vector<LimitSite> limit_sites(const Mesh& mesh, const std::vector<Index>& v
   return sites;
 }
 
-Result<LimitPatch> dual_patch(const Scheme& scheme, const Mesh& mesh,
-                              const std::vector<Point3>& values, const std::vector<Index>& vertices,
-                              int step, RuleTables<double>& tables) {
-  Result<LimitPatch> patch = refined(scheme, mesh, values, step, tables);
+template <class Value>
+Result<LimitPatch<Value>> dual_patch(const Scheme& scheme, const Mesh& mesh,
+                                     const std::vector<Value>& values,
+                                     const std::vector<Index>& vertices, int step,
+                                     RuleTables<double>& tables) {
+  Result<LimitPatch<Value>> patch = refined(scheme, mesh, values, step, tables);
   if (!patch) return patch;
   for (const Index v : vertices)
     if (!mesh.is_isolated(v)) patch->sites.push_back({v, dual_site(mesh, patch->mesh, v)});
   return patch;
 }
 
-Result<LimitPatch> refined_patch(const Scheme& scheme, const Mesh& mesh,
-                                 const std::vector<Point3>& values,
-                                 const std::vector<LimitSite>& sites, int rings, int step,
-                                 RuleTables<double>& tables) {
+template <class Value>
+Result<LimitPatch<Value>> refined_patch(const Scheme& scheme, const Mesh& mesh,
+                                        const std::vector<Value>& values,
+                                        const std::vector<LimitSite>& sites, int rings, int step,
+                                        RuleTables<double>& tables) {
   const bool dual = scheme.split->births_corners;
   Part part(mesh, surroundings(*scheme.split, mesh, sites, rings));
-  std::vector<Point3> part_values;
+  std::vector<Value> part_values;
   part_values.reserve(part.old_vertex.size());
   for (const Index v : part.old_vertex) part_values.push_back(values[v]);
   std::vector<LimitSite> part_sites;
@@ -166,9 +171,24 @@ Result<LimitPatch> refined_patch(const Scheme& scheme, const Mesh& mesh,
     part_sites.push_back({site.result, dual ? part.halfedge(site.at)
                                             : part.vertex_at(mesh.halfedge_of_vertex(site.at))});
   const Mesh part_mesh = std::move(part).mesh();
-  Result<LimitPatch> patch = refined(scheme, part_mesh, part_values, step, tables);
+  Result<LimitPatch<Value>> patch = refined(scheme, part_mesh, part_values, step, tables);
   if (patch) patch->sites = std::move(part_sites);
   return patch;
 }
+
+using Form = LinearForm<double>;
+template Result<LimitPatch<Point3>> dual_patch(const Scheme&, const Mesh&,
+                                               const std::vector<Point3>&,
+                                               const std::vector<Index>&, int, RuleTables<double>&);
+template Result<LimitPatch<Form>> dual_patch(const Scheme&, const Mesh&, const std::vector<Form>&,
+                                             const std::vector<Index>&, int, RuleTables<double>&);
+template Result<LimitPatch<Point3>> refined_patch(const Scheme&, const Mesh&,
+                                                  const std::vector<Point3>&,
+                                                  const std::vector<LimitSite>&, int, int,
+                                                  RuleTables<double>&);
+template Result<LimitPatch<Form>> refined_patch(const Scheme&, const Mesh&,
+                                                const std::vector<Form>&,
+                                                const std::vector<LimitSite>&, int, int,
+                                                RuleTables<double>&);
 
 }  // namespace limn

@@ -14,10 +14,12 @@ struct LimitSite {
   Index at;      ///< vertex, or half-edge of the face
 };
 
-/// Faces round some sites, refined once, and where the sites are there.
+/// Faces round some sites, refined once, and where the sites are there. Values are points or linear
+/// forms.
+template <class Value>
 struct LimitPatch {
   Mesh mesh;
-  std::vector<Point3> values;
+  std::vector<Value> values;
   std::vector<LimitSite> sites;
 };
 
@@ -26,15 +28,18 @@ struct LimitPatch {
                                                  const std::vector<Index>& vertices);
 
 /// The whole mesh of a dual split after one step, its number `step`, and the vertices' sites there.
-[[nodiscard]] Result<LimitPatch> dual_patch(const Scheme& scheme, const Mesh& mesh,
-                                            const std::vector<Point3>& values,
-                                            const std::vector<Index>& vertices, int step,
-                                            RuleTables<double>& tables);
+template <class Value>
+[[nodiscard]] Result<LimitPatch<Value>> dual_patch(const Scheme& scheme, const Mesh& mesh,
+                                                   const std::vector<Value>& values,
+                                                   const std::vector<Index>& vertices, int step,
+                                                   RuleTables<double>& tables);
 
 /// The faces within `rings` rings of the sites after one step, its number `step`.
-[[nodiscard]] Result<LimitPatch> refined_patch(const Scheme& scheme, const Mesh& mesh,
-                                               const std::vector<Point3>& values,
-                                               const std::vector<LimitSite>& sites, int rings,
-                                               int step, RuleTables<double>& tables);
+template <class Value>
+[[nodiscard]] Result<LimitPatch<Value>> refined_patch(const Scheme& scheme, const Mesh& mesh,
+                                                      const std::vector<Value>& values,
+                                                      const std::vector<LimitSite>& sites,
+                                                      int rings, int step,
+                                                      RuleTables<double>& tables);
 
 }  // namespace limn

@@ -3,23 +3,34 @@
 /// the one before.
 
 #include <array>
-#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
 
 #include "limn/refine/fast/step_plan.h"
+#include "limn/refine/linear_form.h"
 #include "limn/scheme/scheme.h"
 
 namespace limn::fast {
 
-/// Limit position and two tangents at a vertex, as sums over the vertices of a star or fan.
-struct LimitSums {
-  Index rings = 1;
-  std::array<std::vector<double>, 3> weights;  ///< numbered as in mesh/lattice.h
+/// The limit surface at a vertex of a mesh, as sums over the mesh's vertices: position and two
+/// tangents, whose cross product points outward.
+using LimitForms = std::array<LinearForm<double>, 3>;
+
+/// Finds the limit surface at vertices of a level: what this floor cannot know.
+class LimitReader {
+ public:
+  virtual ~LimitReader() = default;
+  /// How many rings round a regular vertex, interior or (`open`) on the boundary, must be regular
+  /// but for the outermost, so that its sums are those of any such vertex.
+  [[nodiscard]] virtual Result<Index> regular_rings(bool open) = 0;
+  /// At these vertices of a small mesh, which stands for part of a level made by `steps_made`
+  /// steps. Its boundary is refined as the scheme has it, or (`closed`) stands for nothing: then
+  /// vertices are far from it. Nothing at vertices whose normal is not that of two sums. An
+  /// isolated vertex stays, its tangents are zero.
+  [[nodiscard]] virtual Result<std::vector<std::optional<LimitForms>>> read(
+      const Mesh& mesh, int steps_made, bool closed, const std::vector<Index>& vertices) = 0;
 };
-/// Of a vertex of so many faces, in a fan where `open`.
-using LimitSumsOf = std::function<Result<LimitSums>(bool open, Index faces)>;
 
 class Family {
  public:
@@ -37,10 +48,9 @@ class Family {
   /// From `level` to the next.
   [[nodiscard]] virtual StepPlan plan(int level) const = 0;
   /// The limit surface at the vertices of `level` (see step_plan.h). Nothing where the sums look
-  /// farther than one ring, so that near irregular vertices they would not do, or the family
-  /// cannot.
-  [[nodiscard]] virtual Result<std::optional<StepPlan>> limit_plan(
-      int /*level*/, const LimitSumsOf& /*of*/) const {
+  /// too far for that level, or a normal is not that of two sums.
+  [[nodiscard]] virtual Result<std::optional<StepPlan>> limit_plan(int /*level*/,
+                                                                   LimitReader& /*reader*/) const {
     return std::optional<StepPlan>();
   }
   /// The plain engine's vertex at each number of level plain_steps(), given what the plain steps

@@ -139,8 +139,8 @@ FastRefiner::Limit& FastRefiner::Limit::operator=(Limit&&) noexcept = default;
 FastRefiner::Limit::~Limit() = default;
 std::size_t FastRefiner::Limit::bytes() const { return bytes_of(plan_->step.plan); }
 
-Result<std::optional<FastRefiner::Limit>> FastRefiner::limit(const fast::LimitSumsOf& of) const {
-  Result<std::optional<fast::StepPlan>> plan = state_->family->limit_plan(state_->levels, of);
+Result<std::optional<FastRefiner::Limit>> FastRefiner::limit(fast::LimitReader& reader) const {
+  Result<std::optional<fast::StepPlan>> plan = state_->family->limit_plan(state_->levels, reader);
   if (!plan) return plan.error();
   if (!*plan) return std::optional<Limit>();
   fast::PatchProgram program =

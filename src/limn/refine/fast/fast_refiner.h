@@ -84,10 +84,9 @@ class FastRefiner {
     explicit Limit(std::unique_ptr<const Plan> plan);
     std::unique_ptr<const Plan> plan_;
   };
-  /// `of` gives limit stencils (fast/family.h), as approx_limit_stencil finds them. Nothing where
-  /// these look farther than one ring or a vertex has no tangents, and for splits whose
-  /// layout has no limit plan. Fails as `of`.
-  [[nodiscard]] Result<std::optional<Limit>> limit(const fast::LimitSumsOf& of) const;
+  /// `reader` knows the limit surface (fast/family.h). Nothing where it looks too far for so few
+  /// levels, or a vertex's normal is not that of two sums. Fails as `reader`.
+  [[nodiscard]] Result<std::optional<Limit>> limit(fast::LimitReader& reader) const;
 
   /// Limit positions and unit normals at the refined vertices from the positions of the control
   /// vertices; arrays as for `evaluate`. A normal is zero where the tangents are parallel. The

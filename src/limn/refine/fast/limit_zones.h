@@ -6,17 +6,13 @@
 
 namespace limn::fast {
 
-/// Sums as a table of one target, which has three rows.
-[[nodiscard]] ZoneTable limit_table(const LimitSums& sums, const StarShape& shape);
-
-/// At an isolated vertex: it stays, without tangents.
-[[nodiscard]] LimitSums limit_of_isolated();
+/// The limit surface at a vertex that so many sectors meet in, `level` steps on: its sums as a
+/// table of one target, which has three rows. Nothing where there are no such sums.
+[[nodiscard]] Result<std::optional<ZoneTable>> read_limit_zone(LimitReader& reader, int level,
+                                                               const StarShape& shape);
 
 /// Sums at a regular interior vertex, on the lattice round it.
-[[nodiscard]] std::vector<Stencil> limit_stencils(const LimitSums& sums, Lattice lattice);
-
-/// Whether the sums are of use: they look no farther than one ring, and there are tangents.
-[[nodiscard]] bool near_limit(const LimitSums& sums);
+[[nodiscard]] std::vector<Stencil> limit_stencils(const ZoneTable& plane, Lattice lattice);
 
 /// The rows at the inner points of boundary sides.
 template <class Layout>
@@ -41,31 +37,36 @@ template <class Layout, class MakePatches>
 [[nodiscard]] Result<std::optional<StepPlan>> grid_limit_plan(const std::vector<ZoneGroup>& groups,
                                                               const std::vector<Index>& sides,
                                                               const Layout& at, Lattice lattice,
-                                                              const LimitSumsOf& of,
+                                                              int level, LimitReader& reader,
                                                               MakePatches make_patches) {
   using Found = std::optional<StepPlan>;
   if (groups.empty()) return Found();
-  const Result<LimitSums> regular = of(false, plane_sectors(lattice));
-  if (!regular) return regular.error();
-  if (!near_limit(*regular)) return Found();
+  for (const bool open : {false, true}) {
+    if (open && sides.empty()) continue;
+    const Result<Index> rings = reader.regular_rings(open);
+    if (!rings) return rings.error();
+    if (*rings > 1) return Found();
+  }
+  const StarShape whole{lattice, plane_sectors(lattice), false};
+  const Result<std::optional<ZoneTable>> plane = read_limit_zone(reader, level, whole);
+  if (!plane) return plane.error();
+  if (!*plane) return Found();
   StepPlan plan;
-  plan.patches = make_patches(limit_stencils(*regular, lattice));
+  plan.patches = make_patches(limit_stencils(**plane, lattice));
   if (!sides.empty()) {
     const StarShape half{lattice, half_plane_sectors(lattice), true};
-    const Result<LimitSums> side = of(true, half.sectors);
+    const Result<std::optional<ZoneTable>> side = read_limit_zone(reader, level, half);
     if (!side) return side.error();
-    if (!near_limit(*side)) return Found();
-    plan.rows.push_back(limit_sides(limit_table(*side, half), sides, at, lattice));
+    if (!*side) return Found();
+    plan.rows.push_back(limit_sides(**side, sides, at, lattice));
   }
   for (const ZoneGroup& group : groups) {
-    const bool isolated = group.kind.faces == 0;
-    const Result<LimitSums> sums =
-        isolated ? limit_of_isolated() : of(group.kind.open, group.kind.faces);
-    if (!sums) return sums.error();
-    if (!near_limit(*sums)) return Found();
-    ZoneTable table = limit_table(*sums, {lattice, group.kind.faces, group.kind.open});
-    plan.rows.push_back({std::move(table.rows), number_points(group, at, table.sources),
-                         number_points(group, at, table.targets), false});
+    const StarShape shape{lattice, group.kind.faces, group.kind.open};
+    const Result<std::optional<ZoneTable>> table = read_limit_zone(reader, level, shape);
+    if (!table) return table.error();
+    if (!*table) return Found();
+    plan.rows.push_back({(*table)->rows, number_points(group, at, (*table)->sources),
+                         number_points(group, at, (*table)->targets), false});
   }
   return Found(std::move(plan));
 }

@@ -111,12 +111,12 @@ class QuadFamily final : public Family {
   }
 
   [[nodiscard]] Result<std::optional<StepPlan>> limit_plan(int level,
-                                                           const LimitSumsOf& of) const override {
+                                                           LimitReader& reader) const override {
     if (groups_.empty() || level < first_) return std::optional<StepPlan>();
     const QuadLayout at = layout(level);
-    return grid_limit_plan(groups_, sides_, at, kLattice, of, [&](std::vector<Stencil> stencils) {
-      return patches(at, at, std::move(stencils), 1);
-    });
+    return grid_limit_plan(
+        groups_, sides_, at, kLattice, level, reader,
+        [&](std::vector<Stencil> stencils) { return patches(at, at, std::move(stencils), 1); });
   }
 
   [[nodiscard]] std::vector<Index> plain_order(

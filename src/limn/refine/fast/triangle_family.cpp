@@ -98,11 +98,11 @@ class TriangleFamily final : public Family {
   }
 
   [[nodiscard]] Result<std::optional<StepPlan>> limit_plan(int level,
-                                                           const LimitSumsOf& of) const override {
+                                                           LimitReader& reader) const override {
     const TriangleLayout at = layout(level);
-    return grid_limit_plan(groups_, sides_, at, kLattice, of, [&](std::vector<Stencil> stencils) {
-      return patches(at, at, std::move(stencils), 1);
-    });
+    return grid_limit_plan(
+        groups_, sides_, at, kLattice, level, reader,
+        [&](std::vector<Stencil> stencils) { return patches(at, at, std::move(stencils), 1); });
   }
 
   [[nodiscard]] std::vector<Index> plain_order(

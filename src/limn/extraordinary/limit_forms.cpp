@@ -1,0 +1,77 @@
+#include "limn/extraordinary/limit_forms.h"
+
+#include "limn/refine/fast/star_places.h"
+
+namespace limn {
+namespace {
+
+using Form = LinearForm<double>;
+
+Form weighted(const std::vector<double>& weights, const std::vector<Index>& vertices,
+              const std::vector<Form>& values) {
+  Form sum;
+  for (std::size_t i = 0; i < weights.size(); ++i)
+    if (weights[i] != 0) add_scaled(sum, weights[i], values[vertices[i]]);
+  return sum;
+}
+
+Form difference(const Form& to, const Form& from) {
+  Form sum = to;
+  add_scaled(sum, -1.0, from);
+  return sum;
+}
+
+/// Two vectors whose cross product is the area vector of the one face, or nothing.
+std::optional<std::array<Form, 2>> tangents_of_face(const Mesh& mesh,
+                                                    const std::vector<Form>& values, Index h,
+                                                    bool dual) {
+  const auto value = [&](Index g) -> const Form& { return values[mesh.origin(g)]; };
+  const Index last = mesh.prev(h), next = mesh.next(h);
+  if (!dual) {
+    if (mesh.twin(last) != kNone || mesh.twin(h) != kNone) return std::nullopt;
+    return std::array{difference(value(next), value(h)), difference(value(last), value(h))};
+  }
+  if (mesh.degree(mesh.face(h)) != 4) return std::nullopt;
+  return std::array{difference(value(mesh.next(next)), value(h)),
+                    difference(value(last), value(next))};
+}
+
+}  // namespace
+
+Result<Index> ApproxLimitReader::regular_rings(bool open) {
+  const Lattice lattice = scheme_.split->lattice;
+  const int size = open ? fast::half_plane_sectors(lattice) : fast::plane_sectors(lattice);
+  const Result<const LimitKind*> kind = kinds_.find(open, size);
+  if (!kind) return kind.error();
+  return (*kind)->shape;
+}
+
+Result<std::vector<std::optional<fast::LimitForms>>> ApproxLimitReader::read(
+    const Mesh& mesh, int steps_made, bool closed, const std::vector<Index>& vertices) {
+  std::vector<std::optional<fast::LimitForms>> found(vertices.size());
+  std::vector<Index> slot(static_cast<std::size_t>(mesh.vertex_count()), kNone);
+  for (std::size_t i = 0; i < vertices.size(); ++i) {
+    slot[vertices[i]] = static_cast<Index>(i);
+    if (mesh.is_isolated(vertices[i])) found[i] = {Form::unit(vertices[i]), Form(), Form()};
+  }
+  LimitOptions options;
+  options.steps_made = steps_made;
+  options.boundary = !closed;
+  const bool dual = scheme_.split->births_corners;
+  const Status status = for_each_limit(
+      scheme_, kinds_, mesh, unit_forms<double>(mesh.vertex_count()), vertices, options,
+      [&](const LimitKind& kind, const Mesh& at, const std::vector<Form>& values, Index start,
+          const std::vector<Index>& neighbourhood, Index vertex) {
+        const Form position = weighted(kind.limit.position, neighbourhood, values);
+        auto& forms = found[slot[vertex]];
+        if (!kind.limit.first_tangent.empty())
+          forms = {position, weighted(kind.limit.first_tangent, neighbourhood, values),
+                   weighted(kind.limit.second_tangent, neighbourhood, values)};
+        else if (auto tangents = tangents_of_face(at, values, start, dual))
+          forms = {position, std::move((*tangents)[0]), std::move((*tangents)[1])};
+      });
+  if (!status) return status.error();
+  return found;
+}
+
+}  // namespace limn
