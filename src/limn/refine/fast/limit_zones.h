@@ -1,38 +1,47 @@
 #pragma once
-/// The limit surface at vertices, from sums over the star or fan round them.
+/// The limit surface at the vertices of a level of grids: patches inside, rows along boundary
+/// sides and round control vertices.
 
-#include "limn/refine/fast/family.h"
-#include "limn/refine/fast/zones.h"
+#include "limn/refine/fast/limit_tables.h"
 
 namespace limn::fast {
 
-/// The limit surface at a vertex that so many sectors meet in, `level` steps on: its sums as a
-/// table of one target, which has three rows. Nothing where there are no such sums.
-[[nodiscard]] Result<std::optional<ZoneTable>> read_limit_zone(LimitReader& reader, int level,
-                                                               const StarShape& shape);
-
-/// Sums at a regular interior vertex, on the lattice round it.
-[[nodiscard]] std::vector<Stencil> limit_stencils(const ZoneTable& plane, Lattice lattice);
-
-/// The rows at the inner points of boundary sides.
+/// The rows along boundary sides but for those in zones.
 template <class Layout>
-[[nodiscard]] RowPlan limit_sides(const ZoneTable& table, const std::vector<Index>& sides,
-                                  const Layout& at, Lattice lattice) {
-  std::vector<Index> sources, targets;
-  for (const Index h : sides)
-    for (Index t = 1; t < at.n(); ++t) {
-      for (const SectorPoint& source : table.sources) {
-        const Offset place = on_plane(lattice, source);
-        sources.push_back(at.point_beyond(h, t + place.a, place.b));
+void add_limit_strips(const LimitTables& tables, const std::vector<Index>& sides, const Layout& at,
+                      Lattice lattice, std::vector<RowPlan>& plans) {
+  const Mesh& mesh = at.control();
+  const Index n = at.n();
+  const auto radius = [&](Index v) {  // faces: one fewer than edges
+    return tables.fans.at(mesh.valence(v) - 1).radius;
+  };
+  for (Index y = 0; y < std::ssize(tables.strips); ++y) {
+    auto [rows, places] = limit_rows(tables.strips[static_cast<std::size_t>(y)]);
+    std::vector<Index> sources, targets;
+    for (const Index h : sides) {
+      const Index left = radius(mesh.origin(h)), right = radius(mesh.target(h));
+      for (Index x = 1; mirrored(lattice, n, x, y) > 0; ++x) {
+        if (ring_of(lattice, x, y) <= left ||
+            ring_of(lattice, mirrored(lattice, n, x, y), y) <= right)
+          continue;
+        for (const Offset& place : places) {
+          sources.push_back(at.point_beyond(h, x + place.a, y + place.b));
+          assert(sources.back() != kNone);
+        }
+        targets.push_back(at.point(h, x, y));
       }
-      targets.push_back(at.point(h, t, 0));
     }
-  return {table.rows, HugeArray<Index>(sources), HugeArray<Index>(targets), false};
+    if (!targets.empty())
+      plans.push_back(
+          {std::move(rows), HugeArray<Index>(sources), HugeArray<Index>(targets), false});
+  }
 }
 
-/// The limit surface at the vertices of a level of grids. `groups` are the control vertices,
-/// `sides` the boundary half-edges, and make_patches(stencils) plans the patches' points by three
-/// stencils. Nothing where the sums are of no use.
+/// The limit surface at the vertices of a level. `groups` are the control vertices, `sides` the
+/// boundary half-edges, and make_patches(stencils, halo) plans the patches' points by three
+/// stencils, with `halo` rows beyond each side. Nothing where the sums are of no use (LimitTables),
+/// or take more than the level's grid has: where a vertex's sums take from its own ring only, every
+/// level has a plan.
 template <class Layout, class MakePatches>
 [[nodiscard]] Result<std::optional<StepPlan>> grid_limit_plan(const std::vector<ZoneGroup>& groups,
                                                               const std::vector<Index>& sides,
@@ -41,32 +50,18 @@ template <class Layout, class MakePatches>
                                                               MakePatches make_patches) {
   using Found = std::optional<StepPlan>;
   if (groups.empty()) return Found();
-  for (const bool open : {false, true}) {
-    if (open && sides.empty()) continue;
-    const Result<Index> rings = reader.regular_rings(open);
-    if (!rings) return rings.error();
-    if (*rings > 1) return Found();
-  }
-  const StarShape whole{lattice, plane_sectors(lattice), false};
-  const Result<std::optional<ZoneTable>> plane = read_limit_zone(reader, level, whole);
-  if (!plane) return plane.error();
-  if (!*plane) return Found();
+  const Result<std::optional<LimitTables>> read = read_limit_tables(reader, lattice, level, groups);
+  if (!read) return read.error();
+  if (!*read || (*read)->smallest_grid > at.n()) return Found();
+  const LimitTables& tables = **read;
   StepPlan plan;
-  plan.patches = make_patches(limit_stencils(**plane, lattice));
-  if (!sides.empty()) {
-    const StarShape half{lattice, half_plane_sectors(lattice), true};
-    const Result<std::optional<ZoneTable>> side = read_limit_zone(reader, level, half);
-    if (!side) return side.error();
-    if (!*side) return Found();
-    plan.rows.push_back(limit_sides(**side, sides, at, lattice));
-  }
+  plan.patches = make_patches({tables.interior.begin(), tables.interior.end()}, tables.halo);
+  add_limit_strips(tables, sides, at, lattice, plan.rows);
   for (const ZoneGroup& group : groups) {
-    const StarShape shape{lattice, group.kind.faces, group.kind.open};
-    const Result<std::optional<ZoneTable>> table = read_limit_zone(reader, level, shape);
-    if (!table) return table.error();
-    if (!*table) return Found();
-    plan.rows.push_back({(*table)->rows, number_points(group, at, (*table)->sources),
-                         number_points(group, at, (*table)->targets), false});
+    const ZoneTable& table =
+        (group.kind.open ? tables.fans : tables.stars).at(group.kind.faces).table;
+    plan.rows.push_back({table.rows, number_points(group, at, table.sources),
+                         number_points(group, at, table.targets), false});
   }
   return Found(std::move(plan));
 }

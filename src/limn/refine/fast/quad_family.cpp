@@ -114,9 +114,10 @@ class QuadFamily final : public Family {
                                                            LimitReader& reader) const override {
     if (groups_.empty() || level < first_) return std::optional<StepPlan>();
     const QuadLayout at = layout(level);
-    return grid_limit_plan(
-        groups_, sides_, at, kLattice, level, reader,
-        [&](std::vector<Stencil> stencils) { return patches(at, at, std::move(stencils), 1); });
+    return grid_limit_plan(groups_, sides_, at, kLattice, level, reader,
+                           [&](std::vector<Stencil> stencils, Index halo) {
+                             return patches(at, at, std::move(stencils), halo);
+                           });
   }
 
   [[nodiscard]] std::vector<Index> plain_order(

@@ -100,9 +100,10 @@ class TriangleFamily final : public Family {
   [[nodiscard]] Result<std::optional<StepPlan>> limit_plan(int level,
                                                            LimitReader& reader) const override {
     const TriangleLayout at = layout(level);
-    return grid_limit_plan(
-        groups_, sides_, at, kLattice, level, reader,
-        [&](std::vector<Stencil> stencils) { return patches(at, at, std::move(stencils), 1); });
+    return grid_limit_plan(groups_, sides_, at, kLattice, level, reader,
+                           [&](std::vector<Stencil> stencils, Index halo) {
+                             return patches(at, at, std::move(stencils), halo);
+                           });
   }
 
   [[nodiscard]] std::vector<Index> plain_order(
