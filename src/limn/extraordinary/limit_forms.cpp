@@ -36,6 +36,35 @@ std::optional<std::array<Form, 2>> tangents_of_face(const Mesh& mesh,
                     difference(value(last), value(next))};
 }
 
+/// t₀, t₁, …, whose Σ tᵢ × tᵢ₊₁ is the sum that normals are taken from where there are no two
+/// tangents: from the vertex to its neighbours, or (dual) along the edges of the face.
+void add_chain(const Mesh& mesh, const std::vector<Form>& values, Index start, bool dual,
+               std::vector<Form>& chain) {
+  const std::size_t first = chain.size();
+  const auto edge = [&](Index h) {
+    return difference(values[mesh.target(h)], values[mesh.origin(h)]);
+  };
+  for (Index h = start;;) {
+    chain.push_back(edge(h));
+    const Index next = dual ? mesh.next(h) : mesh.rotate(h);
+    if (next == kNone) {
+      const Index last = mesh.prev(h);
+      chain.push_back(difference(values[mesh.origin(last)], values[mesh.target(last)]));
+      return;
+    }
+    if (next == start) break;
+    h = next;
+  }
+  chain.push_back(Form(chain[first]));
+}
+
+LimitOptions options_of(int steps_made, bool closed) {
+  LimitOptions options;
+  options.steps_made = steps_made;
+  options.boundary = !closed;
+  return options;
+}
+
 }  // namespace
 
 Result<Index> ApproxLimitReader::regular_rings(bool open) {
@@ -54,12 +83,10 @@ Result<std::vector<std::optional<fast::LimitForms>>> ApproxLimitReader::read(
     slot[vertices[i]] = static_cast<Index>(i);
     if (mesh.is_isolated(vertices[i])) found[i] = {Form::unit(vertices[i]), Form(), Form()};
   }
-  LimitOptions options;
-  options.steps_made = steps_made;
-  options.boundary = !closed;
   const bool dual = scheme_.split->births_corners;
   const Status status = for_each_limit(
-      scheme_, kinds_, mesh, unit_forms<double>(mesh.vertex_count()), vertices, options,
+      scheme_, kinds_, mesh, unit_forms<double>(mesh.vertex_count()), vertices,
+      options_of(steps_made, closed),
       [&](const LimitKind& kind, const Mesh& at, const std::vector<Form>& values, Index start,
           const std::vector<Index>& neighbourhood, Index vertex) {
         const Form position = weighted(kind.limit.position, neighbourhood, values);
@@ -72,6 +99,23 @@ Result<std::vector<std::optional<fast::LimitForms>>> ApproxLimitReader::read(
       });
   if (!status) return status.error();
   return found;
+}
+
+Result<fast::LimitChain> ApproxLimitReader::read_chain(const Mesh& mesh, int steps_made,
+                                                       bool closed, Index vertex) {
+  fast::LimitChain chain;
+  const bool dual = scheme_.split->births_corners;
+  const Status status =
+      for_each_limit(scheme_, kinds_, mesh, unit_forms<double>(mesh.vertex_count()), {vertex},
+                     options_of(steps_made, closed),
+                     [&](const LimitKind& kind, const Mesh& at, const std::vector<Form>& values,
+                         Index start, const std::vector<Index>& neighbourhood, Index /*vertex*/) {
+                       chain.forms = {weighted(kind.limit.position, neighbourhood, values)};
+                       add_chain(at, values, start, dual, chain.forms);
+                       chain.rings = kind.shape;
+                     });
+  if (!status) return status.error();
+  return chain;
 }
 
 }  // namespace limn

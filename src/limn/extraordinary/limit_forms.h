@@ -21,6 +21,9 @@ class ApproxLimitReader final : public fast::LimitReader {
   /// round the vertex; nothing where it has more. Fails as approx_limit_points.
   [[nodiscard]] Result<std::vector<std::optional<fast::LimitForms>>> read(
       const Mesh& mesh, int steps_made, bool closed, const std::vector<Index>& vertices) override;
+  /// From the sum of the faces' normals round the vertex, or (dual splits) round its face.
+  [[nodiscard]] Result<fast::LimitChain> read_chain(const Mesh& mesh, int steps_made, bool closed,
+                                                    Index vertex) override;
 
  private:
   const Scheme& scheme_;

@@ -17,6 +17,14 @@ namespace limn::fast {
 /// tangents, whose cross product points outward.
 using LimitForms = std::array<LinearForm<double>, 3>;
 
+/// The same at a vertex whose normal is not that of two sums.
+struct LimitChain {
+  /// Position, and vectors t₀, t₁, … such that Σ tᵢ × tᵢ₊₁ points outward.
+  std::vector<LinearForm<double>> forms;
+  /// As many rings, but for the outermost, must be regular so that these are the sums.
+  Index rings = 1;
+};
+
 /// Finds the limit surface at vertices of a level: what this floor cannot know.
 class LimitReader {
  public:
@@ -30,6 +38,9 @@ class LimitReader {
   /// isolated vertex stays, its tangents are zero.
   [[nodiscard]] virtual Result<std::vector<std::optional<LimitForms>>> read(
       const Mesh& mesh, int steps_made, bool closed, const std::vector<Index>& vertices) = 0;
+  /// The same at one vertex, not isolated, where `read` finds nothing.
+  [[nodiscard]] virtual Result<LimitChain> read_chain(const Mesh& mesh, int steps_made, bool closed,
+                                                      Index vertex) = 0;
 };
 
 class Family {

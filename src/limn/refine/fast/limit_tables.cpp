@@ -1,7 +1,6 @@
 #include "limn/refine/fast/limit_tables.h"
 
 #include <algorithm>
-#include <cmath>
 #include <functional>
 #include <numeric>
 
@@ -16,30 +15,9 @@ using Place = std::function<Index(Offset)>;  ///< the vertex of a mesh there, or
 constexpr Index kMargin = 4;      // rings round what is read, so that the rim is not felt
 constexpr Index kMostRings = 24;  // of a star or fan
 
-double largest_of(const Form& form) {
-  double largest = 0;
-  for (const auto& [vertex, weight] : form.terms) largest = std::max(largest, std::abs(weight));
-  return largest;
-}
-
-/// Less of a weight comes from the eigenvectors' rounding.
-double unit_of(double largest) { return std::ldexp(largest, -42); }
-
-/// Without terms that are rounding.
-void clean(Form& form) {
-  const double least = unit_of(largest_of(form));
-  std::erase_if(form.terms, [&](const auto& term) { return std::abs(term.second) <= least; });
-}
-
-double product(const Form& a, const Form& b) {
-  double sum = 0;
-  for (const auto& [vertex, weight] : a.terms) sum += weight * b.coefficient(vertex);
-  return sum;
-}
-
 /// A vertex's sums as those of another one like it; nothing where the mesh has not all places.
-std::optional<LimitForms> moved(const LimitStencils& stencils, const Place& vertex) {
-  LimitForms forms;
+std::optional<LimitSums> moved(const LimitStencils& stencils, const Place& vertex) {
+  LimitSums forms(stencils.size());
   for (std::size_t i = 0; i < forms.size(); ++i) {
     std::map<Index, double> terms;  // around few sectors a place may be met from both sides
     for (const Tap& tap : stencils[i]) {
@@ -95,7 +73,7 @@ struct Disc {
 };
 
 /// The sums at a vertex of the disc that makes the plane, or half of it.
-LimitStencils to_stencils(const LimitForms& forms, const Disc& disc, Index v) {
+LimitStencils to_stencils(const LimitSums& forms, const Disc& disc, Index v) {
   const Lattice lattice = disc.shape.lattice;
   const Offset at = on_plane(lattice, sector_point(disc.shape, v));
   LimitStencils stencils;
@@ -149,7 +127,7 @@ class TableReader {
   }
 
  private:
-  using Forms = std::vector<LimitForms>;
+  using Forms = std::vector<LimitSums>;
 
   /// Whether a vertex's sums are found on its own ring, whatever follows.
   [[nodiscard]] bool near() const { return inner_ <= 1 && outer_ <= 1; }
@@ -163,25 +141,41 @@ class TableReader {
       if (!read) return read.error();
       Forms all;
       bool inside = true;
-      for (std::optional<LimitForms>& forms : *read) {
-        if (!forms) return Found();
-        for (Form& form : *forms) {
-          clean(form);
+      for (std::size_t i = 0; i < vertices.size(); ++i) {
+        LimitSums& sums = all.emplace_back();
+        if (std::optional<LimitForms>& forms = (*read)[i]) {
+          sums.assign(forms->begin(), forms->end());
+        } else if (vertices[i] == 0) {
+          Result<LimitSums> chain = read_chain(disc);
+          if (!chain) return chain.error();
+          sums = std::move(*chain);
+        } else {
+          return Found();
+        }
+        for (Form& form : sums) {
+          drop_rounding(form);
           inside =
               inside && (form.terms.empty() || form.terms.back().first < disc.size(disc.rings - 1));
         }
-        all.push_back(std::move(*forms));
       }
       if (inside) return Found(std::move(all));
     }
     return Found();
   }
 
+  /// Of a disc's centre; its rings are kept.
+  Result<LimitSums> read_chain(const Disc& disc) {
+    Result<LimitChain> chain = reader_.read_chain(disc.mesh(), level_, !disc.shape.open, 0);
+    if (!chain) return chain.error();
+    chain_rings_ = std::max(chain_rings_, chain->rings);
+    return std::move(chain->forms);
+  }
+
   Result<bool> read_interior() {
     Disc disc{{lattice_, plane_sectors(lattice_), false}, inner_ + 1};
     const Result<std::optional<Forms>> forms = read(disc, {0});
     if (!forms) return forms.error();
-    if (!*forms) return false;
+    if (!*forms || (*forms)->front().size() != 3) return false;
     tables_.interior = to_stencils((*forms)->front(), disc, 0);
     for (const Stencil& stencil : tables_.interior)
       for (const Tap& tap : stencil)
@@ -197,13 +191,13 @@ class TableReader {
     if (!near()) disc.rings += inner_ + kMargin;
     const Result<std::optional<Forms>> forms = read(disc, vertices);
     if (!forms) return forms.error();
-    if (!*forms) return false;
+    if (!*forms || (*forms)->front().size() != 3) return false;
     std::map<Offset, Index> vertex;
     for (Index v = 0; v < disc.size(disc.rings); ++v)
       vertex[on_plane(lattice_, sector_point(disc.shape, v))] = v;
     Index rows = 1;
     for (Index y = 0; y < std::ssize(vertices); ++y) {
-      const LimitForms& found = (**forms)[static_cast<std::size_t>(y)];
+      const LimitSums& found = (**forms)[static_cast<std::size_t>(y)];
       const auto expected = moved(tables_.interior, [&](Offset place) {
         const auto at = vertex.find({place.a, place.b + y});
         return at == vertex.end() ? kNone : at->second;
@@ -217,7 +211,7 @@ class TableReader {
 
   /// What is expected at a vertex of a disc, if that has nothing to say; nothing where patches and
   /// strips do not look.
-  [[nodiscard]] std::optional<LimitForms> expected(const Disc& disc, Index v) const {
+  [[nodiscard]] std::optional<LimitSums> expected(const Disc& disc, Index v) const {
     const auto [sector, x, y] = sector_point(disc.shape, v);
     const auto rows = static_cast<Index>(tables_.strips.size());
     const bool first = disc.shape.open && sector == 0 && y < rows;
@@ -235,7 +229,8 @@ class TableReader {
 
   Result<bool> read_star(Index sectors) {
     if (sectors == 0) {  // it stays, without tangents
-      tables_.stars[0] = {0, {0, {SectorPoint{}}, {SectorPoint{}}, {1, {0, 1, 1, 1}, {{0, 1.0}}}}};
+      tables_.stars[0].tables = {
+          {0, {SectorPoint{}}, {SectorPoint{}}, {1, {0, 1, 1, 1}, {{0, 1.0}}}}};
       return true;
     }
     // from ring inner_ on, a vertex does not see the centre
@@ -272,31 +267,23 @@ class TableReader {
       if (!same || !same_limit(*same, (**forms)[static_cast<std::size_t>(v)]))
         zone.radius = disc.ring(v);
     }
-    (*forms)->resize(static_cast<std::size_t>(disc.size(zone.radius)));
-    zone.table = to_table(**forms, shape);
+    vertices.resize(static_cast<std::size_t>(disc.size(zone.radius)));
+    add_tables(shape, vertices, **forms, zone);
+    if (near() || !shape.open || shape.sectors > 1) return true;
+    // where the only face at a corner gives the normal, it has to be of the level itself
+    const Result<LimitSums> chain = read_chain(disc);
+    if (!chain) return chain.error();
     return true;
   }
 
-  static ZoneTable to_table(const Forms& targets, const StarShape& shape) {
-    ZoneTable table;
-    table.sectors = shape.sectors;
-    std::map<Index, int> slots;
-    for (const LimitForms& forms : targets)
-      for (const Form& form : forms)
-        for (const auto& [vertex, weight] : form.terms) slots.emplace(vertex, 0);
-    for (auto& [vertex, slot] : slots) {
-      slot = table.rows.sources++;
-      table.sources.push_back(sector_point(shape, vertex));
-    }
-    for (const LimitForms& forms : targets) {
-      table.targets.push_back(sector_point(shape, std::ssize(table.targets)));
-      for (const Form& form : forms) {
-        for (const auto& [vertex, weight] : form.terms)
-          table.rows.terms.push_back({slots.at(vertex), weight});
-        table.rows.row_begin.push_back(static_cast<int>(table.rows.terms.size()));
-      }
-    }
-    return table;
+  /// The centre may have other rows than the rest.
+  static void add_tables(const StarShape& shape, const std::vector<Index>& vertices,
+                         const Forms& forms, LimitZone& zone) {
+    const std::size_t first = forms.front().size() == 3 ? vertices.size() : 1;
+    for (const auto& [begin, end] : {std::pair{std::size_t{0}, first}, {first, vertices.size()}})
+      if (begin < end)
+        zone.tables.push_back(limit_table(shape, {vertices.begin() + begin, vertices.begin() + end},
+                                          std::span(forms).subspan(begin, end - begin)));
   }
 
   void find_grid() {
@@ -304,14 +291,15 @@ class TableReader {
     for (const auto* zones : {&tables_.stars, &tables_.fans})
       for (const auto& [sectors, zone] : *zones) {
         radius = std::max(radius, zone.radius);
-        for (const SectorPoint& p : zone.table.sources)
-          far = std::max(far, ring_of(lattice_, p.x, p.y));
+        for (const ZoneTable& table : zone.tables)
+          for (const SectorPoint& p : table.sources)
+            far = std::max(far, ring_of(lattice_, p.x, p.y));
       }
     for (Index y = 0; y < std::ssize(tables_.strips); ++y)
       for (const Stencil& stencil : tables_.strips[static_cast<std::size_t>(y)])
         for (const Tap& tap : stencil) far = std::max(far, y + tap.place.b);
     // what takes from the next control vertex may be one of its own rules
-    Index least = std::max(tables_.halo, near() ? far : far + 1);
+    Index least = std::max({tables_.halo, chain_rings_, near() ? far : far + 1});
     if (radius > 0) least = std::max(least, 2 * radius + 1);
     while (tables_.smallest_grid < least) tables_.smallest_grid *= 2;
   }
@@ -320,45 +308,11 @@ class TableReader {
   Lattice lattice_;
   int level_;
   Index inner_ = 1, outer_ = 1;  // regular_rings
+  Index chain_rings_ = 1;        // the most of a LimitChain
   LimitTables tables_;
 };
 
 }  // namespace
-
-Stencil rounded_stencil(const std::vector<Offset>& places, std::vector<double> weights) {
-  double largest = 0;
-  for (const double w : weights) largest = std::max(largest, std::abs(w));
-  const double unit = unit_of(largest);
-  Stencil stencil;
-  for (std::size_t i = 0; i < weights.size(); ++i)
-    if (std::abs(weights[i]) > unit)
-      stencil.push_back({places[i], unit * std::round(weights[i] / unit)});
-  std::sort(stencil.begin(), stencil.end(),
-            [](const Tap& p, const Tap& q) { return p.place < q.place; });
-  return stencil;
-}
-
-bool same_limit(const LimitForms& a, const LimitForms& b) {
-  constexpr double kSame = 1e-10;
-  const auto differ = [](Form form, double weight, const Form& other) {
-    add_scaled(form, -weight, other);
-    return form;
-  };
-  if (largest_of(differ(a[0], 1, b[0])) > kSame) return false;
-  // b's tangents as sums of a's
-  const double uu = product(a[1], a[1]), uv = product(a[1], a[2]), vv = product(a[2], a[2]);
-  const double det = uu * vv - uv * uv;
-  if (!(det > kSame * uu * vv)) return false;
-  std::array<std::array<double, 2>, 2> map{};
-  for (const std::size_t i : {0, 1}) {
-    const Form& t = b[i + 1];
-    const double u = product(t, a[1]), v = product(t, a[2]);
-    map[i] = {(u * vv - v * uv) / det, (v * uu - u * uv) / det};
-    const Form rest = differ(differ(t, map[i][0], a[1]), map[i][1], a[2]);
-    if (largest_of(rest) > 10 * kSame * largest_of(t)) return false;
-  }
-  return map[0][0] * map[1][1] > map[0][1] * map[1][0];
-}
 
 Result<std::optional<LimitTables>> read_limit_tables(LimitReader& reader, Lattice lattice,
                                                      int level,
@@ -368,24 +322,6 @@ Result<std::optional<LimitTables>> read_limit_tables(LimitReader& reader, Lattic
   const Result<bool> found = tables.read(groups);
   if (!found) return found.error();
   return *found ? Found(std::move(tables).tables()) : Found();
-}
-
-std::pair<RowTable, std::vector<Offset>> limit_rows(const LimitStencils& stencils) {
-  std::vector<Offset> places;
-  for (const Stencil& stencil : stencils)
-    for (const Tap& tap : stencil) places.push_back(tap.place);
-  std::sort(places.begin(), places.end());
-  places.erase(std::unique(places.begin(), places.end()), places.end());
-  RowTable rows;
-  rows.sources = static_cast<int>(places.size());
-  for (const Stencil& stencil : stencils) {
-    for (const Tap& tap : stencil) {
-      const auto at = std::lower_bound(places.begin(), places.end(), tap.place);
-      rows.terms.push_back({static_cast<int>(at - places.begin()), tap.weight});
-    }
-    rows.row_begin.push_back(static_cast<int>(rows.terms.size()));
-  }
-  return {std::move(rows), std::move(places)};
 }
 
 }  // namespace limn::fast

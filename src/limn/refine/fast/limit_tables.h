@@ -3,19 +3,17 @@
 /// and fans, and compared with one another to see how far irregular vertices and boundaries are
 /// felt. Nothing here knows how far a rule looks.
 
-#include "limn/refine/fast/family.h"
+#include "limn/refine/fast/limit_sums.h"
 #include "limn/refine/fast/zones.h"
 
 namespace limn::fast {
 
-/// Position and two tangents as sums over the lattice, by offsets from the vertex.
-using LimitStencils = std::array<Stencil, 3>;
-
 /// The vertices round one of a kind whose sums are not those of the lattice, or lie where patches
 /// do not look.
 struct LimitZone {
-  Index radius = 0;  ///< rings that the table's targets fill
-  ZoneTable table;   ///< three rows for each target
+  Index radius = 0;  ///< rings that the tables' targets fill
+  /// Each with as many rows for all its targets.
+  std::vector<ZoneTable> tables;
 };
 
 struct LimitTables {
@@ -32,22 +30,10 @@ struct LimitTables {
 
 inline constexpr Index kLargestLimitZone = 200;  ///< valence of a zone wider than its vertex
 
-/// A stencil of these weights without the last digits of the eigenvectors that they come from: so
-/// those that symmetry makes equal are, and what should be zero is not there.
-[[nodiscard]] Stencil rounded_stencil(const std::vector<Offset>& places,
-                                      std::vector<double> weights);
-
-/// Whether two vertices have the same limit position and the same oriented tangent plane, by their
-/// sums.
-[[nodiscard]] bool same_limit(const LimitForms& a, const LimitForms& b);
-
 /// Of a level after so many steps of a mesh that has these groups of vertices. Nothing where a
-/// normal is not that of two sums, or the sums take too many vertices. Fails as `reader`. Cost:
-/// some milliseconds a valence; far less where only a vertex's own ring counts.
+/// normal at a regular vertex is not that of two sums, or the sums take too many vertices. Fails as
+/// `reader`. Cost: some milliseconds a valence; far less where only a vertex's own ring counts.
 [[nodiscard]] Result<std::optional<LimitTables>> read_limit_tables(
     LimitReader& reader, Lattice lattice, int level, const std::vector<ZoneGroup>& groups);
-
-/// Three rows over the places that the stencils take from, which are sorted.
-[[nodiscard]] std::pair<RowTable, std::vector<Offset>> limit_rows(const LimitStencils& stencils);
 
 }  // namespace limn::fast

@@ -58,10 +58,10 @@ template <class Layout, class MakePatches>
   plan.patches = make_patches({tables.interior.begin(), tables.interior.end()}, tables.halo);
   add_limit_strips(tables, sides, at, lattice, plan.rows);
   for (const ZoneGroup& group : groups) {
-    const ZoneTable& table =
-        (group.kind.open ? tables.fans : tables.stars).at(group.kind.faces).table;
-    plan.rows.push_back({table.rows, number_points(group, at, table.sources),
-                         number_points(group, at, table.targets), false});
+    const LimitZone& zone = (group.kind.open ? tables.fans : tables.stars).at(group.kind.faces);
+    for (const ZoneTable& table : zone.tables)
+      plan.rows.push_back({table.rows, number_points(group, at, table.sources),
+                           number_points(group, at, table.targets), false});
   }
   return Found(std::move(plan));
 }

@@ -1,6 +1,5 @@
 #include "limn/refine/fast/row_step.h"
 
-#include <array>
 #include <cmath>
 #include <cstring>
 
@@ -51,14 +50,20 @@ void put(const typename Quad<Real>::Type& value, Index number, Real* out) {
   for (int i = 0; i < 3; ++i) to[i] = value[i];
 }
 
-/// first := first × second as a unit vector, or zero.
+/// sum := sum + first × second.
 template <class Real>
-void cross_to_unit(typename Quad<Real>::Type& first, const typename Quad<Real>::Type& second) {
-  const typename Quad<Real>::Type normal{first[1] * second[2] - first[2] * second[1],
-                                         first[2] * second[0] - first[0] * second[2],
-                                         first[0] * second[1] - first[1] * second[0], 0};
+void add_cross(const typename Quad<Real>::Type& first, const typename Quad<Real>::Type& second,
+               typename Quad<Real>::Type& sum) {
+  sum += typename Quad<Real>::Type{first[1] * second[2] - first[2] * second[1],
+                                   first[2] * second[0] - first[0] * second[2],
+                                   first[0] * second[1] - first[1] * second[0], 0};
+}
+
+/// As a unit vector, or zero.
+template <class Real>
+void normalize(typename Quad<Real>::Type& normal) {
   const Real squared = normal[0] * normal[0] + normal[1] * normal[1] + normal[2] * normal[2];
-  first = normal * (squared > 0 ? 1 / std::sqrt(squared) : 0);
+  normal *= squared > 0 ? 1 / std::sqrt(squared) : 0;
 }
 
 /// work(worker, a place's targets), after the place's sources have been read.
@@ -98,14 +103,25 @@ void make_rows(const RowPlan& plan, const Real* in, Real* out) {
 
 template <class Real>
 void make_limit_rows(const RowPlan& plan, const Real* in, Real* positions, Real* normals) {
-  const int points = plan.table.targets() / 3;
+  using Four = typename Quad<Real>::Type;
+  if (plan.targets.size() == 0) return;
+  const std::size_t places = plan.sources.size() / static_cast<std::size_t>(plan.table.sources);
+  const auto points = static_cast<int>(plan.targets.size() / places);
+  const int rows = plan.table.targets() / points;  // of each point
   for_places(plan, points, in, [&](const RowWorker<Real>& worker, const Index* targets) {
-    std::array<typename Quad<Real>::Type, 3> sums;
+    Four position, last, next;
     for (int i = 0; i < points; ++i) {
-      for (int k = 0; k < 3; ++k) worker.sum(3 * i + k, sums[static_cast<std::size_t>(k)]);
-      cross_to_unit<Real>(sums[1], sums[2]);
-      put<Real>(sums[0], targets[i], positions);
-      put<Real>(sums[1], targets[i], normals);
+      const int first = i * rows;
+      Four normal{};
+      worker.sum(first, position);
+      worker.sum(first + 1, last);
+      for (int row = first + 2; row < first + rows; ++row, last = next) {
+        worker.sum(row, next);
+        add_cross<Real>(last, next, normal);
+      }
+      normalize<Real>(normal);
+      put<Real>(position, targets[i], positions);
+      put<Real>(normal, targets[i], normals);
     }
   });
 }

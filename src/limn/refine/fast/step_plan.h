@@ -52,7 +52,8 @@ struct StepPlan {
 
 /// A plan of the limit surface at the vertices of a level is of the same kind: its patches have
 /// three stencils, for position and two tangents, of which all new points name the first; its rows
-/// make three sums for each target, one after the other.
+/// make as many sums for each target, one after the other: its position, and two or more vectors
+/// whose crosses, each with the next, sum to the normal.
 
 /// What a plan holds, in bytes.
 [[nodiscard]] std::size_t bytes_of(const StepPlan& plan);
