@@ -50,10 +50,10 @@ QuadTopology quad_topology(const QuadLayout& layout, Index f) {
   for (std::size_t side = 0; side < 4; ++side) {
     const Index h = 4 * f + static_cast<Index>(side), twin = mesh.twin(h);
     face.corners[side] = mesh.origin(h);
-    face.sides[side] = layout.code(h);
+    face.sides[side] = edge_code(mesh, h);
     if (twin != kNone)
-      face.across[side] = {twin, layout.code(QuadLayout::turned(twin, 1)),
-                           layout.code(QuadLayout::turned(twin, 3))};
+      face.across[side] = {twin, edge_code(mesh, QuadLayout::turned(twin, 1)),
+                           edge_code(mesh, QuadLayout::turned(twin, 3))};
   }
   return face;
 }
@@ -62,7 +62,7 @@ void number_frame(const QuadLayout& layout, const QuadTopology& face, Index halo
   const Index n = layout.n();
   out = std::copy(face.corners.begin(), face.corners.end(), out);
   if (n > 1)
-    for (const QuadTopology::Code side : face.sides) {
+    for (const EdgeCode side : face.sides) {
       const Index step = (side & 1) != 0 ? 1 : -1;
       Index number = layout.point_along(side, 1);
       for (Index t = 1; t < n; ++t, number += step) *out++ = number;

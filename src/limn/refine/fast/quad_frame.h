@@ -19,14 +19,13 @@ namespace limn::fast {
 
 /// What the numbers round a face depend on, whatever the level: read from the mesh once.
 struct QuadTopology {
-  using Code = QuadLayout::Code;
   /// The face across a side.
   struct Neighbour {
-    Index twin = kNone;       ///< the side's half-edge there; kNone: there is none
-    Code next = 0, prev = 0;  ///< of the half-edges after and before it
+    Index twin = kNone;           ///< the side's half-edge there; kNone: there is none
+    EdgeCode next = 0, prev = 0;  ///< of the half-edges after and before it
   };
   std::array<Index, 4> corners{};
-  std::array<Code, 4> sides{};
+  std::array<EdgeCode, 4> sides{};
   std::array<Neighbour, 4> across;
 };
 [[nodiscard]] QuadTopology quad_topology(const QuadLayout& layout, Index f);

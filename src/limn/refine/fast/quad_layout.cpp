@@ -31,62 +31,60 @@ Index* write_consecutive(Index low, Index high, Index count, Index* out) {
 }  // namespace
 
 QuadLayout::QuadLayout(const Mesh& control, Index n)
-    : mesh_(&control),
-      n_(n),
+    : EdgePoints(control, n),
       face_size_((n - 1) * (n - 1)),
-      edges_at_(control.vertex_count()),
-      faces_at_(edges_at_ + control.edge_count() * (n - 1)),
+      faces_at_(edges_end()),
       // turned by a quarter, (x, y) of a frame is (n - y, x) of the one before
       frames_{{{-n, 1, n - 1}, {0, n - 1, -1}, {n * (n - 1), -1, 1 - n}, {n * (n - 2), 1 - n, 1}}} {
 }
 
 Index QuadLayout::point_on_sides(Index h, Index x, Index y) const {
-  assert(0 <= x && x <= n_ && 0 <= y && y <= n_);
+  assert(0 <= x && x <= n() && 0 <= y && y <= n());
   // corner k is where side k begins
-  const auto corner = [&](Index k) { return mesh_->origin(turned(h, k)); };
-  if (y == 0) return x == 0 ? corner(0) : x == n_ ? corner(1) : edge_point(h, x);
-  if (x == 0) return y == n_ ? corner(3) : edge_point(turned(h, 3), n_ - y);
-  if (x == n_) return y == n_ ? corner(2) : edge_point(turned(h, 1), y);
-  return edge_point(turned(h, 2), n_ - x);
+  const auto corner = [&](Index k) { return control().origin(turned(h, k)); };
+  if (y == 0) return x == 0 ? corner(0) : x == n() ? corner(1) : edge_point(h, x);
+  if (x == 0) return y == n() ? corner(3) : edge_point(turned(h, 3), n() - y);
+  if (x == n()) return y == n() ? corner(2) : edge_point(turned(h, 1), y);
+  return edge_point(turned(h, 2), n() - x);
 }
 
 Index QuadLayout::point_beyond(Index h, Index x, Index y) const {
   // in the frame of the neighbour across the side
   const auto across = [&](Index side, Index along, Index up) {
-    const Index twin = mesh_->twin(side);
+    const Index twin = control().twin(side);
     return twin == kNone ? kNone : point(twin, along, up);
   };
-  if (y < 0) return across(h, n_ - x, -y);
+  if (y < 0) return across(h, n() - x, -y);
   if (x < 0) return across(turned(h, 3), y, -x);
-  if (x > n_) return across(turned(h, 1), n_ - y, x - n_);
-  if (y > n_) return across(turned(h, 2), x, y - n_);
+  if (x > n()) return across(turned(h, 1), n() - y, x - n());
+  if (y > n()) return across(turned(h, 2), x, y - n());
   return point(h, x, y);
 }
 
 void QuadLayout::row(Index h, Index y, Index* out) const {
   out[0] = point(h, 0, y);
-  out[n_] = point(h, n_, y);
-  if (n_ == 1) return;
+  out[n()] = point(h, n(), y);
+  if (n() == 1) return;
   Index number = point(h, 1, y);
-  const Index step = n_ == 2 ? 0 : point(h, 2, y) - number;
-  for (Index x = 1; x < n_; ++x, number += step) out[x] = number;
+  const Index step = n() == 2 ? 0 : point(h, 2, y) - number;
+  for (Index x = 1; x < n(); ++x, number += step) out[x] = number;
 }
 
 void QuadLayout::write_faces(Index first, Index last, Index* out) const {
-  std::vector<Index> rows(2 * static_cast<std::size_t>(n_) + 2);
+  std::vector<Index> rows(2 * static_cast<std::size_t>(n()) + 2);
   for (Index f = first; f < last; ++f) {
     Index* low = rows.data();
-    Index* high = low + n_ + 1;
+    Index* high = low + n() + 1;
     row(4 * f, 0, low);
-    for (Index y = 0; y < n_; ++y) {
+    for (Index y = 0; y < n(); ++y) {
       row(4 * f, y + 1, high);
       // the inner points of a row have consecutive numbers
-      const bool inner = y > 0 && y + 1 < n_;
+      const bool inner = y > 0 && y + 1 < n();
       if (inner) {
         out = write_between(low, high, 0, 1, out);
-        out = write_consecutive(low[1], high[1], n_ - 2, out);
+        out = write_consecutive(low[1], high[1], n() - 2, out);
       }
-      out = write_between(low, high, inner ? n_ - 1 : 0, n_, out);
+      out = write_between(low, high, inner ? n() - 1 : 0, n(), out);
       std::swap(low, high);
     }
   }
