@@ -2,6 +2,7 @@
 // polygons.
 
 #include "limn/base/parallel.h"
+#include "limn/refine/fast/quad_frame.h"
 #include "limn/refine/fast/quad_layout.h"
 #include "limn/refine/fast/reach.h"
 #include "refine/fast_check.h"
@@ -81,17 +82,21 @@ TEST(FastQuadLayout, LooksBeyondSides) {
   }
 }
 
-TEST(FastQuadLayout, GivesRows) {
+TEST(FastQuadLayout, NumbersFrames) {
   for (const Mesh& mesh : some_quads())
-    for (const Index n : {1, 2, 4, 8}) {
-      const QuadLayout layout(mesh, n);
-      for (Index h = 0; h < mesh.halfedge_count(); ++h)
-        for (Index y = 0; y <= n; ++y) {
-          std::vector<Index> row(static_cast<std::size_t>(n) + 1, kNone);
-          layout.row(h, y, row.data());
-          for (Index x = 0; x <= n; ++x) EXPECT_EQ(row[x], layout.point(h, x, y));
+    for (const Index n : {1, 2, 4, 8})
+      for (const Index halo : {1, n}) {
+        const QuadLayout layout(mesh, n);
+        const std::vector<fast::Offset> places = fast::quad_frame_places(n, halo);
+        std::vector<Index> numbers(places.size(), kNone);
+        for (Index f = 0; f < mesh.face_count(); ++f) {
+          fast::number_frame(layout, fast::quad_topology(layout, f), halo, numbers.data());
+          for (std::size_t i = 0; i < places.size(); ++i) {
+            const Index there = layout.point_beyond(4 * f, places[i].a, places[i].b);
+            EXPECT_EQ(numbers[i], there == kNone ? mesh.origin(4 * f) : there);
+          }
         }
-    }
+      }
 }
 
 TEST(FastQuadLayout, WritesFacesRowByRow) {

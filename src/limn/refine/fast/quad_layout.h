@@ -55,13 +55,11 @@ class QuadLayout : public EdgePoints {
     return frames_[static_cast<std::size_t>(h & 3)].along;
   }
 
-  /// Points (0, y), (1, y), …, (n, y) in the frame of h, n + 1 numbers; 0 ≤ y ≤ n.
-  void row(Index h, Index y, Index* out) const;
-
   /// The corners of the faces of patches first … last-1: 4 n² indices each.
   void write_faces(Index first, Index last, Index* out) const;
 
  private:
+  class Rows;
   struct Frame {
     Index start = 0, along = 0, up = 0;  ///< of (x, y): start + x·along + y·up
   };
