@@ -59,7 +59,7 @@ class Family {
   /// From `level` to the next.
   [[nodiscard]] virtual StepPlan plan(int level) const = 0;
   /// The limit surface at the vertices of `level` (see step_plan.h). Nothing where the sums look
-  /// too far for that level, or a normal is not that of two sums.
+  /// too far for that level, or a normal is not that of sums the family can take.
   [[nodiscard]] virtual Result<std::optional<StepPlan>> limit_plan(int /*level*/,
                                                                    LimitReader& /*reader*/) const {
     return std::optional<StepPlan>();

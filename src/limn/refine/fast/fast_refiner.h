@@ -85,7 +85,8 @@ class FastRefiner {
     std::unique_ptr<const Plan> plan_;
   };
   /// `reader` knows the limit surface (fast/family.h). Nothing where it looks too far for so few
-  /// levels, or a vertex's normal is not that of two sums. Fails as `reader`.
+  /// levels (sums over two rings need control edges cut into 4 or 8), or a normal at a regular
+  /// vertex is not that of two sums. Fails as `reader`.
   [[nodiscard]] Result<std::optional<Limit>> limit(fast::LimitReader& reader) const;
 
   /// Limit positions and unit normals at the refined vertices from the positions of the control

@@ -243,7 +243,7 @@ class TableReader {
     const Index rows = std::ssize(tables_.strips);  // at a corner two strips meet
     for (Index seen = std::max(widest() + 1, 2 * rows); seen <= kMostRings / 2; seen += 2) {
       LimitZone& zone = tables_.fans[sectors];
-      const Result<bool> found = read_zone(shape, seen, zone);
+      Result<bool> found = read_zone(shape, seen, zone);
       // along a side the centre may be felt for some rings more
       if (!found || !*found || zone.radius < seen) return found;
     }
@@ -268,6 +268,7 @@ class TableReader {
         zone.radius = disc.ring(v);
     }
     vertices.resize(static_cast<std::size_t>(disc.size(zone.radius)));
+    zone.tables.clear();
     add_tables(shape, vertices, **forms, zone);
     if (near() || !shape.open || shape.sectors > 1) return true;
     // where the only face at a corner gives the normal, it has to be of the level itself
