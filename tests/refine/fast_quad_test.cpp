@@ -86,10 +86,11 @@ TEST(FastQuadLayout, NumbersFrames) {
     for (const Index n : {1, 2, 4, 8})
       for (const Index halo : {1, n}) {
         const QuadLayout layout(mesh, n);
+        const fast::QuadFrames frames(layout, halo);
         const std::vector<fast::Offset> places = fast::quad_frame_places(n, halo);
         std::vector<Index> numbers(places.size(), kNone);
         for (Index f = 0; f < mesh.face_count(); ++f) {
-          fast::number_frame(layout, fast::quad_topology(layout, f), halo, numbers.data());
+          frames.number(fast::quad_topology(mesh, f), numbers.data());
           for (std::size_t i = 0; i < places.size(); ++i) {
             const Index there = layout.point_beyond(4 * f, places[i].a, places[i].b);
             EXPECT_EQ(numbers[i], there == kNone ? mesh.origin(4 * f) : there);

@@ -52,8 +52,7 @@ std::vector<Offset> quad_inner_places(Index n) {
   return places;
 }
 
-QuadTopology quad_topology(const QuadLayout& layout, Index f) {
-  const Mesh& mesh = layout.control();
+QuadTopology quad_topology(const Mesh& mesh, Index f) {
   QuadTopology face;
   for (std::size_t side = 0; side < 4; ++side) {
     const Index h = 4 * f + static_cast<Index>(side), twin = mesh.twin(h);
@@ -72,8 +71,8 @@ QuadTopology quad_topology(const QuadLayout& layout, Index f) {
   return face;
 }
 
-void number_frame(const QuadLayout& layout, const QuadTopology& face, Index halo, Index* out) {
-  const QuadLayout at = layout;  // here, as the numbers that are written might be its own
+void QuadFrames::number(const QuadTopology& face, Index* out) const {
+  const QuadLayout at = layout_;  // here, as the numbers that are written might be its own
   const Index n = at.n();
   out = std::copy(face.corners.begin(), face.corners.end(), out);
   if (n > 1)
@@ -82,7 +81,7 @@ void number_frame(const QuadLayout& layout, const QuadTopology& face, Index halo
       for (Index t = 1; t < n; ++t) *out++ = along(t);
     }
   for (const QuadTopology::Neighbour& across : face.across)
-    for (Index r = 1; r <= halo; ++r, out += n + 1) {
+    for (Index r = 1; r <= halo_; ++r, out += n + 1) {
       if (across.twin != kNone)
         number_row(at, across, r, out);
       else

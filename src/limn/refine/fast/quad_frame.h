@@ -29,10 +29,18 @@ struct QuadTopology {
   std::array<EdgeCode, 4> sides{};
   std::array<Neighbour, 4> across;
 };
-[[nodiscard]] QuadTopology quad_topology(const QuadLayout& layout, Index f);
+[[nodiscard]] QuadTopology quad_topology(const Mesh& mesh, Index f);
 
-/// The numbers of quad_frame_places(layout.n(), halo); where there is no neighbour, a corner's.
-/// Cost some 0.5 ns a number.
-void number_frame(const QuadLayout& layout, const QuadTopology& face, Index halo, Index* out);
+/// Finds the numbers of quad_frame_places(layout.n(), halo), patch by patch.
+class QuadFrames {
+ public:
+  QuadFrames(const QuadLayout& layout, Index halo) : layout_(layout), halo_(halo) {}
+  /// Where there is no neighbour, a corner's. Cost some 0.5 ns a number.
+  void number(const QuadTopology& face, Index* out) const;
+
+ private:
+  QuadLayout layout_;
+  Index halo_;
+};
 
 }  // namespace limn::fast

@@ -17,8 +17,8 @@ Index* write_between(const Index* low, const Index* high, Index n, Index* out) {
     Four l, h;
     std::memcpy(&l, low + x, sizeof l);
     std::memcpy(&h, high + x, sizeof h);
-    put(__builtin_shuffle(l, h, Four{0, 1, 5, 4}), out);
-    put(__builtin_shuffle(l, h, Four{1, 2, 6, 5}), out + 4);
+    put(__builtin_shufflevector(l, h, 0, 1, 5, 4), out);
+    put(__builtin_shufflevector(l, h, 1, 2, 6, 5), out + 4);
   }
   if (x == n) return out;
   put(Four{low[x], low[x + 1], high[x + 1], high[x]}, out);

@@ -63,15 +63,16 @@ enum class Run { side0, side1, side2, inside, centroids };
 /// The patch's shape, and the numbers for it.
 class Patches {
  public:
-  Patches(const LevelStep& level, const Sqrt3Tables& tables, const HugeArray<FaceTopology>& faces)
+  Patches(const LevelStep& level, const Sqrt3Tables& tables,
+          const HugeArray<TriangleTopology>& faces)
       : level_(level), tables_(tables), faces_(faces), grid_frame_(level.odd.grid(), 0) {
     make_runs();
     find_halo();
     if (thirds()) {
       make_frame_of_thirds();
     } else {
-      shape_.frame = frame_places(level_.n(), halo_ / 3);
-      shape_.inner = inner_places(level_.n());
+      shape_.frame = triangle_frame_places(level_.n(), halo_ / 3);
+      shape_.inner = triangle_inner_places(level_.n());
       grid_frame_ = {level.odd.grid(), halo_ / 3};
     }
   }
@@ -122,7 +123,8 @@ class Patches {
     std::vector<Offset> points;
     for (Index frame = 0; frame < 3; ++frame) {
       points.clear();
-      for (Index t = each; t < last; t += each) points.push_back(in_patch(last, frame, {t, 0}));
+      for (Index t = each; t < last; t += each)
+        points.push_back(in_triangle_patch(last, frame, {t, 0}));
       add_run(static_cast<Run>(frame), points);
     }
     points.clear();
@@ -166,12 +168,12 @@ class Patches {
   /// beyond the sides; and the centroids, whose numbers follow one another.
   void make_frame_of_thirds() {
     const auto add = [&](Index frame, Offset p) {
-      add_old(in_patch(side(), frame, p), shape_.frame);
+      add_old(in_triangle_patch(side(), frame, p), shape_.frame);
     };
     for (Index i = 0; i < 3; ++i) add(i, {0, 0});
     for (Index i = 0; i < 3; ++i)
       for (Index t = 3; t < side(); t += 3) add(i, {t, 0});
-    for (const Offset p : inner_places(level_.n())) add(0, {3 * p.a, 3 * p.b});
+    for (const Offset p : triangle_inner_places(level_.n())) add(0, {3 * p.a, 3 * p.b});
     for (Index i = 0; i < 3; ++i)
       for (Index r = 1; r <= halo_; ++r)
         for (Index y = r % 3; r + y <= side(); y += 3) add(i, {r + y, -r});
@@ -180,13 +182,13 @@ class Patches {
 
   /// Numbers of the shape's frame for one patch, in its order.
   void number_frame(Index f, Index* out) const {
-    const FaceTopology& face = faces_[static_cast<std::size_t>(f)];
+    const TriangleTopology& face = faces_[static_cast<std::size_t>(f)];
     const TriangleLayout& grid = level_.odd.grid();
     grid_frame_.number(face, out);
     if (!thirds()) return;
     out += 3 * level_.n();
     for (Index i = 0; i < grid.face_size(); ++i) *out++ = grid.face_begin(f) + i;
-    for (const FaceTopology::Neighbour& across : face.across)
+    for (const TriangleTopology::Neighbour& across : face.across)
       for (Index r = 1; r <= halo_; ++r)
         out = across.face == kNone ? std::fill_n(out, (side() - r - r % 3) / 3 + 1, face.corners[0])
                                    : level_.odd.column(3 * across.face + across.side, r, out);
@@ -209,12 +211,12 @@ class Patches {
 
   const LevelStep& level_;
   const Sqrt3Tables& tables_;
-  const HugeArray<FaceTopology>& faces_;
+  const HugeArray<TriangleTopology>& faces_;
   PatchShape shape_;
   std::vector<Run> runs_;
   std::vector<Offset> made_;  // new points of all runs
   Index halo_ = 0;
-  FrameNumbers grid_frame_;
+  TriangleFrames grid_frame_;
 };
 
 /// The points along boundary sides but for those in zones.
@@ -266,10 +268,9 @@ class Sqrt3Family final : public Family {
     while (plain_ > 0 && fits(plain_ - 1)) --plain_;
     if (plain_ == levels) return;
     groups_ = group_vertices(tables_[0].stars, tables_[0].fans, std::move(kinds), control);
-    const TriangleLayout grid(control, 1);
-    faces_ = HugeArray<FaceTopology>(static_cast<std::size_t>(control.face_count()));
+    faces_ = HugeArray<TriangleTopology>(static_cast<std::size_t>(control.face_count()));
     parallel_for_each(control.face_count(), [&](Index f) {
-      faces_[static_cast<std::size_t>(f)] = face_topology(grid, f);
+      faces_[static_cast<std::size_t>(f)] = triangle_topology(control, f);
     });
     for (Index e = 0; e < control.edge_count(); ++e)
       if (control.is_boundary_edge(e)) sides_.push_back(control.halfedge_of_edge(e));
@@ -347,7 +348,7 @@ class Sqrt3Family final : public Family {
   int plain_;
   std::array<Sqrt3Tables, 2> tables_;  // by Sqrt3Step
   std::vector<ZoneGroup> groups_;      // with the tables of the first kind of step
-  HugeArray<FaceTopology> faces_;
+  HugeArray<TriangleTopology> faces_;
   std::vector<Index> sides_;  // half-edges on the boundary
 };
 

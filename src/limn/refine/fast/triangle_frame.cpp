@@ -3,24 +3,24 @@
 #include <algorithm>
 
 namespace limn::fast {
-Offset in_patch(Index n, Index side, Offset point) {
+Offset in_triangle_patch(Index n, Index side, Offset point) {
   for (; side > 0; --side) point = {n - point.a - point.b, point.a};
   return point;
 }
 
-std::vector<Offset> frame_places(Index n, Index halo) {
+std::vector<Offset> triangle_frame_places(Index n, Index halo) {
   std::vector<Offset> places;
   places.reserve(3 * static_cast<std::size_t>(n + halo * n));
-  for (Index side = 0; side < 3; ++side) places.push_back(in_patch(n, side, {0, 0}));
+  for (Index side = 0; side < 3; ++side) places.push_back(in_triangle_patch(n, side, {0, 0}));
   for (Index side = 0; side < 3; ++side)
-    for (Index t = 1; t < n; ++t) places.push_back(in_patch(n, side, {t, 0}));
+    for (Index t = 1; t < n; ++t) places.push_back(in_triangle_patch(n, side, {t, 0}));
   for (Index side = 0; side < 3; ++side)
     for (Index r = 1; r <= halo; ++r)
-      for (Index i = 0; i <= n - r; ++i) places.push_back(in_patch(n, side, {r + i, -r}));
+      for (Index i = 0; i <= n - r; ++i) places.push_back(in_triangle_patch(n, side, {r + i, -r}));
   return places;
 }
 
-std::vector<Offset> inner_places(Index n) {
+std::vector<Offset> triangle_inner_places(Index n) {
   std::vector<Offset> places;
   places.reserve(static_cast<std::size_t>((n - 1) * (n - 2) / 2));
   for (Index y = 1; y < n; ++y)
@@ -28,9 +28,8 @@ std::vector<Offset> inner_places(Index n) {
   return places;
 }
 
-FaceTopology face_topology(const TriangleLayout& layout, Index f) {
-  const Mesh& mesh = layout.control();
-  FaceTopology face;
+TriangleTopology triangle_topology(const Mesh& mesh, Index f) {
+  TriangleTopology face;
   for (std::size_t side = 0; side < 3; ++side) {
     const Index h = 3 * f + static_cast<Index>(side), twin = mesh.twin(h);
     face.corners[side] = mesh.origin(h);
@@ -43,7 +42,7 @@ FaceTopology face_topology(const TriangleLayout& layout, Index f) {
   return face;
 }
 
-FrameNumbers::FrameNumbers(const TriangleLayout& layout, Index halo)
+TriangleFrames::TriangleFrames(const TriangleLayout& layout, Index halo)
     : layout_(layout), halo_(halo) {
   // row r beyond a side is column r of the neighbour in the frame of its half-edge `next`
   const Index n = layout.n();
@@ -53,7 +52,7 @@ FrameNumbers::FrameNumbers(const TriangleLayout& layout, Index halo)
                       {layout.row_begin(n - r - 1), -r, -1}}});
 }
 
-void FrameNumbers::number(const FaceTopology& face, Index* out) const {
+void TriangleFrames::number(const TriangleTopology& face, Index* out) const {
   const TriangleLayout at = layout_;  // here, as the numbers that are written might be its own
   const Index n = at.n();
   out = std::copy(face.corners.begin(), face.corners.end(), out);
@@ -62,7 +61,7 @@ void FrameNumbers::number(const FaceTopology& face, Index* out) const {
       const AlongEdge along(at, side);
       for (Index t = 1; t < n; ++t) *out++ = along(t);
     }
-  for (const FaceTopology::Neighbour& across : face.across)
+  for (const TriangleTopology::Neighbour& across : face.across)
     for (Index r = 1; r <= halo_; ++r) {
       const Index last = n - r;
       if (across.face == kNone || last == 0) {

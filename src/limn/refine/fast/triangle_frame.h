@@ -11,16 +11,16 @@ namespace limn::fast {
 
 /// Of a patch of n edges a side: its corners, the inner points of its sides, and `halo` ≤ n rows
 /// beyond each side.
-[[nodiscard]] std::vector<Offset> frame_places(Index n, Index halo);
+[[nodiscard]] std::vector<Offset> triangle_frame_places(Index n, Index halo);
 
 /// The inner points of a patch, row by row.
-[[nodiscard]] std::vector<Offset> inner_places(Index n);
+[[nodiscard]] std::vector<Offset> triangle_inner_places(Index n);
 
 /// Where point (a, b) of the frame of side 0, 1 or 2 lies in the patch.
-[[nodiscard]] Offset in_patch(Index n, Index side, Offset point);
+[[nodiscard]] Offset in_triangle_patch(Index n, Index side, Offset point);
 
 /// What the numbers round a control face depend on, whatever the level: read from the mesh once.
-struct FaceTopology {
+struct TriangleTopology {
   /// The face across a side, seen from that side's half-edge there.
   struct Neighbour {
     Index face = kNone;  ///< kNone: there is none
@@ -32,14 +32,14 @@ struct FaceTopology {
   std::array<EdgeCode, 3> sides{};
   std::array<Neighbour, 3> across;
 };
-[[nodiscard]] FaceTopology face_topology(const TriangleLayout& layout, Index f);
+[[nodiscard]] TriangleTopology triangle_topology(const Mesh& mesh, Index f);
 
-/// Finds the numbers of frame_places(layout.n(), halo), patch by patch.
-class FrameNumbers {
+/// Finds the numbers of triangle_frame_places(layout.n(), halo), patch by patch.
+class TriangleFrames {
  public:
-  FrameNumbers(const TriangleLayout& layout, Index halo);
+  TriangleFrames(const TriangleLayout& layout, Index halo);
   /// Where there is no neighbour, a corner's. Cost some 0.5 ns a number.
-  void number(const FaceTopology& face, Index* out) const;
+  void number(const TriangleTopology& face, Index* out) const;
 
  private:
   /// The numbers of the inner points of a row, less the face's first: start, start + step, …, each

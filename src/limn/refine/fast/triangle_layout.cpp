@@ -19,9 +19,9 @@ Index* write_pairs(const Index* low, const Index* high, Index pairs, Index* out)
     Four l, h;
     std::memcpy(&l, low + x, sizeof l);
     std::memcpy(&h, high + x, sizeof h);
-    put(__builtin_shuffle(l, h, Four{0, 1, 4, 1}), to);
-    put(__builtin_shuffle(l, h, Four{5, 4, 1, 2}), to + 4);
-    put(__builtin_shuffle(l, h, Four{5, 2, 6, 5}), to + 8);
+    put(__builtin_shufflevector(l, h, 0, 1, 4, 1), to);
+    put(__builtin_shufflevector(l, h, 5, 4, 1, 2), to + 4);
+    put(__builtin_shufflevector(l, h, 5, 2, 6, 5), to + 8);
   }
   return out + std::ptrdiff_t{6} * pairs;
 }
