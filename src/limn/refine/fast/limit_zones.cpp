@@ -9,8 +9,6 @@
 namespace limn::fast {
 namespace {
 
-/// Weights without the last digits of the eigenvectors that they come from: so those that symmetry
-/// makes equal are, and what should be zero is.
 std::vector<double> rounded(std::vector<double> weights) {
   double largest = 0;
   for (const double w : weights) largest = std::max(largest, std::abs(w));
@@ -21,6 +19,16 @@ std::vector<double> rounded(std::vector<double> weights) {
 }
 
 }  // namespace
+
+Stencil rounded_stencil(const std::vector<Offset>& places, std::vector<double> weights) {
+  weights = rounded(std::move(weights));
+  Stencil stencil;
+  for (std::size_t i = 0; i < weights.size(); ++i)
+    if (weights[i] != 0) stencil.push_back({places[i], weights[i]});
+  std::sort(stencil.begin(), stencil.end(),
+            [](const Tap& p, const Tap& q) { return p.place < q.place; });
+  return stencil;
+}
 
 Result<std::optional<ZoneTable>> read_limit_zone(LimitReader& reader, int level,
                                                  const StarShape& shape) {
@@ -54,17 +62,14 @@ Result<std::optional<ZoneTable>> read_limit_zone(LimitReader& reader, int level,
 }
 
 std::vector<Stencil> limit_stencils(const ZoneTable& plane, Lattice lattice) {
+  std::vector<Offset> places;
+  for (const SectorPoint& source : plane.sources) places.push_back(on_plane(lattice, source));
   std::vector<Stencil> stencils;
   for (int row = 0; row < plane.rows.targets(); ++row) {
-    std::vector<double> weights(plane.sources.size(), 0.0);
+    std::vector<double> weights(places.size(), 0.0);
     for (int i = plane.rows.row_begin[row]; i < plane.rows.row_begin[row + 1]; ++i)
       weights[plane.rows.terms[i].source] = plane.rows.terms[i].weight;
-    weights = rounded(std::move(weights));
-    Stencil& stencil = stencils.emplace_back();
-    for (std::size_t i = 0; i < weights.size(); ++i)
-      if (weights[i] != 0) stencil.push_back({on_plane(lattice, plane.sources[i]), weights[i]});
-    std::sort(stencil.begin(), stencil.end(),
-              [](const Tap& p, const Tap& q) { return p.place < q.place; });
+    stencils.push_back(rounded_stencil(places, std::move(weights)));
   }
   return stencils;
 }
