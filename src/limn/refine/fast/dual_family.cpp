@@ -7,6 +7,7 @@
 #include "limn/refine/fast/dual_limit.h"
 #include "limn/refine/fast/dual_steps.h"
 #include "limn/refine/fast/dual_walk.h"
+#include "limn/refine/fast/dual_wide_limit.h"
 
 namespace limn::fast {
 namespace {
@@ -55,7 +56,11 @@ class DualFamily final : public Family {
 
   [[nodiscard]] Result<std::optional<StepPlan>> limit_plan(int level,
                                                            LimitReader& reader) const override {
-    if (!has_tables_ || !tables_.own_face) return std::optional<StepPlan>();
+    if (!has_tables_) return std::optional<StepPlan>();
+    if (!tables_.own_face) {
+      if (level == first_ || control_.has_boundary()) return std::optional<StepPlan>();
+      return plan_wide_dual_limit(layout(level), level, reader);
+    }
     if (level == first_) return plan_control_dual_limit(control_, level, reader);
     return plan_dual_limit(layout(level), level, reader);
   }

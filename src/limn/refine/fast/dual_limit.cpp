@@ -20,13 +20,6 @@ Result<bool> sees_own_faces(LimitReader& reader) {
   return *rings <= 1;
 }
 
-/// They stay, without tangents.
-void add_isolated(const std::vector<Index>& numbers, std::vector<RowPlan>& rows) {
-  if (numbers.empty()) return;
-  rows.push_back(
-      {{1, {0, 1, 1, 1}, {{0, 1.0}}}, HugeArray<Index>(numbers), HugeArray<Index>(numbers), false});
-}
-
 /// The three stencils of a regular vertex.
 std::vector<Stencil> regular_stencils(const RowTable& table) {
   // an umbrella's vertices when all faces are quads
@@ -76,7 +69,7 @@ class LimitPlanner {
     }
     std::vector<Index> isolated(corners_.isolated().size());
     std::iota(isolated.begin(), isolated.end(), at_.isolated_begin());
-    add_isolated(isolated, plan_.rows);
+    add_isolated_limits(isolated, plan_.rows);
     return Found(std::move(plan_));
   }
 
@@ -282,7 +275,7 @@ Result<std::optional<StepPlan>> plan_control_dual_limit(const Mesh& mesh, int le
   const Result<bool> done = add_umbrellas(vertices, level, reader, umbrella, number, plan.rows);
   if (!done) return done.error();
   if (!*done) return Found();
-  add_isolated(isolated, plan.rows);
+  add_isolated_limits(isolated, plan.rows);
   return Found(std::move(plan));
 }
 

@@ -116,36 +116,11 @@ class StepPlanner {
     std::vector<Index> faces, vertices;  // half-edges
     for (Index f = 0; f < mesh_.face_count(); ++f)
       if (mesh_.degree(f) == sides && wants_zone(f)) faces.push_back(mesh_.face_begin(f));
-    if (sides != 4)
-      for (Index i = 0; i < std::ssize(corners_.inner_vertices()); ++i)
-        if (corners_.vertex_begin(i + 1) - corners_.vertex_begin(i) == sides)
-          vertices.push_back(
-              mesh_.halfedge_of_vertex(corners_.inner_vertices()[static_cast<std::size_t>(i)]));
+    if (sides != 4) vertices = vertices_of_sides(corners_, sides);
     if (faces.empty() && vertices.empty()) return;
     // between two centres lie 2n fine points
-    RowPlan plan{zone.table, {}, {}, tables_.zone > n_};
-    const std::size_t centres = faces.size() + vertices.size();
-    plan.sources = HugeArray<Index>(centres * zone.sources.size());
-    plan.targets = HugeArray<Index>(centres * zone.targets.size());
-    parallel_for(
-        std::size_t{0}, centres,
-        [&](std::size_t first, std::size_t last) {
-          std::vector<Index> sectors(static_cast<std::size_t>(sides));
-          for (std::size_t i = first; i < last; ++i) {
-            const bool face = i < faces.size();
-            Index h = face ? faces[i] : vertices[i - faces.size()];
-            for (Index& sector : sectors) {
-              sector = h;
-              h = face ? mesh_.next(h) : mesh_.rotate(h);
-            }
-            number_zone(coarse_, sectors, !face, zone.sources,
-                        plan.sources.data() + i * zone.sources.size());
-            number_zone(fine_, sectors, !face, zone.targets,
-                        plan.targets.data() + i * zone.targets.size());
-          }
-        },
-        std::max<std::ptrdiff_t>(1, kNumberGrain / std::ssize(zone.targets)));
-    plan_.rows.push_back(std::move(plan));
+    plan_.rows.push_back(
+        plan_dual_zones(zone, sides, faces, vertices, coarse_, fine_, tables_.zone > n_));
   }
 
   /// A regular face does at the boundary, for the sake of its rims' own points; but none where the

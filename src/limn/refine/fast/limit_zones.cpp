@@ -18,7 +18,15 @@ std::vector<double> rounded(std::vector<double> weights) {
   return weights;
 }
 
+/// A vertex that stays, without tangents.
+RowTable isolated_rows() { return {1, {0, 1, 1, 1}, {{0, 1.0}}}; }
+
 }  // namespace
+
+void add_isolated_limits(const std::vector<Index>& vertices, std::vector<RowPlan>& rows) {
+  if (vertices.empty()) return;
+  rows.push_back({isolated_rows(), HugeArray<Index>(vertices), HugeArray<Index>(vertices), false});
+}
 
 Stencil rounded_stencil(const std::vector<Offset>& places, std::vector<double> weights) {
   weights = rounded(std::move(weights));
@@ -34,8 +42,7 @@ Result<std::optional<ZoneTable>> read_limit_zone(LimitReader& reader, int level,
                                                  const StarShape& shape) {
   constexpr Index kRings = 2;
   using Found = std::optional<ZoneTable>;
-  if (shape.sectors == 0)  // it stays, without tangents
-    return Found({0, {SectorPoint{}}, {SectorPoint{}}, {1, {0, 1, 1, 1}, {{0, 1.0}}}});
+  if (shape.sectors == 0) return Found({0, {SectorPoint{}}, {SectorPoint{}}, isolated_rows()});
   const Mesh mesh = shape.open ? fan(shape.lattice, shape.sectors, kRings)
                                : star(shape.lattice, shape.sectors, kRings);
   const Result<std::vector<std::optional<LimitForms>>> forms =

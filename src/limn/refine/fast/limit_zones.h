@@ -16,6 +16,9 @@ namespace limn::fast {
 [[nodiscard]] Stencil rounded_stencil(const std::vector<Offset>& places,
                                       std::vector<double> weights);
 
+/// Rows for isolated vertices: they stay, without tangents.
+void add_isolated_limits(const std::vector<Index>& vertices, std::vector<RowPlan>& rows);
+
 /// Sums at a regular interior vertex, on the lattice round it.
 [[nodiscard]] std::vector<Stencil> limit_stencils(const ZoneTable& plane, Lattice lattice);
 
