@@ -145,6 +145,14 @@ TEST(FastDualLimit, IsThePlainOneOnRandomMeshes) {
   }
 }
 
+/// A step later all vertices have limits.
+TEST(FastDualLimit, IsThereAfterAStepWhereVerticesHaveTwoFaces) {
+  for (const Index sides : {3, 5})
+    for (int levels = 0; levels <= 3; ++levels)
+      EXPECT_EQ(expect_same_limit<double>(shipped("doo-sabin"), pillow(sides), levels),
+                levels > 0 ? Outcome::same : Outcome::none);
+}
+
 /// Once patches are as large as the zones.
 TEST(FastDualLimit, IsThereForRulesThatLookBeyondTheFace) {
   for (const auto& [scheme, first] : {std::pair{&wide_rules(), 3}, std::pair{&far_rules(), 4}})

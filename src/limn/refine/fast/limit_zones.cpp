@@ -70,6 +70,7 @@ Result<std::optional<ZoneTable>> read_limit_zone(LimitReader& reader, int level,
 
 std::vector<Stencil> limit_stencils(const ZoneTable& plane, Lattice lattice) {
   std::vector<Offset> places;
+  places.reserve(plane.sources.size());
   for (const SectorPoint& source : plane.sources) places.push_back(on_plane(lattice, source));
   std::vector<Stencil> stencils;
   for (int row = 0; row < plane.rows.targets(); ++row) {
