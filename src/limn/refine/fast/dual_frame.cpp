@@ -76,4 +76,13 @@ PatchPlan frame_dual_patches(const DualLayout& old, const DualLayout& fresh, Ind
   return plan;
 }
 
+PatchPlan plan_dual_limit_patches(const DualLayout& at, Index halo, std::vector<Stencil> stencils) {
+  PatchPlan plan = frame_dual_patches(at, at, halo);
+  std::vector<FinePoint>& run = plan.shape.runs.emplace_back();
+  run.reserve(plan.shape.inner.size());
+  for (const Offset place : plan.shape.inner) run.push_back({0, place});
+  plan.stencils = std::move(stencils);
+  return plan;
+}
+
 }  // namespace limn::fast

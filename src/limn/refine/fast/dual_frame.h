@@ -13,4 +13,9 @@ namespace limn::fast {
 [[nodiscard]] PatchPlan frame_dual_patches(const DualLayout& old, const DualLayout& fresh,
                                            Index halo);
 
+/// The limit surface at all points of whole patches by three stencils (step_plan.h), which reach
+/// `halo` rows beyond.
+[[nodiscard]] PatchPlan plan_dual_limit_patches(const DualLayout& at, Index halo,
+                                                std::vector<Stencil> stencils);
+
 }  // namespace limn::fast

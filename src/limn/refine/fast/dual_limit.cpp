@@ -35,18 +35,11 @@ std::vector<Stencil> regular_stencils(const RowTable& table) {
   return stencils;
 }
 
-std::vector<FinePoint> all_points(Index n) {
-  std::vector<FinePoint> points;
-  for (Index y = 0; y < n; ++y)
-    for (Index x = 0; x < n; ++x) points.push_back({0, {x, y}});
-  return points;
-}
+enum class Centre { face, vertex };
 
-/// Which point of a patch.
-enum class Corner { centre, vertex };
-
-struct PatchPoint {
-  Corner corner;
+/// The point of a patch next to one of its centres.
+struct CentrePoint {
+  Centre centre;
   Index h;
 };
 
@@ -80,9 +73,7 @@ class LimitPlanner {
         read_umbrella(reader_, level_, {false, {4, 4, 4, 4}});
     if (!table) return table.error();
     if (!*table) return false;
-    plan_.patches = frame_dual_patches(at_, at_, 1);
-    plan_.patches.shape.runs = {all_points(n_)};
-    plan_.patches.stencils = regular_stencils(**table);
+    plan_.patches = plan_dual_limit_patches(at_, 1, regular_stencils(**table));
     return true;
   }
 
@@ -129,26 +120,26 @@ class LimitPlanner {
 
   /// Points at centres that have not four sides, and rims' own points.
   Result<bool> plan_corners() {
-    std::vector<PatchPoint> points;
+    std::vector<CentrePoint> points;
     for (Index h = 0; h < mesh_.halfedge_count(); ++h) {
       if (!corners_.is_whole(h)) {
-        points.push_back({Corner::centre, h});
+        points.push_back({Centre::face, h});
         continue;
       }
       const bool round_vertex = mesh_.valence(mesh_.origin(h)) != 4;
       if (mesh_.degree(mesh_.face(h)) != 4 || (n_ == 1 && round_vertex))
-        points.push_back({Corner::centre, h});
-      if (n_ > 1 && round_vertex) points.push_back({Corner::vertex, h});
+        points.push_back({Centre::face, h});
+      if (n_ > 1 && round_vertex) points.push_back({Centre::vertex, h});
     }
     return add_umbrellas(
-        points, level_, reader_, [this](const PatchPoint& p) { return umbrella(p); },
-        [this](const PatchPoint& p, Index* out) { number(p, out); }, plan_.rows);
+        points, level_, reader_, [this](const CentrePoint& p) { return umbrella(p); },
+        [this](const CentrePoint& p, Index* out) { number(p, out); }, plan_.rows);
   }
 
-  [[nodiscard]] Umbrella umbrella(const PatchPoint& p) const {
+  [[nodiscard]] Umbrella umbrella(const CentrePoint& p) const {
     if (!corners_.is_whole(p.h)) return rim_umbrella(p.h);
     const Index sides = mesh_.degree(mesh_.face(p.h)), valence = mesh_.valence(mesh_.origin(p.h));
-    if (p.corner == Corner::vertex) return {false, {valence, 4, 4, 4}};
+    if (p.centre == Centre::vertex) return {false, {valence, 4, 4, 4}};
     return {false, {sides, 4, n_ > 1 ? 4 : valence, 4}};
   }
 
@@ -160,17 +151,17 @@ class LimitPlanner {
     return umbrella;
   }
 
-  void number(const PatchPoint& p, Index* out) const {
-    if (p.corner == Corner::vertex)
+  void number(const CentrePoint& p, Index* out) const {
+    if (p.centre == Centre::vertex)
       number_at_vertex(p.h, out);
     else if (corners_.is_whole(p.h))
-      number_at_centre(p.h, out);
+      number_at_face(p.h, out);
     else
       number_rim(p.h, out);
   }
 
-  /// The control face's image, then clockwise … counterclockwise from (-1, 0).
-  void number_at_centre(Index h, Index* out) const {
+  /// Counterclockwise from the control face's image, which begins at (-1, 0).
+  void number_at_face(Index h, Index* out) const {
     const Index below = mesh_.prev(h);
     *out++ = at_.point(h, 0, 0);
     for (Index g = mesh_.next(h); g != h; g = mesh_.next(g)) *out++ = at_.point(g, 0, 0);
@@ -187,7 +178,7 @@ class LimitPlanner {
     *out++ = at_.line_point(h, 1, -1);
   }
 
-  /// The same, seen from the vertex.
+  /// Counterclockwise from the vertex's face.
   void number_at_vertex(Index h, Index* out) const {
     const Index m = n_ - 1, before = mesh_.next(mesh_.twin(h)), after = mesh_.rotate(h);
     *out++ = at_.point(h, m, m);
@@ -199,6 +190,7 @@ class LimitPlanner {
     *out++ = at_.point(after, m - 1, m);
   }
 
+  /// Counterclockwise from the boundary.
   void number_rim(Index h, Index* out) const {
     const Index below = mesh_.prev(h);
     *out++ = at_.point(h, 0, 0);

@@ -180,11 +180,10 @@ class WidePlanner {
       for (const auto& [vertex, weight] : (*star)->forms.front()[row].terms)
         regular_.add(dual_on_plane(dual_point(kRegular, vertex)), row, weight);
     if (regular_.halo > at_.n()) return false;
-    plan_.patches = frame_dual_patches(at_, at_, regular_.halo);
-    std::vector<FinePoint>& run = plan_.patches.shape.runs.emplace_back();
-    for (const Offset place : plan_.patches.shape.inner) run.push_back({0, place});
+    std::vector<Stencil> stencils;
     for (const std::vector<double>& weights : regular_.weights)
-      plan_.patches.stencils.push_back(rounded_stencil(regular_.places, weights));
+      stencils.push_back(rounded_stencil(regular_.places, weights));
+    plan_.patches = plan_dual_limit_patches(at_, regular_.halo, std::move(stencils));
     return true;
   }
 
