@@ -104,8 +104,22 @@ bool is_left_out(const Mesh& mesh, int levels) {
   return thin && levels == 0;
 }
 
+/// Over so many sides.
+Mesh pyramid(Index sides) {
+  Faces faces(1);
+  for (Index i = 0; i < sides; ++i) {
+    faces.front().insert(faces.front().begin(), i);
+    faces.push_back({i, (i + 1) % sides, sides});
+  }
+  return must_build(sides + 1, faces);
+}
+
 std::vector<Mesh> bodies() {
-  return {tetrahedron(), cube(), icosahedron(), torus(Lattice::quad, 3, 4),
+  return {tetrahedron(),
+          cube(),
+          icosahedron(),
+          pyramid(7),
+          torus(Lattice::quad, 3, 4),
           torus(Lattice::triangle, 3, 4)};
 }
 

@@ -181,6 +181,7 @@ class WidePlanner {
         regular_.add(dual_on_plane(dual_point(kRegular, vertex)), row, weight);
     if (regular_.halo > at_.n()) return false;
     std::vector<Stencil> stencils;
+    stencils.reserve(3);
     for (const std::vector<double>& weights : regular_.weights)
       stencils.push_back(rounded_stencil(regular_.places, weights));
     plan_.patches = plan_dual_limit_patches(at_, regular_.halo, std::move(stencils));
