@@ -80,7 +80,6 @@ class QuadFamily final : public Family {
     plain_ = first_;
     while (plain_ < levels && (Index{1} << (plain_ - first_)) < grid) ++plain_;
     groups_ = group_vertices(tables_, std::move(kinds), mesh());
-    add_codes(layout(first_), groups_);
     faces_ = HugeArray<QuadTopology>(static_cast<std::size_t>(mesh().face_count()));
     parallel_for_each(mesh().face_count(), [&](Index f) {
       faces_[static_cast<std::size_t>(f)] = quad_topology(layout(first_), f);
@@ -176,7 +175,7 @@ class QuadFamily final : public Family {
             const auto at = static_cast<std::size_t>(f);
             number_frame(coarse, faces_[at], halo, plan.frame.data() + at * frame);
             Index* run = plan.runs.data() + at * runs;
-            for (const QuadLayout::Code side : faces_[at].sides)
+            for (const EdgeCode side : faces_[at].sides)
               *run++ = (side & 1) != 0 ? fine.edge_begin(side >> 1) : kNone;
             *run = fine.face_begin(f);
           }

@@ -42,7 +42,7 @@ struct OldPoints {
   const LevelStep& level;
   [[nodiscard]] Index n() const { return level.side(); }
   [[nodiscard]] Index point(Index h, Index x, Index y) const { return level.old_point(h, x, y); }
-  [[nodiscard]] Index point_along(TriangleLayout::Code code, Index x) const {
+  [[nodiscard]] Index point_along(EdgeCode code, Index x) const {
     return level.odd.grid().point_along(code, x / 3);
   }
 };
@@ -50,7 +50,7 @@ struct NewPoints {
   const LevelStep& level;
   [[nodiscard]] Index n() const { return level.side(); }
   [[nodiscard]] Index point(Index h, Index x, Index y) const { return level.new_point(h, x, y); }
-  [[nodiscard]] Index point_along(TriangleLayout::Code code, Index x) const {
+  [[nodiscard]] Index point_along(EdgeCode code, Index x) const {
     return level.step == Sqrt3Step::thirds ? level.thirds.point_along(code, x)
                                            : level.odd.grid().point_along(code, x / 3);
   }
@@ -64,7 +64,7 @@ enum class Run { side0, side1, side2, inside, centroids };
 class Patches {
  public:
   Patches(const LevelStep& level, const Sqrt3Tables& tables, const HugeArray<FaceTopology>& faces)
-      : level_(level), tables_(tables), faces_(faces) {
+      : level_(level), tables_(tables), faces_(faces), grid_frame_(level.odd.grid(), 0) {
     make_runs();
     find_halo();
     if (thirds()) {
@@ -72,6 +72,7 @@ class Patches {
     } else {
       shape_.frame = frame_places(level_.n(), halo_ / 3);
       shape_.inner = inner_places(level_.n());
+      grid_frame_ = {level.odd.grid(), halo_ / 3};
     }
   }
 
@@ -181,8 +182,8 @@ class Patches {
   void number_frame(Index f, Index* out) const {
     const FaceTopology& face = faces_[static_cast<std::size_t>(f)];
     const TriangleLayout& grid = level_.odd.grid();
-    if (!thirds()) return fast::number_frame(grid, face, halo_ / 3, out);
-    fast::number_frame(grid, face, 0, out);
+    grid_frame_.number(face, out);
+    if (!thirds()) return;
     out += 3 * level_.n();
     for (Index i = 0; i < grid.face_size(); ++i) *out++ = grid.face_begin(f) + i;
     for (const FaceTopology::Neighbour& across : face.across)
@@ -199,7 +200,7 @@ class Patches {
       } else if (run == Run::centroids) {
         *out++ = level_.odd.centroid_begin(f);
       } else {
-        const FaceTopology::Code side =
+        const EdgeCode side =
             faces_[static_cast<std::size_t>(f)].sides[static_cast<std::size_t>(run)];
         *out++ = (side & 1) != 0 ? made.edge_begin(side >> 1) : kNone;
       }
@@ -213,6 +214,7 @@ class Patches {
   std::vector<Run> runs_;
   std::vector<Offset> made_;  // new points of all runs
   Index halo_ = 0;
+  FrameNumbers grid_frame_;
 };
 
 /// The points along boundary sides but for those in zones.
@@ -265,7 +267,6 @@ class Sqrt3Family final : public Family {
     if (plain_ == levels) return;
     groups_ = group_vertices(tables_[0].stars, tables_[0].fans, std::move(kinds), control);
     const TriangleLayout grid(control, 1);
-    add_codes(grid, groups_);
     faces_ = HugeArray<FaceTopology>(static_cast<std::size_t>(control.face_count()));
     parallel_for_each(control.face_count(), [&](Index f) {
       faces_[static_cast<std::size_t>(f)] = face_topology(grid, f);

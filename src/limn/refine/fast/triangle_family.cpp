@@ -69,7 +69,6 @@ class TriangleFamily final : public Family {
     plain_ = 0;
     while (plain_ < levels && (Index{1} << plain_) < grid) ++plain_;
     groups_ = group_vertices(tables_, std::move(kinds), control);
-    add_codes(layout(0), groups_);
     faces_ = HugeArray<FaceTopology>(static_cast<std::size_t>(control.face_count()));
     parallel_for_each(control.face_count(), [&](Index f) {
       faces_[static_cast<std::size_t>(f)] = face_topology(layout(0), f);
@@ -138,14 +137,15 @@ class TriangleFamily final : public Family {
     const std::size_t frame = plan.shape.frame.size(), runs = plan.shape.runs.size();
     plan.frame = HugeArray<Index>(static_cast<std::size_t>(plan.patches) * frame);
     plan.runs = HugeArray<Index>(static_cast<std::size_t>(plan.patches) * runs);
+    const FrameNumbers numbers(coarse, halo);
     parallel_for(
         Index{0}, plan.patches,
         [&](Index first, Index last) {
           for (Index f = first; f < last; ++f) {
             const auto at = static_cast<std::size_t>(f);
-            number_frame(coarse, faces_[at], halo, plan.frame.data() + at * frame);
+            numbers.number(faces_[at], plan.frame.data() + at * frame);
             Index* run = plan.runs.data() + at * runs;
-            for (const FaceTopology::Code side : faces_[at].sides)
+            for (const EdgeCode side : faces_[at].sides)
               *run++ = (side & 1) != 0 ? fine.edge_begin(side >> 1) : kNone;
             *run = fine.face_begin(f);
           }
