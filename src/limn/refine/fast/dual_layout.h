@@ -104,6 +104,8 @@ class DualLayout {
   /// its twin's: u ≥ 0 on the side of the origin of h, u < 0 on the other.
   [[nodiscard]] Index line_point(Index h, Index t, Index u) const;
   [[nodiscard]] Index isolated_begin() const { return isolated_at_; }
+  /// The isolated vertices' numbers.
+  [[nodiscard]] std::vector<Index> isolated() const;
 
   [[nodiscard]] const DualCorners& corners() const { return *corners_; }
 

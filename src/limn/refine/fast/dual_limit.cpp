@@ -2,11 +2,10 @@
 
 #include <algorithm>
 #include <array>
-#include <numeric>
 
 #include "limn/refine/fast/dual_frame.h"
 #include "limn/refine/fast/dual_umbrella.h"
-#include "limn/refine/fast/limit_zones.h"
+#include "limn/refine/fast/limit_sums.h"
 
 namespace limn::fast {
 namespace {
@@ -60,9 +59,7 @@ class LimitPlanner {
       if (!done) return done.error();
       if (!*done) return Found();
     }
-    std::vector<Index> isolated(corners_.isolated().size());
-    std::iota(isolated.begin(), isolated.end(), at_.isolated_begin());
-    add_isolated_limits(isolated, plan_.rows);
+    add_isolated_limits(at_.isolated(), plan_.rows);
     return Found(std::move(plan_));
   }
 

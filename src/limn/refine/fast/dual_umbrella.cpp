@@ -45,4 +45,12 @@ Result<std::optional<RowTable>> read_umbrella(LimitReader& reader, int level,
   return Found(std::move(table));
 }
 
+void add_isolated_limits(const std::vector<Index>& vertices, std::vector<RowPlan>& rows) {
+  if (vertices.empty()) return;
+  rows.push_back({{1, {0, 1, 1, 1}, {{0, 1.0}}},
+                  HugeArray<Index>(vertices),
+                  HugeArray<Index>(vertices),
+                  false});
+}
+
 }  // namespace limn::fast

@@ -26,6 +26,9 @@ struct Umbrella {
 [[nodiscard]] Result<std::optional<RowTable>> read_umbrella(LimitReader& reader, int level,
                                                             const Umbrella& umbrella);
 
+/// Rows for isolated vertices, which stay and have no tangents.
+void add_isolated_limits(const std::vector<Index>& vertices, std::vector<RowPlan>& rows);
+
 /// Rows for some vertices, named as the caller likes: umbrella_of(vertex) and number(vertex, out),
 /// which writes the numbers of its umbrella's vertices, of which the first is the target. Returns
 /// false where one has no rows.

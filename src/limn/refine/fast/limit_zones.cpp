@@ -9,6 +9,8 @@
 namespace limn::fast {
 namespace {
 
+/// Weights without the last digits of the eigenvectors that they come from: so those that symmetry
+/// makes equal are, and what should be zero is.
 std::vector<double> rounded(std::vector<double> weights) {
   double largest = 0;
   for (const double w : weights) largest = std::max(largest, std::abs(w));
@@ -18,31 +20,14 @@ std::vector<double> rounded(std::vector<double> weights) {
   return weights;
 }
 
-/// A vertex that stays, without tangents.
-RowTable isolated_rows() { return {1, {0, 1, 1, 1}, {{0, 1.0}}}; }
-
 }  // namespace
-
-void add_isolated_limits(const std::vector<Index>& vertices, std::vector<RowPlan>& rows) {
-  if (vertices.empty()) return;
-  rows.push_back({isolated_rows(), HugeArray<Index>(vertices), HugeArray<Index>(vertices), false});
-}
-
-Stencil rounded_stencil(const std::vector<Offset>& places, std::vector<double> weights) {
-  weights = rounded(std::move(weights));
-  Stencil stencil;
-  for (std::size_t i = 0; i < weights.size(); ++i)
-    if (weights[i] != 0) stencil.push_back({places[i], weights[i]});
-  std::sort(stencil.begin(), stencil.end(),
-            [](const Tap& p, const Tap& q) { return p.place < q.place; });
-  return stencil;
-}
 
 Result<std::optional<ZoneTable>> read_limit_zone(LimitReader& reader, int level,
                                                  const StarShape& shape) {
   constexpr Index kRings = 2;
   using Found = std::optional<ZoneTable>;
-  if (shape.sectors == 0) return Found({0, {SectorPoint{}}, {SectorPoint{}}, isolated_rows()});
+  if (shape.sectors == 0)  // it stays, without tangents
+    return Found({0, {SectorPoint{}}, {SectorPoint{}}, {1, {0, 1, 1, 1}, {{0, 1.0}}}});
   const Mesh mesh = shape.open ? fan(shape.lattice, shape.sectors, kRings)
                                : star(shape.lattice, shape.sectors, kRings);
   const Result<std::vector<std::optional<LimitForms>>> forms =
@@ -69,15 +54,17 @@ Result<std::optional<ZoneTable>> read_limit_zone(LimitReader& reader, int level,
 }
 
 std::vector<Stencil> limit_stencils(const ZoneTable& plane, Lattice lattice) {
-  std::vector<Offset> places;
-  places.reserve(plane.sources.size());
-  for (const SectorPoint& source : plane.sources) places.push_back(on_plane(lattice, source));
   std::vector<Stencil> stencils;
   for (int row = 0; row < plane.rows.targets(); ++row) {
-    std::vector<double> weights(places.size(), 0.0);
+    std::vector<double> weights(plane.sources.size(), 0.0);
     for (int i = plane.rows.row_begin[row]; i < plane.rows.row_begin[row + 1]; ++i)
       weights[plane.rows.terms[i].source] = plane.rows.terms[i].weight;
-    stencils.push_back(rounded_stencil(places, std::move(weights)));
+    weights = rounded(std::move(weights));
+    Stencil& stencil = stencils.emplace_back();
+    for (std::size_t i = 0; i < weights.size(); ++i)
+      if (weights[i] != 0) stencil.push_back({on_plane(lattice, plane.sources[i]), weights[i]});
+    std::sort(stencil.begin(), stencil.end(),
+              [](const Tap& p, const Tap& q) { return p.place < q.place; });
   }
   return stencils;
 }

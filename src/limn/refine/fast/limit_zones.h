@@ -11,14 +11,6 @@ namespace limn::fast {
 [[nodiscard]] Result<std::optional<ZoneTable>> read_limit_zone(LimitReader& reader, int level,
                                                                const StarShape& shape);
 
-/// A stencil of these weights without the last digits of the eigenvectors that they come from: so
-/// those that symmetry makes equal are, and what should be zero is not there.
-[[nodiscard]] Stencil rounded_stencil(const std::vector<Offset>& places,
-                                      std::vector<double> weights);
-
-/// Rows for isolated vertices: they stay, without tangents.
-void add_isolated_limits(const std::vector<Index>& vertices, std::vector<RowPlan>& rows);
-
 /// Sums at a regular interior vertex, on the lattice round it.
 [[nodiscard]] std::vector<Stencil> limit_stencils(const ZoneTable& plane, Lattice lattice);
 
