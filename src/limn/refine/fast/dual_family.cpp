@@ -4,8 +4,10 @@
 #include <numeric>
 
 #include "limn/base/parallel.h"
+#include "limn/refine/fast/dual_limit.h"
 #include "limn/refine/fast/dual_steps.h"
 #include "limn/refine/fast/dual_walk.h"
+#include "limn/refine/fast/dual_wide_limit.h"
 
 namespace limn::fast {
 namespace {
@@ -30,6 +32,7 @@ class DualFamily final : public Family {
     Result<DualTables> read = read_dual_tables(scheme, control_);
     if (!read) return;
     tables_ = std::move(*read);
+    has_tables_ = true;
     int plain = first_;
     if (!tables_.own_face)
       while (plain < levels && (plain == first_ || layout(plain).n() < tables_.smallest_grid))
@@ -49,6 +52,17 @@ class DualFamily final : public Family {
   [[nodiscard]] StepPlan plan(int level) const override {
     if (level == first_) return plan_first_dual_step(corners_, tables_);
     return plan_dual_step(corners_, tables_, layout(level).n());
+  }
+
+  [[nodiscard]] Result<std::optional<StepPlan>> limit_plan(int level,
+                                                           LimitReader& reader) const override {
+    if (!has_tables_) return std::optional<StepPlan>();
+    if (!tables_.own_face) {
+      if (level == first_ || control_.has_boundary()) return std::optional<StepPlan>();
+      return plan_wide_dual_limit(layout(level), level, reader);
+    }
+    if (level == first_) return plan_control_dual_limit(control_, level, reader);
+    return plan_dual_limit(layout(level), level, reader);
   }
 
   [[nodiscard]] std::vector<Index> plain_order(
@@ -90,6 +104,7 @@ class DualFamily final : public Family {
   DualCorners corners_;
   int plain_;
   DualTables tables_;
+  bool has_tables_ = false;
 };
 
 }  // namespace

@@ -12,6 +12,10 @@
 /// An interior vertex of valence 2 gives no face, which leaves vertices of valence 3. Then the
 /// first step is plain; its mesh, with the plain engine's numbers at level 1, takes the control
 /// mesh's part in dual_layout.h, whose level 1 is level 2.
+///
+/// The limit is planned at every level where the rule sees its own face alone (dual_limit.h), but
+/// at level 0 not where such vertices are; else on closed meshes whose patches are large enough
+/// (dual_wide_limit.h).
 
 #include "limn/refine/fast/family.h"
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <numeric>
 
 #include "limn/base/parallel.h"
 
@@ -71,6 +72,18 @@ DualLayout::DualLayout(const DualCorners& corners, Index n)
       arm_quads_at_(count(corners.wholes()) * (n * n - 1)),
       edge_quads_at_(arm_quads_at_ + count(corners.y_arms()) * (n - 1)),
       quads_(edge_quads_at_ + count(corners.inner_edges())) {}
+
+std::vector<Index> DualLayout::isolated() const {
+  std::vector<Index> numbers(corners_->isolated().size());
+  std::iota(numbers.begin(), numbers.end(), isolated_at_);
+  return numbers;
+}
+
+Index DualLayout::line_point(Index h, Index t, Index u) const {
+  if (t < n_) return u >= 0 ? point(h, u, t) : point(control().next(h), t, -1 - u);
+  const Index twin = control().twin(h), back = 2 * n_ - 1 - t;
+  return u >= 0 ? point(control().next(twin), back, u) : point(twin, -1 - u, back);
+}
 
 void DualLayout::row(Index h, Index y, Index* out) const {
   Index first = point(h, 0, y);

@@ -100,7 +100,12 @@ class DualLayout {
     if (x == 0 && y == 0) return rims_at_ + corners_->rim_rank(h);
     return x == 0 ? y_arm_begin(h) + y : x_arm_begin(h) + x;
   }
+  /// Point (t, u), 0 ≤ t < 2n, of the line of h, which runs from the centre of its face to that of
+  /// its twin's: u ≥ 0 on the side of the origin of h, u < 0 on the other.
+  [[nodiscard]] Index line_point(Index h, Index t, Index u) const;
   [[nodiscard]] Index isolated_begin() const { return isolated_at_; }
+  /// The isolated vertices' numbers.
+  [[nodiscard]] std::vector<Index> isolated() const;
 
   [[nodiscard]] const DualCorners& corners() const { return *corners_; }
 

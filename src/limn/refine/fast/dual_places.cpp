@@ -27,4 +27,13 @@ Offset dual_on_plane(const SectorPoint& point) {
   return place;
 }
 
+std::optional<SectorPoint> dual_from_plane(Index sectors, Offset place) {
+  const auto& [a, b] = place;
+  if (a >= 0 && b >= 0) return SectorPoint{0, a, b};
+  if (b >= 0) return SectorPoint{1, b, -1 - a};
+  if (a >= 0) return SectorPoint{sectors - 1, -1 - b, a};
+  if (sectors == 4) return SectorPoint{2, -1 - a, -1 - b};
+  return std::nullopt;
+}
+
 }  // namespace limn::fast

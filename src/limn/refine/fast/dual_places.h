@@ -7,6 +7,8 @@
 /// plane, where a whole star has four sectors, (a, b) are the coordinates of sector 0, continued:
 /// sector 1 has a < 0 ≤ b.
 
+#include <optional>
+
 #include "limn/refine/fast/star_places.h"
 
 namespace limn::fast {
@@ -24,5 +26,9 @@ namespace limn::fast {
 
 /// The place on the plane; sector < 4.
 [[nodiscard]] Offset dual_on_plane(const SectorPoint& point);
+
+/// The point at a place, in a star of any number of sectors: of sector 0 or one of the two beside
+/// it. Nothing beyond them, but for the last sector of four.
+[[nodiscard]] std::optional<SectorPoint> dual_from_plane(Index sectors, Offset place);
 
 }  // namespace limn::fast

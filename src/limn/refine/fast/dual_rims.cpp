@@ -196,16 +196,6 @@ class RimReader {
   DualRims rims_;
 };
 
-/// Point (t, u) of the line of h, which runs from the centre of its face to that of its twin's: u ≥
-/// 0 on the side of the origin of h.
-Index line_point(const DualLayout& layout, Index h, Index t, Index u) {
-  const Mesh& mesh = layout.corners().control();
-  const Index n = layout.n();
-  if (t < n) return u >= 0 ? layout.point(h, u, t) : layout.point(mesh.next(h), t, -1 - u);
-  const Index twin = mesh.twin(h), back = 2 * n - 1 - t;
-  return u >= 0 ? layout.point(mesh.next(twin), back, u) : layout.point(twin, -1 - u, back);
-}
-
 /// `lines`: half-edges whose origins, and maybe targets, lie on the boundary.
 void add_strips(const DualRims& rims, const std::vector<Stencil>& strip,
                 const std::vector<Index>& lines, const DualLayout& coarse, const DualLayout& fine,
@@ -219,8 +209,8 @@ void add_strips(const DualRims& rims, const std::vector<Stencil>& strip,
       for (Index t = from + i % 2; t < to; t += 2) {
         for (const Tap& tap : stencil)
           sources.push_back(
-              line_point(coarse, h, t / 2 + tap.place.a, tap.place.b - (depth + 1) / 2));
-        targets.push_back(line_point(fine, h, t, -depth));
+              coarse.line_point(h, t / 2 + tap.place.a, tap.place.b - (depth + 1) / 2));
+        targets.push_back(fine.line_point(h, t, -depth));
       }
     rows.push_back({to_rows(stencil), HugeArray<Index>(sources), HugeArray<Index>(targets), false});
   }

@@ -5,32 +5,19 @@
 #include <numeric>
 
 #include "limn/base/parallel.h"
+#include "limn/refine/fast/dual_frame.h"
 
 namespace limn::fast {
 namespace {
 
 constexpr Index kNumberGrain = 16384;  // numbers that one call of a parallel loop makes
 
-/// What all patches do.
-PatchShape make_shape(Index n, Index halo) {
-  PatchShape shape;
-  for (Index j = 0; j < halo; ++j) {
-    for (Index y = 0; y < n; ++y) shape.frame.push_back({-1 - j, y});
-    for (Index y = 0; y < n; ++y) shape.frame.push_back({n + j, y});
-    for (Index x = 0; x < n; ++x) shape.frame.push_back({x, -1 - j});
-    for (Index x = 0; x < n; ++x) shape.frame.push_back({x, n + j});
-  }
-  for (Index k = 0; k < halo; ++k)
-    for (Index j = 0; j < halo; ++j)
-      shape.frame.insert(shape.frame.end(),
-                         {{-1 - j, -1 - k}, {n + j, n + k}, {-1 - j, n + k}, {n + j, -1 - k}});
-  for (Index y = 0; y < n; ++y)
-    for (Index x = 0; x < n; ++x) shape.inner.push_back({x, y});
-  shape.runs.resize(1);
+/// All fine points of a patch.
+std::vector<FinePoint> fine_points(Index n) {
+  std::vector<FinePoint> points;
   for (Index y = 0; y < 2 * n; ++y)
-    for (Index x = 0; x < 2 * n; ++x)
-      shape.runs.front().push_back({class_of(x, y), {x / 2, y / 2}});
-  return shape;
+    for (Index x = 0; x < 2 * n; ++x) points.push_back({class_of(x, y), {x / 2, y / 2}});
+  return points;
 }
 
 class StepPlanner {
@@ -57,48 +44,10 @@ class StepPlanner {
 
  private:
   void plan_patches() {
-    PatchPlan& plan = plan_.patches;
-    const std::vector<Index>& wholes = corners_.wholes();
-    if (wholes.empty()) return;
-    plan.shape = make_shape(n_, tables_.halo);
-    plan.stencils.assign(tables_.interior.begin(), tables_.interior.end());
-    plan.patches = static_cast<Index>(wholes.size());
-    const std::size_t frame = plan.shape.frame.size();
-    plan.frame = HugeArray<Index>(frame * wholes.size());
-    plan.runs = HugeArray<Index>(wholes.size());
-    parallel_for(
-        Index{0}, plan.patches,
-        [&](Index first, Index last) {
-          for (Index p = first; p < last; ++p) {
-            const auto i = static_cast<std::size_t>(p);
-            write_frame(wholes[i], plan.frame.data() + i * frame);
-            plan.runs[i] = fine_.point(wholes[i], 0, 0);
-          }
-        },
-        std::max<std::ptrdiff_t>(1, kNumberGrain / static_cast<std::ptrdiff_t>(frame)));
-  }
-
-  /// The frame's points as make_shape has them: those beyond x = 0, x = n, y = 0, y = n …
-  void write_frame(Index h, Index* out) const {
-    const Index twin = mesh_.twin(h), below = mesh_.prev(h);
-    const Index left = mesh_.next(h), right = mesh_.twin(below), above = mesh_.next(twin);
-    for (Index j = 0; j < tables_.halo; ++j, out += static_cast<std::ptrdiff_t>(4) * n_) {
-      // a rim has no more than its arm
-      coarse_.row(left, corners_.is_whole(left) ? j : 0, out);
-      coarse_.row(right, n_ - 1 - j, out + n_);
-      coarse_.column(below, corners_.is_whole(below) ? j : 0, out + std::ptrdiff_t{2} * n_);
-      coarse_.column(above, n_ - 1 - j, out + std::ptrdiff_t{3} * n_);
-    }
-    // … and beyond two sides: of use where there are four patches, else just any numbers
-    const Index face = mesh_.next(left), vertex = mesh_.rotate(right);
-    const Index far = mesh_.next(right);
-    for (Index k = 0; k < tables_.halo; ++k)
-      for (Index j = 0; j < tables_.halo; ++j) {
-        *out++ = corners_.is_whole(face) ? coarse_.point(face, j, k) : coarse_.point(face, 0, 0);
-        *out++ = coarse_.point(vertex, n_ - 1 - j, n_ - 1 - k);
-        *out++ = coarse_.point(twin, corners_.is_whole(twin) ? j : 0, n_ - 1 - k);
-        *out++ = coarse_.point(far, n_ - 1 - j, corners_.is_whole(far) ? k : 0);
-      }
+    if (corners_.wholes().empty()) return;
+    plan_.patches = frame_dual_patches(coarse_, fine_, tables_.halo);
+    plan_.patches.shape.runs = {fine_points(n_)};
+    plan_.patches.stencils.assign(tables_.interior.begin(), tables_.interior.end());
   }
 
   /// Rims have no inner points. Each arm reads itself and the line beside it, up to the first
@@ -167,36 +116,11 @@ class StepPlanner {
     std::vector<Index> faces, vertices;  // half-edges
     for (Index f = 0; f < mesh_.face_count(); ++f)
       if (mesh_.degree(f) == sides && wants_zone(f)) faces.push_back(mesh_.face_begin(f));
-    if (sides != 4)
-      for (Index i = 0; i < std::ssize(corners_.inner_vertices()); ++i)
-        if (corners_.vertex_begin(i + 1) - corners_.vertex_begin(i) == sides)
-          vertices.push_back(
-              mesh_.halfedge_of_vertex(corners_.inner_vertices()[static_cast<std::size_t>(i)]));
+    if (sides != 4) vertices = vertices_of_sides(corners_, sides);
     if (faces.empty() && vertices.empty()) return;
     // between two centres lie 2n fine points
-    RowPlan plan{zone.table, {}, {}, tables_.zone > n_};
-    const std::size_t centres = faces.size() + vertices.size();
-    plan.sources = HugeArray<Index>(centres * zone.sources.size());
-    plan.targets = HugeArray<Index>(centres * zone.targets.size());
-    parallel_for(
-        std::size_t{0}, centres,
-        [&](std::size_t first, std::size_t last) {
-          std::vector<Index> sectors(static_cast<std::size_t>(sides));
-          for (std::size_t i = first; i < last; ++i) {
-            const bool face = i < faces.size();
-            Index h = face ? faces[i] : vertices[i - faces.size()];
-            for (Index& sector : sectors) {
-              sector = h;
-              h = face ? mesh_.next(h) : mesh_.rotate(h);
-            }
-            number_zone(coarse_, sectors, !face, zone.sources,
-                        plan.sources.data() + i * zone.sources.size());
-            number_zone(fine_, sectors, !face, zone.targets,
-                        plan.targets.data() + i * zone.targets.size());
-          }
-        },
-        std::max<std::ptrdiff_t>(1, kNumberGrain / std::ssize(zone.targets)));
-    plan_.rows.push_back(std::move(plan));
+    plan_.rows.push_back(
+        plan_dual_zones(zone, sides, faces, vertices, coarse_, fine_, tables_.zone > n_));
   }
 
   /// A regular face does at the boundary, for the sake of its rims' own points; but none where the

@@ -40,13 +40,17 @@ void fill_zone(DualZone& zone, const std::vector<LinearForm<double>>& forms, Pla
 
 /// Numbers of points round a face's centre, or (`vertex`) round a vertex, seen from which a patch's
 /// far corner is its first; sectors[s] is the half-edge whose patch is sector s.
-inline void number_zone(const DualLayout& layout, const std::vector<Index>& sectors, bool vertex,
-                        const std::vector<SectorPoint>& points, Index* out) {
-  const Index last = layout.n() - 1;
-  for (const SectorPoint& p : points) {
-    const Index h = sectors[static_cast<std::size_t>(p.sector)];
-    *out++ = vertex ? layout.point(h, last - p.x, last - p.y) : layout.point(h, p.x, p.y);
-  }
-}
+void number_zone(const DualLayout& layout, const std::vector<Index>& sectors, bool vertex,
+                 const std::vector<SectorPoint>& points, Index* out);
+
+/// The inner vertices with so many sides, a half-edge out of each.
+[[nodiscard]] std::vector<Index> vertices_of_sides(const DualCorners& corners, Index sides);
+
+/// Rows for the zones round faces and inner vertices of so many sides, which are given by a
+/// half-edge each.
+[[nodiscard]] RowPlan plan_dual_zones(const DualZone& zone, Index sides,
+                                      const std::vector<Index>& faces,
+                                      const std::vector<Index>& vertices, const DualLayout& coarse,
+                                      const DualLayout& fine, bool overlap);
 
 }  // namespace limn::fast
