@@ -1,0 +1,30 @@
+#pragma once
+/// The limit surface at the vertices of a level of √3 grids, as a plan (step_plan.h).
+///
+/// How far a vertex is felt is not derived from the rules but read: on a star or fan of each kind,
+/// sums are compared with those of a regular vertex, or along boundary sides with those of a
+/// straight boundary, and what differs is its zone.
+
+#include "limn/refine/fast/family.h"
+#include "limn/refine/fast/triangle_frame.h"
+#include "limn/refine/fast/zones.h"
+
+namespace limn::fast {
+
+/// What does not depend on the level.
+struct Sqrt3Control {
+  const Mesh& mesh;
+  const Split& split;
+  const std::vector<ZoneGroup>& groups;  ///< all vertices, with codes
+  const std::vector<Index>& sides;       ///< boundary half-edges
+  const HugeArray<FaceTopology>& faces;
+};
+
+/// Nothing where zones of control vertices come too near one another, or a normal is not that of
+/// two sums. For sums of one ring there is a plan at every level, but for level 1 of meshes with
+/// boundary: centroids look along it there past both ends of their sides. Fails as `reader`. Cost:
+/// some ms for each valence.
+[[nodiscard]] Result<std::optional<StepPlan>> plan_sqrt3_limit(const Sqrt3Control& control,
+                                                               int level, LimitReader& reader);
+
+}  // namespace limn::fast

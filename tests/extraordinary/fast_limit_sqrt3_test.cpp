@@ -1,0 +1,90 @@
+// Limit points of √3 by the quick engine, beside those that the plain way finds on the same refined
+// mesh.
+
+#include <array>
+
+#include "limn/base/parallel.h"
+#include "limn/extraordinary/fast_limit.h"
+#include "limn/extraordinary/limit_points.h"
+#include "refine/fast_check.h"
+#include "support/mutants.h"
+#include "support/shipped.h"
+
+namespace limn::test {
+namespace {
+
+using Points = std::vector<Point3>;
+
+template <class Real>
+std::array<Points, 2> quick_limit(const FastRefiner& refiner, const FastRefiner::Limit& limit,
+                                  const Points& control) {
+  std::vector<Real> positions(3 * static_cast<std::size_t>(refiner.vertex_count()), Real(7e7));
+  std::vector<Real> normals = positions;
+  FastRefiner::Scratch<Real> scratch;
+  refiner.evaluate_limit<Real>(limit, as_numbers<Real>(control), positions, normals, scratch);
+  return {as_points(positions), as_points(normals)};
+}
+
+double farthest(const Points& a, const Points& b) {
+  double most = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    const double d = distance(a[i], b[i]);
+    if (!(d <= most)) most = d;
+  }
+  return most;
+}
+
+/// Whether there is a plan; if so, it is compared.
+bool expect_plain_limit(const Scheme& scheme, const Mesh& control, int levels, unsigned seed = 1) {
+  SCOPED_TRACE(levels);
+  const FastRefiner refiner = FastRefiner::make(scheme, control, levels).value();
+  const auto limit = approx_fast_limit(scheme, refiner);
+  if (limit && !*limit) return false;
+  const Points points = random_points(control.vertex_count(), seed);
+  const Points fine = as_points(evaluate<double>(refiner, points));
+  const Result<Mesh> mesh = Mesh::build(refined_polygons(refiner, fine));
+  if (!mesh) return false;  // a vertex of two faces keeps two edges between its neighbours
+  LimitOptions options;
+  options.steps_made = levels;
+  const auto expected = approx_limit_points(scheme, *mesh, fine, options);
+  EXPECT_EQ(limit.ok(), expected.ok());
+  if (!limit || !expected) return false;
+  const auto [positions, normals] = quick_limit<double>(refiner, **limit, points);
+  EXPECT_LT(farthest(positions, expected->positions), 1e-11);
+  EXPECT_LT(farthest(normals, expected->normals), 1e-7);
+  const auto [float_positions, float_normals] = quick_limit<float>(refiner, **limit, points);
+  EXPECT_LT(farthest(float_positions, expected->positions), 1e-5);
+  EXPECT_LT(farthest(float_normals, expected->normals), 2e-2);
+  return true;
+}
+
+/// At every level but the one whose boundary triangles see past both their corners.
+bool has_plan(const Mesh& mesh, int levels) {
+  bool open = false;
+  for (Index h = 0; h < mesh.halfedge_count(); ++h) open = open || mesh.twin(h) == kNone;
+  return levels != 1 || !open;
+}
+
+TEST(FastLimitOfSqrt3, IsThePlainOneOnBodies) {
+  const Scheme& scheme = shipped("sqrt3");
+  for (const Mesh& mesh :
+       {tetrahedron(), icosahedron(), torus(Lattice::triangle, 4, 5), fan(Lattice::triangle, 5, 2),
+        fan(Lattice::triangle, 1, 2), fan(Lattice::triangle, 3, 3), star(Lattice::triangle, 9, 2)})
+    for (int levels = 0; levels <= 5; ++levels)
+      EXPECT_EQ(expect_plain_limit(scheme, mesh, levels), has_plan(mesh, levels))
+          << levels << " " << mesh.vertex_count();
+}
+
+TEST(FastLimitOfSqrt3, IsThePlainOneOnRandomMeshes) {
+  const Scheme& scheme = shipped("sqrt3");
+  int met = 0;
+  for (unsigned seed = 0; seed < 30; ++seed) {
+    SCOPED_TRACE(seed);
+    const Mesh mesh = RandomMesh(seed).triangles();
+    if (expect_plain_limit(scheme, mesh, static_cast<int>(seed % 5), seed)) ++met;
+  }
+  EXPECT_GT(met, 0);
+}
+
+}  // namespace
+}  // namespace limn::test
