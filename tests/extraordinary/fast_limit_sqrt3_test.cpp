@@ -2,10 +2,12 @@
 // mesh.
 
 #include <array>
+#include <cstdio>
 
 #include "limn/base/parallel.h"
 #include "limn/extraordinary/fast_limit.h"
 #include "limn/extraordinary/limit_points.h"
+#include "limn/scheme/scheme.h"
 #include "refine/fast_check.h"
 #include "support/mutants.h"
 #include "support/shipped.h"
@@ -78,12 +80,78 @@ TEST(FastLimitOfSqrt3, IsThePlainOneOnBodies) {
 TEST(FastLimitOfSqrt3, IsThePlainOneOnRandomMeshes) {
   const Scheme& scheme = shipped("sqrt3");
   int met = 0;
-  for (unsigned seed = 0; seed < 30; ++seed) {
+  for (unsigned seed = 0; seed < 40; ++seed) {
     SCOPED_TRACE(seed);
     const Mesh mesh = RandomMesh(seed).triangles();
     if (expect_plain_limit(scheme, mesh, static_cast<int>(seed % 5), seed)) ++met;
   }
-  EXPECT_GT(met, 0);
+  EXPECT_GT(met, 25);
+}
+
+/// Valences and numbers of faces, but for 6 faces at the boundary, where no two eigenvectors lead.
+TEST(FastLimitOfSqrt3, IsThePlainOneRoundEveryValence) {
+  const Scheme& scheme = shipped("sqrt3");
+  for (const Index n : {3, 4, 5, 6, 7, 8, 12, 30})
+    for (const int levels : {2, 3})
+      EXPECT_TRUE(expect_plain_limit(scheme, star(Lattice::triangle, n, 1), levels)) << n;
+  for (const Index n : {1, 2, 3, 4, 5, 7, 12})
+    for (const int levels : {2, 3})
+      EXPECT_TRUE(expect_plain_limit(scheme, fan(Lattice::triangle, n, 1), levels)) << n;
+  EXPECT_FALSE(expect_plain_limit(scheme, fan(Lattice::triangle, 6, 1), 2));
+}
+
+Scheme parsed(const std::string& rules) {
+  const Result<Scheme> scheme =
+      parse_scheme("split = \"sqrt3\"\nextends = \"sqrt3\"\n" + rules, "test.toml");
+  EXPECT_TRUE(scheme.ok()) << (scheme ? "" : scheme.error().text());
+  return *scheme;
+}
+
+/// Sums of two rings, which irregular vertices and boundaries change farther off.
+TEST(FastLimitOfSqrt3, IsThePlainOneOfWiderRules) {
+  const Scheme vertices =
+      parsed("[vertex]\nself = \"1/2\"\nring = \"7/(16*n)\"\nacross = \"1/(16*n)\"\n");
+  const Scheme faces = parsed("[face]\ncorner = \"3/8\"\nbeyond = \"-1/24\"\n");
+  int at = 0;
+  for (const Scheme* scheme : {&vertices, &faces})
+    for (const Mesh& mesh : {icosahedron(), star(Lattice::triangle, 5, 2),
+                             torus(Lattice::triangle, 3, 4), fan(Lattice::triangle, 2, 2)})
+      for (int levels = 0; levels <= 5; ++levels) {
+        SCOPED_TRACE(at++);
+        const bool met = expect_plain_limit(*scheme, mesh, levels);
+        std::printf("%d met %d level %d\n", at, met, levels);
+      }
+}
+
+/// Whatever the weights: each mutant moves some of them, or gives a rule a role that it had not.
+TEST(FastLimitOfSqrt3, IsThePlainOneOfMutants) {
+  unsigned seed = 0, met = 0;
+  for (const RuleMutant& mutant : rule_mutants(shipped("sqrt3"))) {
+    SCOPED_TRACE(mutant.change);
+    ++seed;
+    const int levels = static_cast<int>(seed % 5);
+    const Mesh mesh = seed % 3 == 0   ? RandomMesh(seed).triangles()
+                      : seed % 3 == 1 ? star(Lattice::triangle, 7, 1)
+                                      : fan(Lattice::triangle, 2, 1);
+    const bool is = expect_plain_limit(mutant.scheme, mesh, levels);
+    std::printf("%s: level %d met %d\n", mutant.change.c_str(), levels, is);
+    met += is;
+  }
+  EXPECT_GT(met, seed / 3);
+}
+
+TEST(FastLimitOfSqrt3, GivesTheSameBitsOnOneThreadAndMany) {
+  for (const int levels : {4, 5}) {
+    const Mesh control = fan(Lattice::triangle, 5, 12);
+    const FastRefiner refiner = FastRefiner::make(shipped("sqrt3"), control, levels).value();
+    const auto limit = approx_fast_limit(shipped("sqrt3"), refiner).value();
+    ASSERT_TRUE(limit);
+    const Points points = random_points(control.vertex_count(), 1);
+    set_thread_limit(1);
+    const auto one = quick_limit<float>(refiner, *limit, points);
+    set_thread_limit(0);
+    EXPECT_EQ(quick_limit<float>(refiner, *limit, points), one);
+  }
 }
 
 }  // namespace

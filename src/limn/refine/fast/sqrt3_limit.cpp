@@ -15,10 +15,12 @@ namespace {
 using Form = LinearForm<double>;
 using Sums = std::array<Stencil, 3>;  // position and two tangents, in thirds from their point
 
-constexpr Index kEdge = 3;              // a grid edge, in thirds
-constexpr Index kSeen = 3 * kEdge;      // rings round a vertex, rows along a side that are read,
-constexpr Index kZone = kSeen - kEdge;  // and the most of them that may differ
-constexpr Index kMargin = 4;            // edges from what is read to a site's rim
+constexpr Index kEdge = 3;  // a grid edge, in thirds
+// Rings round a vertex that are read, if need be more of them, and rows along a side. Those of the
+// last edge must not differ.
+constexpr Index kFewest = 2 * kEdge, kMost = 4 * kEdge;
+constexpr Index kRim = 2;     // edges from a rim that sums must not come to
+constexpr Index kWidest = 4;  // edges that sums may reach
 
 /// Less of a weight comes from the rounding of eigenvectors.
 double unit_of(const Form& form) {
@@ -64,12 +66,12 @@ bool same_limit(const LimitForms& p, const LimitForms& q) {
 /// A star or fan at one kind of level.
 class LimitSite {
  public:
-  /// On which points are read up to `seen` rings.
-  LimitSite(const Split& split, Sqrt3Step step, Index sectors, bool open, Index seen = kSeen)
+  /// Of so many rings of edges.
+  LimitSite(const Split& split, Sqrt3Step step, Index sectors, bool open, Index rings)
       : step_(step),
         sectors_(sectors),
         open_(open),
-        rings_(seen / kEdge + kMargin),
+        rings_(rings),
         site_(split, sectors, open, rings_) {}
 
   [[nodiscard]] const Sqrt3Site& places() const { return site_; }
@@ -90,7 +92,7 @@ class LimitSite {
       for (Form& form : *limit) {
         clean(form);
         for (const auto& [vertex, weight] : form.terms)
-          if (ring(vertex) > kEdge * (rings_ - 2)) return Found();
+          if (ring(vertex) > kEdge * (rings_ - kRim)) return Found();
       }
       forms->push_back(std::move(*limit));
     }
@@ -161,8 +163,9 @@ class LimitPlanner {
     for (const auto read : {&LimitPlanner::read_plane, &LimitPlanner::read_sides,
                             &LimitPlanner::read_kinds, &LimitPlanner::read_near}) {
       const Result<bool> found = (this->*read)();
-      if (!found) return found.error();
-      if (!*found) return Found();
+      // a coarse mesh may have no regular vertex to fail at
+      if (!found && level_.side() > kEdge) return found.error();
+      if (!found || !*found) return Found();
     }
     return Found(plan());
   }
@@ -175,26 +178,31 @@ class LimitPlanner {
     ZoneTable table;
   };
 
-  [[nodiscard]] LimitSite site(Index sectors, bool open) const {
-    return {control_.split, level_.step, sectors, open};
+  /// On which points are read up to `seen` rings.
+  [[nodiscard]] LimitSite site(Index sectors, bool open, Index seen) const {
+    return {control_.split, level_.step, sectors, open, seen / kEdge + reach_ + kRim};
   }
 
   Known read_plane() {
-    const LimitSite plane = site(6, false);
+    const LimitSite plane = site(6, false, 0);
     const auto read = plane.read(reader_, {SectorPoint{}});
     if (!read) return read.error();
     if (!*read) return false;
     interior_ = on_plane_from((*read)->front(), plane, {});
+    Index far = 0;
+    for (const Form& form : (*read)->front())
+      for (const auto& [vertex, weight] : form.terms) far = std::max(far, plane.ring(vertex));
+    reach_ = (far + kEdge - 1) / kEdge;
     return true;
   }
 
   /// Along a straight boundary.
   Known read_sides() {
-    constexpr Index kFar = kSeen;  // from the middle vertex, so that sums stay in two sectors
+    constexpr Index kFar = 3 * kEdge;  // from the middle vertex, so that sums stay in two sectors
     if (control_.sides.empty()) return true;
-    const LimitSite straight(control_.split, level_.step, 3, true, kFar + kSeen);
+    const LimitSite straight = site(3, true, kFar + kMost);
     std::vector<SectorPoint> points;
-    for (Index y = 0; y <= kSeen; ++y)
+    for (Index y = 0; y <= kMost; ++y)
       if (is_old(level_.step, kFar + y % 3, y)) points.push_back({0, kFar + y % 3, y});
     const auto read = straight.read(reader_, points);
     if (!read) return read.error();
@@ -207,7 +215,7 @@ class LimitPlanner {
       const auto regular = straight.shifted(interior_, points[i]);
       if (y > 0 && !(regular && same_limit((**read)[i], *regular))) depth = y;
     }
-    if (depth > kZone) return false;
+    if (depth > kMost - kEdge) return false;
     for (auto& [y, sums] : rows)
       if (y <= depth) sides_.emplace(y, std::move(sums));
     return true;
@@ -218,10 +226,12 @@ class LimitPlanner {
       const bool open = group.kind.open;
       const Index sectors = group.kind.faces;
       if (sectors == 0) continue;
-      Zone zone;
-      const Known found = read_zone(sectors, open, zone);
+      Zone& zone = zones_[open ? 1 : 0][sectors];
+      Known found = read_zone(sectors, open, kFewest, zone);
+      if (found && *found && zone.size > kFewest - kEdge)
+        found = read_zone(sectors, open, kMost, zone);
       if (!found || !*found) return found;
-      zones_[open ? 1 : 0].emplace(sectors, std::move(zone));
+      if (zone.size > kMost - kEdge || !fits(zone)) return false;
     }
     return true;
   }
@@ -238,19 +248,19 @@ class LimitPlanner {
     return points;
   }
 
-  Known read_zone(Index sectors, bool open, Zone& zone) {
-    const LimitSite star = site(sectors, open);
+  Known read_zone(Index sectors, bool open, Index seen, Zone& zone) {
+    const LimitSite star = site(sectors, open, seen);
     // the sectors of a star are alike
-    std::vector<SectorPoint> points = points_round(open ? sectors : 1, open, kSeen);
+    std::vector<SectorPoint> points = points_round(open ? sectors : 1, open, seen);
     auto read = star.read(reader_, points);
     if (!read) return read.error();
     if (!*read) return false;
+    zone.size = 0;
     for (std::size_t i = 1; i < points.size(); ++i) {
       const auto expected = usual(star, points[i], open ? sectors - 1 : kNone);
       if (!expected || !same_limit((**read)[i], *expected))
         zone.size = std::max(zone.size, points[i].x + points[i].y);
     }
-    if (zone.size > kZone) return false;
     if (zone.size > 0 && !open) {
       points = points_round(sectors, open, zone.size);
       read = star.read(reader_, points);
@@ -265,7 +275,7 @@ class LimitPlanner {
       forms.insert(forms.end(), (**read)[i].begin(), (**read)[i].end());
     }
     zone.table = zone_table(forms, star.places(), sectors, std::move(targets));
-    return fits(zone);
+    return true;
   }
 
   /// What patches and side rows make there; `last` is a fan's last sector.
@@ -298,7 +308,7 @@ class LimitPlanner {
       const Index sectors = group.kind.faces;
       if (sectors == 0) continue;
       std::vector<LimitForms> read;
-      for (const Index rings : {kMargin, 1}) {
+      for (const Index rings : {reach_ + kRim, Index{1}}) {
         const Mesh mesh =
             open ? fan(Lattice::triangle, sectors, rings) : star(Lattice::triangle, sectors, rings);
         auto limit = reader_.read(mesh, 0, !open, {0});
@@ -374,6 +384,7 @@ class LimitPlanner {
   const Sqrt3Control& control_;
   Sqrt3Level level_;
   LimitReader& reader_;
+  Index reach_ = kWidest;  // edges that a regular vertex's sums reach
   Sums interior_;
   std::map<Index, Sums> sides_;                 // by row
   std::array<std::map<Index, Zone>, 2> zones_;  // of interior, boundary vertices, by faces
