@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cassert>
-#include <cmath>
 #include <map>
 
 #include "limn/mesh/lattice.h"
+#include "limn/refine/fast/sqrt3_limit_site.h"
 #include "limn/refine/fast/sqrt3_patches.h"
 #include "limn/refine/fast/sqrt3_tables.h"
 
@@ -13,145 +13,41 @@ namespace limn::fast {
 namespace {
 
 using Form = LinearForm<double>;
-using Sums = std::array<Stencil, 3>;  // position and two tangents, in thirds from their point
 
-constexpr Index kEdge = 3;  // a grid edge, in thirds
+constexpr Index kEdge = LimitSite::kEdge, kRim = LimitSite::kRim;
 // Rings round a vertex that are read, if need be more of them, and rows along a side. Those of the
 // last edge must not differ.
 constexpr Index kFewest = 2 * kEdge, kMost = 4 * kEdge;
-constexpr Index kRim = 2;     // edges from a rim that sums must not come to
 constexpr Index kWidest = 4;  // edges that sums may reach
 
-/// Less of a weight comes from the rounding of eigenvectors.
-double unit_of(const Form& form) {
-  double largest = 0;
-  for (const auto& [vertex, weight] : form.terms) largest = std::max(largest, std::abs(weight));
-  return std::ldexp(largest, -42);
-}
-
-void clean(Form& form) {
-  const double unit = unit_of(form);
-  std::erase_if(form.terms, [&](const auto& term) { return std::abs(term.second) <= unit; });
-}
-
-double product(const Form& a, const Form& b) {
-  double sum = 0;
-  for (const auto& [vertex, weight] : a.terms) sum += weight * b.coefficient(vertex);
-  return sum;
-}
-
-/// That a sum is x·u + y·v but for rounding.
-bool is_combination(Form sum, double x, const Form& u, double y, const Form& v) {
-  const double size = product(sum, sum);
-  add_scaled(sum, -x, u);
-  add_scaled(sum, -y, v);
-  return product(sum, sum) <= 1e-20 * size;
-}
-
-/// The same positions and normals, whatever the tangents.
-bool same_limit(const LimitForms& p, const LimitForms& q) {
-  if (!is_combination(p[0], 1, q[0], 0, q[0])) return false;
-  const double uu = product(q[1], q[1]), uv = product(q[1], q[2]), vv = product(q[2], q[2]);
-  const double area = uu * vv - uv * uv;
-  if (area <= 1e-12 * uu * vv) return false;
-  std::array<std::array<double, 2>, 2> turn{};
-  for (std::size_t i = 0; i < 2; ++i) {
-    const double u = product(p[i + 1], q[1]), v = product(p[i + 1], q[2]);
-    turn[i] = {(u * vv - v * uv) / area, (v * uu - u * uv) / area};
-    if (!is_combination(p[i + 1], turn[i][0], q[1], turn[i][1], q[2])) return false;
+/// Old points for number_points (zones.h), also past the ends of boundary sides, along the
+/// boundary.
+struct SidePoints {
+  const Sqrt3Level& level;
+  [[nodiscard]] Index n() const { return level.side(); }
+  [[nodiscard]] Index point(Index h, Index x, Index y) const {
+    const Mesh& mesh = level.odd.control();
+    if (x == 0 && y > n()) return point(mesh.prev(h), n() - y, 0);
+    if (y == 0 && x < 0) return level.old_point(before(mesh, h), x + n(), 0);
+    if (y == 0 && x > n()) return level.old_point(after(mesh, h), x - n(), 0);
+    return level.old_point(h, x, y);
   }
-  return turn[0][0] * turn[1][1] - turn[0][1] * turn[1][0] > 0;
-}
-
-/// A star or fan at one kind of level.
-class LimitSite {
- public:
-  /// Of so many rings of edges.
-  LimitSite(const Split& split, Sqrt3Step step, Index sectors, bool open, Index rings)
-      : step_(step),
-        sectors_(sectors),
-        open_(open),
-        rings_(rings),
-        site_(split, sectors, open, rings_) {}
-
-  [[nodiscard]] const Sqrt3Site& places() const { return site_; }
-
-  /// Nothing where a point has no sums, or they come near the rim.
-  [[nodiscard]] Result<std::optional<std::vector<LimitForms>>> read(
-      LimitReader& reader, const std::vector<SectorPoint>& points) const {
-    using Found = std::optional<std::vector<LimitForms>>;
-    std::vector<Index> vertices;
-    vertices.reserve(points.size());
-    for (const SectorPoint& point : points) vertices.push_back(site_.vertex(point));
-    const int steps_made = step_ == Sqrt3Step::centroids ? 0 : 1;
-    auto read = reader.read(site_.mesh(step_), steps_made, !open_, vertices);
-    if (!read) return read.error();
-    Found forms(std::in_place);
-    for (std::optional<LimitForms>& limit : *read) {
-      if (!limit) return Found();
-      for (Form& form : *limit) {
-        clean(form);
-        for (const auto& [vertex, weight] : form.terms)
-          if (ring(vertex) > kEdge * (rings_ - kRim)) return Found();
-      }
-      forms->push_back(std::move(*limit));
-    }
-    return forms;
-  }
-
-  /// How many thirds a vertex lies from the middle one.
-  [[nodiscard]] Index ring(Index vertex) const {
-    return site_.place(vertex).x + site_.place(vertex).y;
-  }
-
-  /// The sums at a point, in the frame of its sector; or (`last`) in the frame of a fan's last
-  /// spoke, which leads to the middle. Nothing where they look past a sector that is next to it.
-  [[nodiscard]] std::optional<LimitForms> shifted(const Sums& sums, const SectorPoint& point,
-                                                  bool last = false) const {
-    LimitForms forms;
-    for (std::size_t i = 0; i < forms.size(); ++i)
-      for (const auto& [step, weight] : sums[i]) {
-        const Offset turned = last ? Offset{step.b, -step.a - step.b} : step;
-        const auto at = beyond({point.sector, point.x + turned.a, point.y + turned.b});
-        if (!at) return std::nullopt;
-        add_scaled(forms[i], weight, Form::unit(site_.vertex(*at)));
-      }
-    return forms;
+  [[nodiscard]] Index point_along(TriangleLayout::Code code, Index x) const {
+    return Sqrt3OldPoints{level}.point_along(code, x);
   }
 
  private:
-  /// A place in a sector's frame, in the sector that it is in: as TriangleLayout::point_beyond.
-  [[nodiscard]] std::optional<SectorPoint> beyond(SectorPoint place) const {
-    auto& [sector, x, y] = place;
-    const Index turn = x < 0 ? 1 : y < 0 ? -1 : 0;
-    if (turn != 0) {
-      place = {sector + turn, turn > 0 ? x + y : -y, turn > 0 ? -x : x + y};
-      if (open_ && (sector < 0 || sector >= sectors_)) return std::nullopt;
-      sector = (sector + sectors_) % sectors_;
-    }
-    if (x < 0 || y < 0) return std::nullopt;
-    return place;
+  /// Of boundary half-edges.
+  static Index before(const Mesh& mesh, Index h) {
+    for (Index next = mesh.rotate(h); next != kNone; next = mesh.rotate(h)) h = next;
+    return mesh.prev(h);
   }
-
-  Sqrt3Step step_;
-  Index sectors_;
-  bool open_;
-  Index rings_;
-  Sqrt3Site site_;
+  static Index after(const Mesh& mesh, Index h) {
+    h = mesh.next(h);
+    while (mesh.twin(h) != kNone) h = mesh.next(mesh.twin(h));
+    return h;
+  }
 };
-
-/// A point's sums on the plane, rounded: so those that symmetry makes equal are.
-Sums on_plane_from(const LimitForms& forms, const LimitSite& site, Offset point) {
-  Sums sums;
-  for (std::size_t i = 0; i < sums.size(); ++i) {
-    const double unit = unit_of(forms[i]);
-    for (const auto& [vertex, weight] : forms[i].terms) {
-      const Offset at = on_plane(Lattice::triangle, site.places().place(vertex));
-      sums[i].push_back({{at.a - point.a, at.b - point.b}, unit * std::round(weight / unit)});
-    }
-  }
-  return sums;
-}
 
 class LimitPlanner {
  public:
@@ -188,7 +84,7 @@ class LimitPlanner {
     const auto read = plane.read(reader_, {SectorPoint{}});
     if (!read) return read.error();
     if (!*read) return false;
-    interior_ = on_plane_from((*read)->front(), plane, {});
+    interior_ = plane.on_plane_from((*read)->front(), {});
     Index far = 0;
     for (const Form& form : (*read)->front())
       for (const auto& [vertex, weight] : form.terms) far = std::max(far, plane.ring(vertex));
@@ -207,13 +103,13 @@ class LimitPlanner {
     const auto read = straight.read(reader_, points);
     if (!read) return read.error();
     if (!*read) return false;
-    std::map<Index, Sums> rows;
+    std::map<Index, LimitSums> rows;
     Index depth = 0;
     for (std::size_t i = 0; i < points.size(); ++i) {
       const auto& [sector, x, y] = points[i];
-      rows[y] = on_plane_from((**read)[i], straight, {x, y});
+      rows[y] = straight.on_plane_from((**read)[i], {x, y});
       const auto regular = straight.shifted(interior_, points[i]);
-      if (y > 0 && !(regular && same_limit((**read)[i], *regular))) depth = y;
+      if (y > 0 && !(regular && same_limit_forms((**read)[i], *regular))) depth = y;
     }
     if (depth > kMost - kEdge) return false;
     for (auto& [y, sums] : rows)
@@ -231,7 +127,7 @@ class LimitPlanner {
       if (found && *found && zone.size > kFewest - kEdge)
         found = read_zone(sectors, open, kMost, zone);
       if (!found || !*found) return found;
-      if (zone.size > kMost - kEdge || !fits(zone)) return false;
+      if (zone.size > kMost - kEdge || !fits(group.kind, zone)) return false;
     }
     return true;
   }
@@ -258,7 +154,7 @@ class LimitPlanner {
     zone.size = 0;
     for (std::size_t i = 1; i < points.size(); ++i) {
       const auto expected = usual(star, points[i], open ? sectors - 1 : kNone);
-      if (!expected || !same_limit((**read)[i], *expected))
+      if (!expected || !same_limit_forms((**read)[i], *expected))
         zone.size = std::max(zone.size, points[i].x + points[i].y);
     }
     if (zone.size > 0 && !open) {
@@ -285,38 +181,50 @@ class LimitPlanner {
     const bool first_side = last != kNone && sector == 0 && x > 0 && sides_.contains(y);
     const bool last_side = last != kNone && sector == last && y > 0 && sides_.contains(x);
     if (first_side && last_side) return std::nullopt;
-    if (first_side) return star.shifted(sides_.at(y), point);
-    if (last_side) return star.shifted(sides_.at(x), point, true);
+    if (first_side) return star.shifted(sides_.at(y), point, SideRow::first);
+    if (last_side) return star.shifted(sides_.at(x), point, SideRow::last);
     return star.shifted(interior_, point);
   }
 
   /// Whether a zone ends, and its sums do, before another's begins.
-  [[nodiscard]] bool fits(const Zone& zone) const {
-    if (2 * zone.size + kEdge > level_.side()) return false;
+  [[nodiscard]] bool fits(const VertexKind& kind, const Zone& zone) const {
+    const Index side = level_.side();
+    const bool alone = level_.n() == 1;
+    if (alone && kind.open && kind.faces == 1 && zone.size < kEdge)  // its triangle's centroid
+      return std::all_of(zone.table.sources.begin(), zone.table.sources.end(), [&](const auto& p) {
+        // that across the triangle's third side, and the next vertices along the boundary
+        return (p.x <= side && p.y <= side) || (p.x * p.y == 0 && p.x + p.y <= 2 * side);
+      });
+    if (2 * zone.size + kEdge > side) return false;
     // neighbours see one another's control vertices, and no more (read_near)
-    const Index most = level_.n() == 1 ? level_.side() : level_.side() - 1;
-    return std::all_of(zone.table.sources.begin(), zone.table.sources.end(),
-                       [&](const SectorPoint& p) { return p.x + p.y <= most; });
+    return std::all_of(zone.table.sources.begin(), zone.table.sources.end(), [&](const auto& p) {
+      return p.x + p.y < side || (alone && p.x + p.y == side);
+    });
   }
 
   /// Where control vertices are neighbours: whether they do without each other's surroundings. The
   /// sums are read again where all that is beyond the neighbours is cut off.
   Known read_near() {
     if (level_.n() > 1) return true;
+    const Mesh& mesh = control_.mesh;
+    const bool lone = std::any_of(control_.sides.begin(), control_.sides.end(), [&](Index h) {
+      return mesh.twin(mesh.next(h)) == kNone && mesh.twin(mesh.prev(h)) == kNone;
+    });
+    if (lone && level_.step == Sqrt3Step::thirds) return false;  // its centroid is in three zones
     for (const ZoneGroup& group : control_.groups) {
       const bool open = group.kind.open;
       const Index sectors = group.kind.faces;
       if (sectors == 0) continue;
       std::vector<LimitForms> read;
       for (const Index rings : {reach_ + kRim, Index{1}}) {
-        const Mesh mesh =
+        const Mesh near =
             open ? fan(Lattice::triangle, sectors, rings) : star(Lattice::triangle, sectors, rings);
-        auto limit = reader_.read(mesh, 0, !open, {0});
+        auto limit = reader_.read(near, 0, !open, {0});
         if (!limit || !limit->front()) return false;
-        for (Form& form : *limit->front()) clean(form);
+        clean(*limit->front());
         read.push_back(*limit->front());
       }
-      if (!same_limit(read[0], read[1])) return false;
+      if (!same_limit_forms(read[0], read[1])) return false;
     }
     return true;
   }
@@ -332,7 +240,7 @@ class LimitPlanner {
     plan.patches =
         plan_sqrt3_patches(level_, std::move(local), control_.faces, Sqrt3Made::same_level);
     for (const auto& [y, sums] : sides_) add_side_row(y, sums, plan.rows);
-    const Sqrt3OldPoints points{level_};
+    const SidePoints points{level_};
     for (const ZoneGroup& group : control_.groups) {
       const bool open = group.kind.open;
       const Index sectors = group.kind.faces;
@@ -344,7 +252,7 @@ class LimitPlanner {
   }
 
   /// The points in row y of boundary sides but for those in zones.
-  void add_side_row(Index y, const Sums& sums, std::vector<RowPlan>& plans) const {
+  void add_side_row(Index y, const LimitSums& sums, std::vector<RowPlan>& plans) const {
     std::map<Offset, int> slots;
     for (const Stencil& stencil : sums)
       for (const Tap& tap : stencil) slots.emplace(tap.place, 0);
@@ -357,13 +265,14 @@ class LimitPlanner {
     const Mesh& mesh = control_.mesh;
     const auto zone_of = [&](Index v) { return zones_[1].at(mesh.valence(v) - 1).size; };
     std::vector<Index> sources, targets;
+    const SidePoints points{level_};
     const Index side = level_.side();
     for (const Index h : control_.sides) {
       const Index left = zone_of(mesh.origin(h)), right = zone_of(mesh.target(h));
       for (Index x = 1; x + y < side; ++x) {
         if (!is_old(level_.step, x, y) || x + y <= left || side - x <= right) continue;
         for (const auto& [place, slot] : slots) {
-          sources.push_back(level_.old_point(h, x + place.a, y + place.b));
+          sources.push_back(points.point(h, x + place.a, y + place.b));
           assert(sources.back() != kNone);
         }
         targets.push_back(level_.old_point(h, x, y));
@@ -385,8 +294,8 @@ class LimitPlanner {
   Sqrt3Level level_;
   LimitReader& reader_;
   Index reach_ = kWidest;  // edges that a regular vertex's sums reach
-  Sums interior_;
-  std::map<Index, Sums> sides_;                 // by row
+  LimitSums interior_;
+  std::map<Index, LimitSums> sides_;            // by row
   std::array<std::map<Index, Zone>, 2> zones_;  // of interior, boundary vertices, by faces
 };
 
