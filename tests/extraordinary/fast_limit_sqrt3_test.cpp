@@ -2,7 +2,7 @@
 // mesh.
 
 #include <array>
-#include <cstdio>
+#include <string>
 
 #include "limn/base/parallel.h"
 #include "limn/extraordinary/fast_limit.h"
@@ -80,7 +80,7 @@ TEST(FastLimitOfSqrt3, IsThePlainOneOnRandomMeshes) {
     const Mesh mesh = RandomMesh(seed).triangles();
     if (expect_plain_limit(scheme, mesh, static_cast<int>(seed % 5), seed)) ++met;
   }
-  EXPECT_GT(met, 25);
+  EXPECT_GT(met, 30);
 }
 
 /// Valences and numbers of faces, but for 6 faces at the boundary, where no two eigenvectors lead.
@@ -102,37 +102,37 @@ Scheme parsed(const std::string& rules) {
   return *scheme;
 }
 
-/// Sums of two rings, which irregular vertices and boundaries change farther off.
+/// Sums of two rings and three, which irregular vertices and boundaries change farther off: only
+/// once these are so far apart is there a plan.
 TEST(FastLimitOfSqrt3, IsThePlainOneOfWiderRules) {
   const Scheme vertices =
       parsed("[vertex]\nself = \"1/2\"\nring = \"7/(16*n)\"\nacross = \"1/(16*n)\"\n");
   const Scheme faces = parsed("[face]\ncorner = \"3/8\"\nbeyond = \"-1/24\"\n");
-  int at = 0;
-  for (const Scheme* scheme : {&vertices, &faces})
-    for (const Mesh& mesh : {icosahedron(), star(Lattice::triangle, 5, 2),
-                             torus(Lattice::triangle, 3, 4), fan(Lattice::triangle, 2, 2)})
-      for (int levels = 0; levels <= 5; ++levels) {
-        SCOPED_TRACE(at++);
-        const bool met = expect_plain_limit(*scheme, mesh, levels);
-        std::printf("%d met %d level %d\n", at, met, levels);
-      }
+  for (int levels = 0; levels <= 4; ++levels) {
+    EXPECT_EQ(expect_plain_limit(vertices, icosahedron(), levels), levels >= 4);
+    EXPECT_EQ(expect_plain_limit(faces, icosahedron(), levels), levels >= 3);
+  }
+  for (const Mesh& mesh : {torus(Lattice::triangle, 3, 4), star(Lattice::triangle, 5, 1),
+                           fan(Lattice::triangle, 1, 2)}) {
+    EXPECT_TRUE(expect_plain_limit(vertices, mesh, 5));
+    EXPECT_TRUE(expect_plain_limit(faces, mesh, 4));
+    EXPECT_TRUE(expect_plain_limit(faces, mesh, 5));
+  }
+  for (unsigned seed = 0; seed < 5; ++seed)
+    expect_plain_limit(faces, RandomMesh(seed).triangles(), 3, seed);
 }
 
 /// Whatever the weights: each mutant moves some of them, or gives a rule a role that it had not.
 TEST(FastLimitOfSqrt3, IsThePlainOneOfMutants) {
-  unsigned seed = 0, met = 0;
+  int seed = 0;
   for (const RuleMutant& mutant : rule_mutants(shipped("sqrt3"))) {
     SCOPED_TRACE(mutant.change);
-    ++seed;
-    const int levels = static_cast<int>(seed % 5);
-    const Mesh mesh = seed % 3 == 0   ? RandomMesh(seed).triangles()
-                      : seed % 3 == 1 ? star(Lattice::triangle, 7, 1)
-                                      : fan(Lattice::triangle, 2, 1);
-    const bool is = expect_plain_limit(mutant.scheme, mesh, levels);
-    std::printf("%s: level %d met %d\n", mutant.change.c_str(), levels, is);
-    met += is;
+    const int levels = ++seed % 5;
+    const bool wider = mutant.change.find("new role") != std::string::npos;
+    for (const Mesh& mesh : {star(Lattice::triangle, 7, 1), fan(Lattice::triangle, 2, 1)})
+      EXPECT_TRUE(expect_plain_limit(mutant.scheme, mesh, levels) || wider);
   }
-  EXPECT_GT(met, seed / 3);
+  EXPECT_GT(seed, 20);
 }
 
 TEST(FastLimitOfSqrt3, GivesTheSameBitsOnOneThreadAndMany) {
