@@ -23,7 +23,7 @@ struct Sqrt3Control {
 /// Nothing where zones of control vertices come too near one another, or a normal is not that of
 /// two sums. Where sums look one ring far there is a plan at every level, but at level 1 not for
 /// meshes with a triangle that is alone; where two or three, from level 3 or 4 on, with boundaries
-/// from 4 or 5. Fails as `reader`; at level 0 it has nothing instead. Cost: some ms for each
+/// from 4 or 5. Fails as `reader`; at levels 0 and 1 it has nothing instead. Cost: some ms for each
 /// valence, most of it the reader's.
 [[nodiscard]] Result<std::optional<StepPlan>> plan_sqrt3_limit(const Sqrt3Control& control,
                                                                int level, LimitReader& reader);
