@@ -7,14 +7,25 @@
 #include <cmath>
 #include <functional>
 #include <random>
+#include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
+#include "limn/base/parallel.h"
 #include "limn/refine/fast/fast_refiner.h"
 #include "limn/refine/refine.h"
 #include "mesh/random_mesh.h"
 
 namespace limn::test {
+
+/// Rules of a test on a split.
+inline Scheme rules_on(const std::string& split, const std::string& rules) {
+  const Result<Scheme> scheme =
+      parse_scheme("split = \"" + split + "\"\nsource = \"a test\"\n" + rules, "test.toml");
+  EXPECT_TRUE(scheme.ok()) << (scheme ? "" : scheme.error().text());
+  return *scheme;
+}
 
 /// A ring of so many quads, so many rows wide.
 inline Mesh band(Index around, Index rows) {
@@ -71,7 +82,7 @@ inline std::vector<Index> match(const Mesh& other, const Mesh& mesh, const Start
   EXPECT_TRUE(same) << "connectivity differs";
   EXPECT_EQ(std::ssize(queue), other.halfedge_count());
   for (Index v = 0; v < other.vertex_count(); ++v)
-    if (other.is_isolated(v)) partner[v] = v;  // they are control vertices
+    if (other.is_isolated(v)) partner[v] = v;  // they are control vertices, or the last of both
   return partner;
 }
 
@@ -135,6 +146,7 @@ inline int expect_same(const Scheme& scheme, const Mesh& control, int levels, un
   }
   // a vertex of two faces keeps two edges between its neighbours, which polygons cannot tell apart
   if (!is_simple(plain->mesh)) return quick->plain_steps();
+  EXPECT_EQ(quick->corner_count(), plain->mesh.halfedge_count());
   Polygons polygons;
   polygons.positions.resize(static_cast<std::size_t>(quick->vertex_count()));
   polygons.corners.resize(static_cast<std::size_t>(quick->corner_count()));
@@ -147,17 +159,44 @@ inline int expect_same(const Scheme& scheme, const Mesh& control, int levels, un
   const std::vector<Index> partner = match(plain->mesh, *mesh, start(control, levels, *mesh));
   const std::vector<Point3> doubles = as_points(evaluate<double>(*quick, points));
   const std::vector<Point3> floats = as_points(evaluate<float>(*quick, points));
+  const bool keeps_vertices = !scheme.split->births_corners;
   double worst = 0, worst_float = 0;
   for (Index v = 0; v < plain->mesh.vertex_count(); ++v) {
     if (partner[v] == kNone) return -1;
     worst = std::max(worst, distance(plain->values[v], doubles[partner[v]]));
     worst_float = std::max(worst_float, distance(plain->values[v], floats[partner[v]]));
-    // control vertices keep their numbers
-    if (v < control.vertex_count()) EXPECT_EQ(partner[v], v);
+    if (keeps_vertices && v < control.vertex_count()) EXPECT_EQ(partner[v], v);
   }
   EXPECT_LT(worst, 1e-12);
   EXPECT_LT(worst_float, 1e-5);
   return quick->plain_steps();
+}
+
+/// All that a refiner makes, by one thread and by more.
+inline void expect_same_bits(const Scheme& scheme, const Mesh& control, int levels) {
+  const std::vector<Point3> points = random_points(control.vertex_count(), 1);
+  const auto make = [&](int threads) {
+    set_thread_limit(threads);
+    const FastRefiner refiner = FastRefiner::make(scheme, control, levels).value();
+    std::vector<Index> corners(static_cast<std::size_t>(refiner.corner_count()));
+    refiner.write_faces(corners);
+    std::vector<Index> begin(static_cast<std::size_t>(refiner.face_count()) + 1);
+    refiner.write_face_begin(begin);
+    return std::tuple(evaluate<float>(refiner, points), std::move(corners), std::move(begin));
+  };
+  const auto one = make(1);
+  for (const int threads : {2, 0}) EXPECT_EQ(make(threads), one);
+  set_thread_limit(0);
+}
+
+/// A mesh without faces stays as it is.
+inline void expect_to_stay(const Scheme& scheme, Index vertices) {
+  const auto refiner = FastRefiner::make(scheme, must_build(vertices, {}), 3);
+  ASSERT_TRUE(refiner.ok());
+  EXPECT_EQ(refiner->vertex_count(), vertices);
+  EXPECT_EQ(refiner->face_count(), 0);
+  const std::vector<Point3> points = random_points(vertices, 1);
+  EXPECT_EQ(as_points(evaluate<double>(*refiner, points)), points);
 }
 
 }  // namespace limn::test

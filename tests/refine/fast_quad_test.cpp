@@ -1,7 +1,7 @@
 // The quick engine on quads: its numbers, and its results beside the plain engine's, on any
 // polygons.
 
-#include "limn/base/parallel.h"
+#include "limn/refine/fast/quad_frame.h"
 #include "limn/refine/fast/quad_layout.h"
 #include "limn/refine/fast/reach.h"
 #include "refine/fast_check.h"
@@ -81,17 +81,22 @@ TEST(FastQuadLayout, LooksBeyondSides) {
   }
 }
 
-TEST(FastQuadLayout, GivesRows) {
+TEST(FastQuadLayout, NumbersFrames) {
   for (const Mesh& mesh : some_quads())
-    for (const Index n : {1, 2, 4, 8}) {
-      const QuadLayout layout(mesh, n);
-      for (Index h = 0; h < mesh.halfedge_count(); ++h)
-        for (Index y = 0; y <= n; ++y) {
-          std::vector<Index> row(static_cast<std::size_t>(n) + 1, kNone);
-          layout.row(h, y, row.data());
-          for (Index x = 0; x <= n; ++x) EXPECT_EQ(row[x], layout.point(h, x, y));
+    for (const Index n : {1, 2, 4, 8})
+      for (const Index halo : {1, n}) {
+        const QuadLayout layout(mesh, n);
+        const fast::QuadFrames frames(layout, halo);
+        const std::vector<fast::Offset> places = fast::quad_frame_places(n, halo);
+        std::vector<Index> numbers(places.size(), kNone);
+        for (Index f = 0; f < mesh.face_count(); ++f) {
+          frames.number(fast::quad_topology(mesh, f), numbers.data());
+          for (std::size_t i = 0; i < places.size(); ++i) {
+            const Index there = layout.point_beyond(4 * f, places[i].a, places[i].b);
+            EXPECT_EQ(numbers[i], there == kNone ? mesh.origin(4 * f) : there);
+          }
         }
-    }
+      }
 }
 
 TEST(FastQuadLayout, WritesFacesRowByRow) {
@@ -150,12 +155,7 @@ void expect_same_everywhere(const Scheme& scheme, unsigned seeds, Index most_pla
 
 TEST(FastQuads, AreThePlainEngines) { expect_same_everywhere(shipped("catmull-clark"), 200, 0); }
 
-Scheme parsed(const std::string& rules) {
-  const Result<Scheme> scheme =
-      parse_scheme("split = \"quad-dyadic\"\nsource = \"a test\"\n" + rules, "test.toml");
-  EXPECT_TRUE(scheme.ok()) << (scheme ? "" : scheme.error().text());
-  return *scheme;
-}
+Scheme parsed(const std::string& rules) { return rules_on("quad-dyadic", rules); }
 
 constexpr const char* kBoundary = R"toml(
 [[boundary.vertex]]
@@ -325,25 +325,10 @@ TEST(FastQuads, AreLeftWhereNoTableWouldDo) {
 
 /// Zones that overlap, too, are made in one order.
 TEST(FastQuads, AreTheSameBitsOnOneThreadAndMany) {
-  const Scheme wide = parsed(std::string(kFourPoint) + kBoundary);
-  for (const Scheme* scheme : {&shipped("catmull-clark"), &wide})
-    for (const Mesh& control : {fan(Lattice::quad, 9, 25), torus(Lattice::triangle, 30, 31)}) {
-      const FastRefiner refiner = FastRefiner::make(*scheme, control, 3).value();
-      const std::vector<Point3> points = random_points(control.vertex_count(), 1);
-      set_thread_limit(1);
-      const std::vector<float> one = evaluate<float>(refiner, points);
-      std::vector<Index> faces(static_cast<std::size_t>(refiner.corner_count()));
-      refiner.write_faces(faces);
-      for (const int threads : {2, 0}) {
-        set_thread_limit(threads);
-        const FastRefiner again = FastRefiner::make(*scheme, control, 3).value();
-        EXPECT_EQ(evaluate<float>(again, points), one);
-        std::vector<Index> corners(faces.size());
-        again.write_faces(corners);
-        EXPECT_EQ(corners, faces);
-      }
-      set_thread_limit(0);
-    }
+  for (const Scheme& scheme :
+       {shipped("catmull-clark"), parsed(std::string(kFourPoint) + kBoundary)})
+    for (const Mesh& mesh : {fan(Lattice::quad, 9, 25), torus(Lattice::triangle, 30, 31)})
+      expect_same_bits(scheme, mesh, 3);
 }
 
 TEST(FastQuads, MayBeNone) {

@@ -1,6 +1,5 @@
 // The quick engine against the plain one, on every shipped triangle-dyadic scheme.
 
-#include "limn/base/parallel.h"
 #include "mesh/random_mesh.h"
 #include "refine/fast_check.h"
 #include "support/mutants.h"
@@ -58,12 +57,7 @@ TEST_P(FastEngine, LeavesAtMostOneStepToThePlainEngine) {
 INSTANTIATE_TEST_SUITE_P(Schemes, FastEngine, testing::ValuesIn(quick_schemes()),
                          [](const auto& info) { return test_name(info.param); });
 
-Scheme parsed(const std::string& rules) {
-  const Result<Scheme> scheme =
-      parse_scheme("split = \"triangle-dyadic\"\nsource = \"a test\"\n" + rules, "test.toml");
-  EXPECT_TRUE(scheme.ok()) << (scheme ? "" : scheme.error().text());
-  return *scheme;
-}
+Scheme parsed(const std::string& rules) { return rules_on("triangle-dyadic", rules); }
 
 /// Rules that look as far as two rings, at edges' ends too, and differ by valence.
 constexpr const char* kWide = R"toml(
@@ -152,25 +146,9 @@ TEST(FastEngineRules, MayHaveAnyWeights) {
 }
 
 TEST(FastRefinerOf, GivesTheSameBitsOnOneThreadAndMany) {
-  const Mesh mesh = torus(Lattice::triangle, 40, 41);
-  const Mesh open = fan(Lattice::triangle, 9, 20);
   for (const char* name : {"loop", "butterfly-modified"})
-    for (const Mesh* control : {&mesh, &open}) {
-      const FastRefiner refiner = FastRefiner::make(shipped(name), *control, 3).value();
-      const std::vector<Point3> points = random_points(control->vertex_count(), 1);
-      set_thread_limit(1);
-      const std::vector<float> one = evaluate<float>(refiner, points);
-      std::vector<Index> faces(3 * static_cast<std::size_t>(refiner.face_count()));
-      refiner.write_faces(faces);
-      for (const int threads : {2, 0}) {
-        set_thread_limit(threads);
-        EXPECT_EQ(evaluate<float>(refiner, points), one);
-        std::vector<Index> again(faces.size());
-        refiner.write_faces(again);
-        EXPECT_EQ(again, faces);
-      }
-      set_thread_limit(0);
-    }
+    for (const Mesh& mesh : {torus(Lattice::triangle, 40, 41), fan(Lattice::triangle, 9, 20)})
+      expect_same_bits(shipped(name), mesh, 3);
 }
 
 TEST(FastRefinerOf, EvaluatesOftenWithOneScratch) {
@@ -215,15 +193,8 @@ TEST(FastRefinerOf, RefusesWhatThePlainEngineRefuses) {
 }
 
 TEST(FastRefinerOf, TakesMeshesWithoutFaces) {
-  for (const Index vertices : {0, 3}) {
-    const Mesh mesh = must_build(vertices, {});
-    const auto refiner = FastRefiner::make(shipped("loop"), mesh, 3);
-    ASSERT_TRUE(refiner.ok());
-    EXPECT_EQ(refiner->vertex_count(), vertices);
-    EXPECT_EQ(refiner->face_count(), 0);
-    const std::vector<Point3> points = random_points(vertices, 1);
-    EXPECT_EQ(as_points(evaluate<double>(*refiner, points)), points);
-  }
+  for (const char* name : {"loop", "catmull-clark", "sqrt3", "doo-sabin"})
+    for (const Index vertices : {0, 3}) expect_to_stay(shipped(name), vertices);
 }
 
 TEST(FastRefine, IsTheRefinerInOneCall) {

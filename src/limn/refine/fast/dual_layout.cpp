@@ -1,6 +1,7 @@
 #include "limn/refine/fast/dual_layout.h"
 
 #include <algorithm>
+#include <cstring>
 
 #include "limn/base/parallel.h"
 
@@ -88,19 +89,22 @@ void DualLayout::column(Index h, Index x, Index* out) const {
 }
 
 void DualLayout::write_patch(Index h, Index* out) const {
-  const Index before = control().next(h), after = control().rotate(h);
-  const auto add = [&out](Index a, Index b, Index c, Index d) {
-    out[0] = a;
-    out[1] = b;
-    out[2] = c;
-    out[3] = d;
+  typedef Index Four __attribute__((vector_size(16)));
+  const auto add = [&out](const Four& corners) {
+    std::memcpy(out, &corners, sizeof corners);
     out += 4;
   };
-  for (Index y = 0; y + 1 < n_; ++y) {
-    const Index low = point(h, 0, y), high = low + n_;
-    add(point(before, y, 0), low, high, point(before, y + 1, 0));
-    for (Index x = 0; x + 1 < n_; ++x) add(low + x, low + x + 1, high + x + 1, high + x);
-    add(low + n_ - 1, point(after, y, n_ - 1), point(after, y + 1, n_ - 1), high + n_ - 1);
+  const Index before = control().next(h), after = control().rotate(h);
+  const bool whole = corners_->is_whole(before);
+  const Index left = whole ? point(before, 0, 0) : x_arm_begin(before);  // from its point 1 on
+  const Index right = point(after, 0, n_ - 1);
+  Index low = point(h, 0, 0), side = point(before, 0, 0);
+  for (Index y = 0; y + 1 < n_; ++y, low += n_, side = left + y) {
+    const Index high = low + n_;
+    add(Four{side, low, high, left + y + 1});
+    Four quad{low, low + 1, high + 1, high};
+    for (Index x = 0; x + 1 < n_; ++x, quad += 1) add(quad);
+    add(Four{high - 1, right + y, right + y + 1, high + n_ - 1});
   }
 }
 

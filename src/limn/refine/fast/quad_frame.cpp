@@ -6,15 +6,23 @@ namespace limn::fast {
 namespace {
 
 /// Row r beyond a side, in the frame of the neighbour's half-edge.
-void number_row(const QuadLayout& layout, const QuadTopology::Neighbour& across, Index r,
-                Index* out) {
+inline void number_row(const QuadLayout& layout, const QuadTopology::Neighbour& across, Index r,
+                       Index* out) {
   const Index n = layout.n();
-  if (r == n) return layout.row(across.twin, r, out);
-  out[0] = layout.point_along(across.prev, n - r);
-  Index number = layout.inner_point(across.twin, 1, r);
-  const Index step = layout.inner_step(across.twin);
-  for (Index x = 1; x < n; ++x, number += step) out[x] = number;
-  out[n] = layout.point_along(across.next, r);
+  if (r < n) {
+    out[0] = layout.point_along(across.prev, n - r);
+    Index number = layout.inner_point(across.twin, 1, r);
+    const Index step = layout.inner_step(across.twin);
+    for (Index x = 1; x < n; ++x, number += step) out[x] = number;
+    out[n] = layout.point_along(across.next, r);
+  } else {  // the opposite side, which runs the other way
+    out[0] = across.to;
+    if (n > 1) {
+      const AlongEdge along(layout, across.opposite);
+      for (Index x = 1; x < n; ++x) out[x] = along(n - x);
+    }
+    out[n] = across.from;
+  }
 }
 
 }  // namespace
@@ -44,36 +52,40 @@ std::vector<Offset> quad_inner_places(Index n) {
   return places;
 }
 
-QuadTopology quad_topology(const QuadLayout& layout, Index f) {
-  const Mesh& mesh = layout.control();
+QuadTopology quad_topology(const Mesh& mesh, Index f) {
   QuadTopology face;
   for (std::size_t side = 0; side < 4; ++side) {
     const Index h = 4 * f + static_cast<Index>(side), twin = mesh.twin(h);
     face.corners[side] = mesh.origin(h);
-    face.sides[side] = layout.code(h);
-    if (twin != kNone)
-      face.across[side] = {twin, layout.code(QuadLayout::turned(twin, 1)),
-                           layout.code(QuadLayout::turned(twin, 3))};
+    face.sides[side] = edge_code(mesh, h);
+    if (twin == kNone) continue;
+    const Index next = QuadLayout::turned(twin, 1), opposite = QuadLayout::turned(twin, 2),
+                prev = QuadLayout::turned(twin, 3);
+    face.across[side] = {twin,
+                         edge_code(mesh, next),
+                         edge_code(mesh, prev),
+                         edge_code(mesh, opposite),
+                         mesh.origin(opposite),
+                         mesh.origin(prev)};
   }
   return face;
 }
 
-void number_frame(const QuadLayout& layout, const QuadTopology& face, Index halo, Index* out) {
-  const Index n = layout.n();
+void QuadFrames::number(const QuadTopology& face, Index* out) const {
+  const QuadLayout at = layout_;  // here, as the numbers that are written might be its own
+  const Index n = at.n();
   out = std::copy(face.corners.begin(), face.corners.end(), out);
   if (n > 1)
-    for (const QuadTopology::Code side : face.sides) {
-      const Index step = (side & 1) != 0 ? 1 : -1;
-      Index number = layout.point_along(side, 1);
-      for (Index t = 1; t < n; ++t, number += step) *out++ = number;
+    for (const EdgeCode side : face.sides) {
+      const AlongEdge along(at, side);
+      for (Index t = 1; t < n; ++t) *out++ = along(t);
     }
   for (const QuadTopology::Neighbour& across : face.across)
-    for (Index r = 1; r <= halo; ++r, out += n + 1) {
-      if (across.twin != kNone) {
-        number_row(layout, across, r, out);
-      } else {
+    for (Index r = 1; r <= halo_; ++r, out += n + 1) {
+      if (across.twin != kNone)
+        number_row(at, across, r, out);
+      else
         std::fill_n(out, n + 1, face.corners[0]);
-      }
     }
 }
 

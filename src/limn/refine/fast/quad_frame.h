@@ -19,20 +19,28 @@ namespace limn::fast {
 
 /// What the numbers round a face depend on, whatever the level: read from the mesh once.
 struct QuadTopology {
-  using Code = QuadLayout::Code;
   /// The face across a side.
   struct Neighbour {
-    Index twin = kNone;       ///< the side's half-edge there; kNone: there is none
-    Code next = 0, prev = 0;  ///< of the half-edges after and before it
+    Index twin = kNone;  ///< the side's half-edge there; kNone: there is none
+    EdgeCode next = 0, prev = 0, opposite = 0;  ///< of the half-edges round the face from there
+    Index from = 0, to = 0;                     ///< the ends of the opposite one
   };
   std::array<Index, 4> corners{};
-  std::array<Code, 4> sides{};
+  std::array<EdgeCode, 4> sides{};
   std::array<Neighbour, 4> across;
 };
-[[nodiscard]] QuadTopology quad_topology(const QuadLayout& layout, Index f);
+[[nodiscard]] QuadTopology quad_topology(const Mesh& mesh, Index f);
 
-/// The numbers of quad_frame_places(layout.n(), halo); where there is no neighbour, a corner's.
-/// Cost some 0.5 ns a number; rows as far away as a neighbour's opposite side cost more.
-void number_frame(const QuadLayout& layout, const QuadTopology& face, Index halo, Index* out);
+/// Finds the numbers of quad_frame_places(layout.n(), halo), patch by patch.
+class QuadFrames {
+ public:
+  QuadFrames(const QuadLayout& layout, Index halo) : layout_(layout), halo_(halo) {}
+  /// Where there is no neighbour, a corner's. Cost some 0.5 ns a number.
+  void number(const QuadTopology& face, Index* out) const;
+
+ private:
+  QuadLayout layout_;
+  Index halo_;
+};
 
 }  // namespace limn::fast

@@ -12,54 +12,32 @@
 /// Faces come patch by patch, row by row, x ascending: (x, y) (x+1, y) (x+1, y+1) (x, y+1).
 
 #include <array>
-#include <cstdint>
 
-#include "limn/mesh/mesh.h"
+#include "limn/refine/fast/edge_points.h"
 
 namespace limn::fast {
 
-class QuadLayout {
+class QuadLayout : public EdgePoints {
  public:
   /// `control` has quads only (or no faces) and must outlive the layout. n ≥ 1, and all faces
   /// together have fewer than 2^31 corners.
   QuadLayout(const Mesh& control, Index n);
 
-  [[nodiscard]] const Mesh& control() const { return *mesh_; }
-  [[nodiscard]] Index n() const { return n_; }
-  [[nodiscard]] Index vertex_count() const { return faces_at_ + mesh_->face_count() * face_size_; }
-  [[nodiscard]] Index face_count() const { return mesh_->face_count() * n_ * n_; }
+  [[nodiscard]] Index vertex_count() const {
+    return faces_at_ + control().face_count() * face_size_;
+  }
+  [[nodiscard]] Index face_count() const { return control().face_count() * n() * n(); }
 
-  /// The first inner point of an edge, and of face f.
-  [[nodiscard]] Index edge_begin(Index e) const { return edges_at_ + e * (n_ - 1); }
+  /// The first inner point of face f.
   [[nodiscard]] Index face_begin(Index f) const { return faces_at_ + f * face_size_; }
 
   /// The half-edge k sides after h in its face, 0 ≤ k ≤ 3.
   [[nodiscard]] static Index turned(Index h, Index k) { return (h & ~3) | ((h + k) & 3); }
 
-  /// Whether h stands for its edge, the lower half-edge of the two (mesh.h): the points of the edge
-  /// are numbered along it.
-  [[nodiscard]] bool leads(Index h) const {
-    // on the boundary the twin is the largest number of all
-    return static_cast<std::uint32_t>(h) < static_cast<std::uint32_t>(mesh_->twin(h));
-  }
-
-  /// The t-th point along h, 0 < t < n.
-  [[nodiscard]] Index edge_point(Index h, Index t) const {
-    return edge_begin(mesh_->edge(h)) + (leads(h) ? t : n_ - t) - 1;
-  }
-
-  /// A half-edge by its edge: twice that, and 1 more where the half-edge leads.
-  using Code = Index;
-  [[nodiscard]] Code code(Index h) const { return 2 * mesh_->edge(h) + (leads(h) ? 1 : 0); }
-  /// edge_point(h, t) for code(h).
-  [[nodiscard]] Index point_along(Code code, Index t) const {
-    return edge_begin(code >> 1) + ((code & 1) != 0 ? t : n_ - t) - 1;
-  }
-
   /// Point (x, y) in the frame of h: 0 ≤ x, y ≤ n.
   [[nodiscard]] Index point(Index h, Index x, Index y) const {
-    if (0 < x && x < n_ && 0 < y && y < n_) return inner_point(h, x, y);
-    return y == 0 && 0 < x && x < n_ ? edge_point(h, x) : point_on_sides(h, x, y);
+    if (0 < x && x < n() && 0 < y && y < n()) return inner_point(h, x, y);
+    return y == 0 && 0 < x && x < n() ? edge_point(h, x) : point_on_sides(h, x, y);
   }
 
   /// The same beyond one of the patch's sides, as far as its neighbour there goes; kNone where
@@ -77,13 +55,11 @@ class QuadLayout {
     return frames_[static_cast<std::size_t>(h & 3)].along;
   }
 
-  /// Points (0, y), (1, y), …, (n, y) in the frame of h, n + 1 numbers; 0 ≤ y ≤ n.
-  void row(Index h, Index y, Index* out) const;
-
   /// The corners of the faces of patches first … last-1: 4 n² indices each.
   void write_faces(Index first, Index last, Index* out) const;
 
  private:
+  class Rows;
   struct Frame {
     Index start = 0, along = 0, up = 0;  ///< of (x, y): start + x·along + y·up
   };
@@ -91,8 +67,7 @@ class QuadLayout {
   /// 0 or n where x or y is.
   [[nodiscard]] Index point_on_sides(Index h, Index x, Index y) const;
 
-  const Mesh* mesh_;
-  Index n_, face_size_, edges_at_, faces_at_;
+  Index face_size_, faces_at_;
   std::array<Frame, 4> frames_;
 };
 

@@ -61,11 +61,9 @@ class Sqrt3Family final : public Family {
     tables_ = std::move(*read);
     while (plain_ > 0 && fits(plain_ - 1)) --plain_;
     groups_ = group_vertices(tables_[0].stars, tables_[0].fans, std::move(kinds), control);
-    const TriangleLayout grid(control, 1);
-    add_codes(grid, groups_);
-    faces_ = HugeArray<FaceTopology>(static_cast<std::size_t>(control.face_count()));
+    faces_ = HugeArray<TriangleTopology>(static_cast<std::size_t>(control.face_count()));
     parallel_for_each(control.face_count(), [&](Index f) {
-      faces_[static_cast<std::size_t>(f)] = face_topology(grid, f);
+      faces_[static_cast<std::size_t>(f)] = triangle_topology(control, f);
     });
     for (Index e = 0; e < control.edge_count(); ++e)
       if (control.is_boundary_edge(e)) sides_.push_back(control.halfedge_of_edge(e));
@@ -152,7 +150,7 @@ class Sqrt3Family final : public Family {
   int plain_;
   std::array<Sqrt3Tables, 2> tables_;  // by Sqrt3Step
   std::vector<ZoneGroup> groups_;      // with the tables of the first kind of step
-  HugeArray<FaceTopology> faces_;
+  HugeArray<TriangleTopology> faces_;
   std::vector<Index> sides_;  // half-edges on the boundary
 };
 

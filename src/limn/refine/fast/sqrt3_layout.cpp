@@ -89,9 +89,8 @@ class CentroidLayout::Writer {
       Index* vertex = sides_[side].data();
       vertex[0] = mesh.origin(h);
       vertex[n_] = mesh.target(h);
-      const Index step = grid.leads(h) ? 1 : -1;
-      for (Index t = 1, number = n_ > 1 ? grid.edge_point(h, 1) : 0; t < n_; ++t, number += step)
-        vertex[t] = number;
+      const AlongEdge along(grid, edge_code(mesh, h));
+      for (Index t = 1; t < n_; ++t) vertex[t] = along(t);
       for (Index t = 0; t < n_; ++t)
         across_[side][t] = twin == kNone ? kNone : layout_.centroid(twin, n_ - 1 - t, 0, false);
     }

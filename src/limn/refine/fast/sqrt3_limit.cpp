@@ -32,7 +32,7 @@ struct SidePoints {
     if (y == 0 && x > n()) return level.old_point(after(mesh, h), x - n(), 0);
     return level.old_point(h, x, y);
   }
-  [[nodiscard]] Index point_along(TriangleLayout::Code code, Index x) const {
+  [[nodiscard]] Index point_along(EdgeCode code, Index x) const {
     return Sqrt3OldPoints{level}.point_along(code, x);
   }
 

@@ -15,9 +15,9 @@ namespace limn::fast {
 struct Sqrt3Control {
   const Mesh& mesh;
   const Split& split;
-  const std::vector<ZoneGroup>& groups;  ///< all vertices, with codes
+  const std::vector<ZoneGroup>& groups;  ///< all vertices
   const std::vector<Index>& sides;       ///< boundary half-edges
-  const HugeArray<FaceTopology>& faces;
+  const HugeArray<TriangleTopology>& faces;
 };
 
 /// Nothing where zones of control vertices come too near one another, or a normal is not that of

@@ -18,15 +18,20 @@ enum class Run { side0, side1, side2, inside, centroids };
 class Patches {
  public:
   Patches(const Sqrt3Level& level, std::vector<Stencil> stencils,
-          const HugeArray<FaceTopology>& faces, Sqrt3Made made)
-      : level_(level), stencils_(std::move(stencils)), faces_(faces), made_(made) {
+          const HugeArray<TriangleTopology>& faces, Sqrt3Made made)
+      : level_(level),
+        stencils_(std::move(stencils)),
+        faces_(faces),
+        made_(made),
+        grid_frame_(level.odd.grid(), 0) {
     make_runs();
     find_halo();
     if (thirds()) {
       make_frame_of_thirds();
     } else {
-      shape_.frame = frame_places(level_.n(), halo_ / 3);
-      shape_.inner = inner_places(level_.n());
+      shape_.frame = triangle_frame_places(level_.n(), halo_ / 3);
+      shape_.inner = triangle_inner_places(level_.n());
+      grid_frame_ = {level.odd.grid(), halo_ / 3};
     }
   }
 
@@ -78,7 +83,8 @@ class Patches {
     std::vector<Offset> points;
     for (Index frame = 0; frame < 3; ++frame) {
       points.clear();
-      for (Index t = each; t < last; t += each) points.push_back(in_patch(last, frame, {t, 0}));
+      for (Index t = each; t < last; t += each)
+        points.push_back(in_triangle_patch(last, frame, {t, 0}));
       add_run(static_cast<Run>(frame), points);
     }
     points.clear();
@@ -125,12 +131,12 @@ class Patches {
   /// beyond the sides; and the centroids, whose numbers follow one another.
   void make_frame_of_thirds() {
     const auto add = [&](Index frame, Offset p) {
-      add_old(in_patch(side(), frame, p), shape_.frame);
+      add_old(in_triangle_patch(side(), frame, p), shape_.frame);
     };
     for (Index i = 0; i < 3; ++i) add(i, {0, 0});
     for (Index i = 0; i < 3; ++i)
       for (Index t = 3; t < side(); t += 3) add(i, {t, 0});
-    for (const Offset p : inner_places(level_.n())) add(0, {3 * p.a, 3 * p.b});
+    for (const Offset p : triangle_inner_places(level_.n())) add(0, {3 * p.a, 3 * p.b});
     for (Index i = 0; i < 3; ++i)
       for (Index r = 1; r <= halo_; ++r)
         for (Index y = r % 3; r + y <= side(); y += 3) add(i, {r + y, -r});
@@ -139,13 +145,13 @@ class Patches {
 
   /// Numbers of the shape's frame for one patch, in its order.
   void number_frame(Index f, Index* out) const {
-    const FaceTopology& face = faces_[static_cast<std::size_t>(f)];
+    const TriangleTopology& face = faces_[static_cast<std::size_t>(f)];
     const TriangleLayout& grid = level_.odd.grid();
-    if (!thirds()) return fast::number_frame(grid, face, halo_ / 3, out);
-    fast::number_frame(grid, face, 0, out);
+    grid_frame_.number(face, out);
+    if (!thirds()) return;
     out += 3 * level_.n();
     for (Index i = 0; i < grid.face_size(); ++i) *out++ = grid.face_begin(f) + i;
-    for (const FaceTopology::Neighbour& across : face.across)
+    for (const TriangleTopology::Neighbour& across : face.across)
       for (Index r = 1; r <= halo_; ++r)
         out = across.face == kNone ? std::fill_n(out, (side() - r - r % 3) / 3 + 1, face.corners[0])
                                    : level_.odd.column(3 * across.face + across.side, r, out);
@@ -159,7 +165,7 @@ class Patches {
       } else if (run == Run::centroids) {
         *out++ = level_.odd.centroid_begin(f);
       } else {
-        const FaceTopology::Code side =
+        const EdgeCode side =
             faces_[static_cast<std::size_t>(f)].sides[static_cast<std::size_t>(run)];
         *out++ = (side & 1) != 0 ? made.edge_begin(side >> 1) : kNone;
       }
@@ -168,18 +174,19 @@ class Patches {
 
   const Sqrt3Level& level_;
   std::vector<Stencil> stencils_;
-  const HugeArray<FaceTopology>& faces_;
+  const HugeArray<TriangleTopology>& faces_;
   Sqrt3Made made_;
   PatchShape shape_;
   std::vector<Run> runs_;
   std::vector<Offset> points_;  // new points of all runs
   Index halo_ = 0;
+  TriangleFrames grid_frame_;
 };
 
 }  // namespace
 
 PatchPlan plan_sqrt3_patches(const Sqrt3Level& level, std::vector<Stencil> stencils,
-                             const HugeArray<FaceTopology>& faces, Sqrt3Made made) {
+                             const HugeArray<TriangleTopology>& faces, Sqrt3Made made) {
   return Patches(level, std::move(stencils), faces, made).plan();
 }
 

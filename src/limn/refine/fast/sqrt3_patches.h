@@ -56,7 +56,7 @@ struct Sqrt3OldPoints {
   const Sqrt3Level& level;
   [[nodiscard]] Index n() const { return level.side(); }
   [[nodiscard]] Index point(Index h, Index x, Index y) const { return level.old_point(h, x, y); }
-  [[nodiscard]] Index point_along(TriangleLayout::Code code, Index x) const {
+  [[nodiscard]] Index point_along(EdgeCode code, Index x) const {
     return level.odd.grid().point_along(code, x / 3);
   }
 };
@@ -64,7 +64,7 @@ struct Sqrt3NewPoints {
   const Sqrt3Level& level;
   [[nodiscard]] Index n() const { return level.side(); }
   [[nodiscard]] Index point(Index h, Index x, Index y) const { return level.new_point(h, x, y); }
-  [[nodiscard]] Index point_along(TriangleLayout::Code code, Index x) const {
+  [[nodiscard]] Index point_along(EdgeCode code, Index x) const {
     return level.step == Sqrt3Step::thirds ? level.thirds.point_along(code, x)
                                            : level.odd.grid().point_along(code, x / 3);
   }
@@ -78,6 +78,7 @@ enum class Sqrt3Made { next_level, same_level };
 /// patch's neighbours is to be overwritten. `faces` are all of the control mesh's. The corners are
 /// not made.
 [[nodiscard]] PatchPlan plan_sqrt3_patches(const Sqrt3Level& level, std::vector<Stencil> stencils,
-                                           const HugeArray<FaceTopology>& faces, Sqrt3Made made);
+                                           const HugeArray<TriangleTopology>& faces,
+                                           Sqrt3Made made);
 
 }  // namespace limn::fast

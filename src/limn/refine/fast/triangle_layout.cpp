@@ -9,77 +9,66 @@
 namespace limn::fast {
 namespace {
 
-/// The faces between two rows, begin ≤ x < end; returns past the last.
-Index* write_pairs(const Index* low, const Index* high, Index begin, Index end, Index* out) {
-  for (Index x = begin; x < end; ++x, out += 6) {
-    out[0] = low[x];
-    out[1] = low[x + 1];
-    out[2] = high[x];
-    out[3] = low[x + 1];
-    out[4] = high[x + 1];
-    out[5] = high[x];
-  }
-  return out;
-}
-
-/// The same for an even number of pairs between rows low, low + 1, … and high, high + 1, …
-Index* write_consecutive(Index low, Index high, Index pairs, Index* out) {
+/// The corners of 2 · pairs faces between two rows, and unless `pairs` is even six numbers after
+/// them, that are to be overwritten; reads as far as row[pairs + 2]. Returns past the last corner.
+Index* write_pairs(const Index* low, const Index* high, Index pairs, Index* out) {
   typedef Index Four __attribute__((vector_size(16)));
-  std::array<Four, 3> corners{{{low, low + 1, high, low + 1},
-                               {high + 1, high, low + 1, low + 2},
-                               {high + 1, low + 2, high + 2, high + 1}}};
-  for (Index x = 0; x < pairs; x += 2) {
-    for (Four& four : corners) {
-      std::memcpy(out, &four, sizeof four);
-      four += 2;
-      out += 4;
-    }
+  const auto put = [](const Four& four, Index* to) { std::memcpy(to, &four, sizeof four); };
+  Index* to = out;
+  for (Index x = 0; x < pairs; x += 2, to += 12) {
+    Four l, h;
+    std::memcpy(&l, low + x, sizeof l);
+    std::memcpy(&h, high + x, sizeof h);
+    put(__builtin_shufflevector(l, h, 0, 1, 4, 1), to);
+    put(__builtin_shufflevector(l, h, 5, 4, 1, 2), to + 4);
+    put(__builtin_shufflevector(l, h, 5, 2, 6, 5), to + 8);
   }
-  return out;
+  return out + std::ptrdiff_t{6} * pairs;
 }
 
 }  // namespace
 
 Index TriangleLayout::point(Index h, Index x, Index y) const {
-  assert(x >= 0 && y >= 0 && x + y <= n_);
-  if (y == 0) return x == 0 ? mesh_->origin(h) : x == n_ ? mesh_->target(h) : edge_point(h, x);
-  const Index f = mesh_->face(h);
+  assert(x >= 0 && y >= 0 && x + y <= n());
+  if (y == 0)
+    return x == 0 ? control().origin(h) : x == n() ? control().target(h) : edge_point(h, x);
+  const Index f = control().face(h);
   const Index first = 3 * f;
   for (Index k = h - first; k > 0; --k) {  // a corner back: the origin was at (n, 0)
     const Index old = x;
-    x = n_ - x - y;
+    x = n() - x - y;
     y = old;
   }
-  if (y == 0 && x > 0) return x == n_ ? mesh_->origin(first + 1) : edge_point(first, x);
-  if (y == 0) return mesh_->origin(first);
-  if (x == 0) return y == n_ ? mesh_->origin(first + 2) : edge_point(first + 2, n_ - y);
-  if (x + y == n_) return edge_point(first + 1, y);
+  if (y == 0 && x > 0) return x == n() ? control().origin(first + 1) : edge_point(first, x);
+  if (y == 0) return control().origin(first);
+  if (x == 0) return y == n() ? control().origin(first + 2) : edge_point(first + 2, n() - y);
+  if (x + y == n()) return edge_point(first + 1, y);
   return face_begin(f) + row_begin(y) + x - 1;
 }
 
 Index TriangleLayout::point_beyond(Index h, Index x, Index y) const {
-  if (x >= 0 && y >= 0 && x + y <= n_) return point(h, x, y);
+  if (x >= 0 && y >= 0 && x + y <= n()) return point(h, x, y);
   if (x < 0) {  // the next sector of the frame's corner
-    const Index turned = mesh_->twin(mesh_->prev(h));
+    const Index turned = control().twin(control().prev(h));
     return turned == kNone ? kNone : point(turned, x + y, -x);
   }
   if (y < 0) {  // the sector before it
-    const Index across = mesh_->twin(h);
-    return across == kNone ? kNone : point(mesh_->next(across), -y, x + y);
+    const Index across = control().twin(h);
+    return across == kNone ? kNone : point(control().next(across), -y, x + y);
   }
-  const Index across = mesh_->twin(mesh_->next(h));
-  return across == kNone ? kNone : point(mesh_->next(across), x + y - n_, n_ - x);
+  const Index across = control().twin(control().next(h));
+  return across == kNone ? kNone : point(control().next(across), x + y - n(), n() - x);
 }
 
 void TriangleLayout::column(Index h, Index x, Index* out, std::ptrdiff_t stride) const {
-  const Index f = mesh_->face(h), k = h - 3 * f, last = n_ - x;
-  *out = x == n_ ? mesh_->target(h) : edge_point(h, x);
+  const Index f = control().face(h), k = h - 3 * f, last = n() - x;
+  *out = x == n() ? control().target(h) : edge_point(h, x);
   if (last == 0) return;
-  out[last * stride] = edge_point(mesh_->next(h), last);
+  out[last * stride] = edge_point(control().next(h), last);
   // the inner points' numbers are a quadratic sequence, in whatever frame
   const Index row = k == 0 ? 1 : k == 1 ? x : last - 1, along = k == 0 ? x : k == 1 ? last - 1 : 1;
   Index number = face_begin(f) + row_begin(row) + along - 1;
-  Index step = k == 0 ? n_ - 2 : k == 1 ? -1 : -x;
+  Index step = k == 0 ? n() - 2 : k == 1 ? -1 : -x;
   const Index bend = k == 1 ? 0 : -1;
   for (Index y = 1; y < last; ++y) {
     out[y * stride] = number;
@@ -88,65 +77,64 @@ void TriangleLayout::column(Index h, Index x, Index* out, std::ptrdiff_t stride)
   }
 }
 
-/// A patch's rows of numbers, one after the other.
+/// The numbers of a patch, row by row.
 class TriangleLayout::Rows {
  public:
-  Rows(const TriangleLayout& layout, Index f) : n_(layout.n_), inside_(layout.face_begin(f)) {
-    for (Index side = 0; side < 3; ++side) {
-      const Index h = 3 * f + side;
-      corners_[side] = layout.mesh_->origin(h);
-      if (n_ < 2) continue;
-      firsts_[side] = layout.edge_point(h, 1);
-      steps_[side] = layout.leads(h) ? 1 : -1;
+  explicit Rows(const TriangleLayout& layout)
+      : layout_(layout),
+        numbers_(static_cast<std::size_t>((layout.n() + 1) * (layout.n() + 2) / 2) + 2) {}
+
+  void fill(Index f) {
+    const Mesh& mesh = layout_.control();
+    const Index n = layout_.n(), h = 3 * f;
+    const AlongEdge bottom(layout_, edge_code(mesh, h)), slope(layout_, edge_code(mesh, h + 1)),
+        left(layout_, edge_code(mesh, h + 2));
+    Index inside = layout_.face_begin(f);
+    Index* row = numbers_.data();
+    row[0] = mesh.origin(h);
+    for (Index x = 1; x < n; ++x) row[x] = bottom(x);
+    row[n] = mesh.origin(h + 1);
+    row += n + 1;
+    for (Index last = n - 1; last > 0; row += last + 1, --last) {
+      row[0] = left(last);
+      for (Index x = 1; x < last; ++x) row[x] = inside + x - 1;
+      inside += last - 1;
+      row[last] = slope(n - last);
     }
+    row[0] = mesh.origin(h + 2);
   }
 
-  /// The next row: n + 1 numbers, then n, … down to one.
-  void next(Index* row) {
-    const Index y = y_++, last = n_ - y;
-    row[0] = y == 0 ? corners_[0] : last == 0 ? corners_[2] : along(2, last);
-    if (last == 0) return;
-    row[last] = y == 0 ? corners_[1] : along(1, y);
-    if (y == 0) {
-      for (Index x = 1; x < last; ++x) row[x] = along(0, x);
-    } else {
-      for (Index x = 1; x < last; ++x) row[x] = inside_++;
+  void swap(Rows& other) { numbers_.swap(other.numbers_); }
+
+  /// The corners of the patch's faces; returns past the last.
+  Index* write(Index* out) const {
+    const Index* low = numbers_.data();
+    for (Index last = layout_.n(); last > 0; --last) {
+      const Index* high = low + last + 1;
+      out = write_pairs(low, high, last - 1, out);
+      // after one pair six more corners follow: the row's last face, and the patch's
+      out[0] = low[last - 1];
+      out[1] = low[last];
+      out[2] = high[last - 1];
+      out += 3;
+      low = high;
     }
+    return out;
   }
 
  private:
-  /// Point t along a side.
-  [[nodiscard]] Index along(std::size_t side, Index t) const {
-    return firsts_[side] + (t - 1) * steps_[side];
-  }
-
-  Index n_, inside_, y_ = 0;
-  std::array<Index, 3> corners_{}, firsts_{}, steps_{};
+  const TriangleLayout& layout_;
+  std::vector<Index> numbers_;  // and what write_pairs may read after them
 };
 
 void TriangleLayout::write_faces(Index first, Index last, Index* out) const {
-  std::vector<Index> rows(2 * static_cast<std::size_t>(n_) + 2);
+  // vectors are read of what was written in single numbers: not at once
+  Rows patch(*this), next(*this);
+  patch.fill(first);
   for (Index f = first; f < last; ++f) {
-    Index* low = rows.data();
-    Index* high = low + n_ + 1;
-    Rows patch(*this, f);
-    patch.next(low);
-    for (Index y = 0; y < n_; ++y) {
-      patch.next(high);
-      const Index pairs = n_ - y - 1;  // of a face that points up and one that points down
-      // the inner points of a row have consecutive numbers
-      const Index even = y > 0 && pairs > 2 ? (pairs - 2) & ~1 : 0;
-      if (even > 0) {
-        out = write_pairs(low, high, 0, 1, out);
-        out = write_consecutive(low[1], high[1], even, out);
-      }
-      out = write_pairs(low, high, even > 0 ? even + 1 : 0, pairs, out);
-      out[0] = low[pairs];
-      out[1] = low[pairs + 1];
-      out[2] = high[pairs];
-      out += 3;
-      std::swap(low, high);
-    }
+    if (f + 1 < last) next.fill(f + 1);
+    out = patch.write(out);
+    patch.swap(next);
   }
 }
 

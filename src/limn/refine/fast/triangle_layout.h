@@ -10,54 +10,27 @@
 /// Faces come patch by patch, row by row: (x, y) (x+1, y) (x, y+1), and but for the last of a row
 /// (x+1, y) (x+1, y+1) (x, y+1), then the next x.
 
-#include <cstdint>
-
-#include "limn/mesh/mesh.h"
+#include "limn/refine/fast/edge_points.h"
 
 namespace limn::fast {
 
-class TriangleLayout {
+class TriangleLayout : public EdgePoints {
  public:
   /// `control` has triangles only and must outlive the layout. n ≥ 1, and all faces together have
   /// fewer than 2^31 corners.
   TriangleLayout(const Mesh& control, Index n)
-      : mesh_(&control),
-        n_(n),
-        face_size_((n - 1) * (n - 2) / 2),
-        edges_at_(control.vertex_count()),
-        faces_at_(edges_at_ + control.edge_count() * (n - 1)) {}
+      : EdgePoints(control, n), face_size_((n - 1) * (n - 2) / 2), faces_at_(edges_end()) {}
 
-  [[nodiscard]] const Mesh& control() const { return *mesh_; }
-  [[nodiscard]] Index n() const { return n_; }
-  [[nodiscard]] Index vertex_count() const { return faces_at_ + mesh_->face_count() * face_size_; }
-  [[nodiscard]] Index face_count() const { return mesh_->face_count() * n_ * n_; }
+  [[nodiscard]] Index vertex_count() const {
+    return faces_at_ + control().face_count() * face_size_;
+  }
+  [[nodiscard]] Index face_count() const { return control().face_count() * n() * n(); }
 
-  /// The first inner point of an edge; the inner points of face f, and how many these are.
-  [[nodiscard]] Index edge_begin(Index e) const { return edges_at_ + e * (n_ - 1); }
+  /// The inner points of face f, and how many these are.
   [[nodiscard]] Index face_begin(Index f) const { return faces_at_ + f * face_size_; }
   [[nodiscard]] Index face_size() const { return face_size_; }
   /// Inner points of a patch before row y ≥ 1.
-  [[nodiscard]] Index row_begin(Index y) const { return (y - 1) * (n_ - 1) - (y - 1) * y / 2; }
-
-  /// Whether h stands for its edge, the lower half-edge of the two (mesh.h): the points of the edge
-  /// are numbered along it.
-  [[nodiscard]] bool leads(Index h) const {
-    // on the boundary the twin is the largest number of all
-    return static_cast<std::uint32_t>(h) < static_cast<std::uint32_t>(mesh_->twin(h));
-  }
-
-  /// The t-th point along h, 0 < t < n.
-  [[nodiscard]] Index edge_point(Index h, Index t) const {
-    return edge_begin(mesh_->edge(h)) + (leads(h) ? t : n_ - t) - 1;
-  }
-
-  /// A half-edge by its edge: twice that, and 1 more where the half-edge leads.
-  using Code = Index;
-  [[nodiscard]] Code code(Index h) const { return 2 * mesh_->edge(h) + (leads(h) ? 1 : 0); }
-  /// edge_point(h, t) for code(h).
-  [[nodiscard]] Index point_along(Code code, Index t) const {
-    return edge_begin(code >> 1) + ((code & 1) != 0 ? t : n_ - t) - 1;
-  }
+  [[nodiscard]] Index row_begin(Index y) const { return (y - 1) * (n() - 1) - (y - 1) * y / 2; }
 
   /// Point (x, y) in the frame of h: x, y ≥ 0, x + y ≤ n.
   [[nodiscard]] Index point(Index h, Index x, Index y) const;
@@ -75,8 +48,7 @@ class TriangleLayout {
  private:
   class Rows;
 
-  const Mesh* mesh_;
-  Index n_, face_size_, edges_at_, faces_at_;
+  Index face_size_, faces_at_;
 };
 
 }  // namespace limn::fast

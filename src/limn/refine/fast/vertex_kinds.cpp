@@ -9,9 +9,10 @@ namespace limn::fast {
 std::vector<VertexKind> vertex_kinds(const Mesh& mesh) {
   const auto count = static_cast<std::size_t>(mesh.vertex_count());
   std::vector<Index> key(count);  // twice the faces, and 1 more in a fan
+  for (Index h = 0; h < mesh.halfedge_count(); ++h)
+    key[static_cast<std::size_t>(mesh.origin(h))] += 2;
   parallel_for_each(mesh.vertex_count(), [&](Index v) {
-    key[static_cast<std::size_t>(v)] =
-        mesh.is_boundary_vertex(v) ? 2 * mesh.valence(v) - 1 : 2 * mesh.valence(v);
+    if (mesh.is_boundary_vertex(v)) ++key[static_cast<std::size_t>(v)];
   });
   const Index largest = count == 0 ? 0 : *std::max_element(key.begin(), key.end());
   std::vector<Index> members(static_cast<std::size_t>(largest) + 1);

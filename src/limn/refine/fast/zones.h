@@ -6,6 +6,7 @@
 
 #include "limn/base/parallel.h"
 #include "limn/mesh/mesh.h"
+#include "limn/refine/fast/edge_points.h"
 #include "limn/refine/fast/stencil_tables.h"
 #include "limn/refine/fast/step_plan.h"
 
@@ -17,7 +18,8 @@ struct ZoneGroup {
   VertexKind kind;
   /// The half-edges out of its vertices, counterclockwise, as many for each as it has faces.
   std::vector<Index> sectors;
-  std::vector<Index> codes;  ///< of these half-edges (Layout::code)
+  std::vector<EdgeCode> codes;  ///< of these half-edges
+  std::vector<Index> ends;      ///< their targets
 };
 
 /// All vertices of the control mesh; the tables must outlive the groups. An isolated vertex stays.
@@ -31,9 +33,9 @@ struct ZoneGroup {
   return group_vertices(tables.stars, tables.fans, std::move(kinds), control);
 }
 
-/// A layout numbers point (x, y) in the frame of half-edge h: `Index point(h, x, y) const`; those
-/// on the half-edge also from its code, without a look at the mesh: `point_along(code, x)`, x < n.
-/// The numbers of the points round each of a group's vertices, which have their own.
+/// The numbers of the points round each of a group's vertices, which have their own. A layout
+/// numbers point (x, y) in the frame of half-edge h: `Index point(h, x, y) const`; those on the
+/// half-edge also from its code, without a look at the mesh: `point_along(code, x)`, 0 < x < n().
 template <class Layout>
 [[nodiscard]] HugeArray<Index> number_points(const ZoneGroup& group, const Layout& layout,
                                              const std::vector<SectorPoint>& points) {
@@ -49,8 +51,9 @@ template <class Layout>
           for (const SectorPoint& p : points) {
             const std::size_t s = sector + static_cast<std::size_t>(p.sector);
             *number++ = p.x + p.y == 0                 ? group.kind.vertices[at]
-                        : p.y == 0 && p.x < layout.n() ? layout.point_along(group.codes[s], p.x)
-                                                       : layout.point(group.sectors[s], p.x, p.y);
+                        : p.y != 0 || p.x > layout.n() ? layout.point(group.sectors[s], p.x, p.y)
+                        : p.x < layout.n()             ? layout.point_along(group.codes[s], p.x)
+                                                       : group.ends[s];
           }
         }
       },
@@ -58,17 +61,7 @@ template <class Layout>
   return numbers;
 }
 
-template <class Layout>
-void add_codes(const Layout& layout, std::vector<ZoneGroup>& groups) {
-  for (ZoneGroup& group : groups) {
-    group.codes.resize(group.sectors.size());
-    parallel_for_each(group.sectors.size(),
-                      [&](std::size_t i) { group.codes[i] = layout.code(group.sectors[i]); });
-  }
-}
-
 /// The points of zones, group by group.
-/// `groups` have been given codes.
 template <class Coarse, class Fine>
 void add_zones(const std::vector<ZoneGroup>& groups, const Coarse& coarse, const Fine& fine,
                bool overlap, std::vector<RowPlan>& plans) {
