@@ -8,6 +8,7 @@
 #include <cmath>
 #include <random>
 
+#include "limn/refine/refine.h"
 #include "limn/refine/refine_values.h"
 #include "mesh/random_mesh.h"
 #include "support/shipped.h"
@@ -147,6 +148,33 @@ INSTANTIATE_TEST_SUITE_P(Shipped, LimitPointsOf,
                                          "butterfly-modified", "laplacian-loop",
                                          "laplacian-butterfly"),
                          [](const auto& info) { return test_name(info.param); });
+
+// Whatever the level at which they are asked for. At odd ones the boundary has yet to be cut.
+TEST(LimitPoints, OfSqrt3AreThoseOfTheNextLevel) {
+  const Scheme& scheme = shipped("sqrt3");
+  int open = 0;
+  for (unsigned seed = 1; seed <= 30; ++seed) {
+    SCOPED_TRACE(seed);
+    const Mesh mesh = RandomMesh(seed).triangles();
+    std::vector<Point3> values;
+    for (Index v = 0; v < mesh.vertex_count(); ++v)
+      values.push_back({std::sin(v), std::cos(3.0 * v), std::sin(5.0 * v)});
+    std::vector<Point3> before;
+    for (int level = 0; level <= 3; ++level) {
+      const auto fine = refine(scheme, mesh, values, level).value();
+      LimitOptions options;
+      options.steps_made = level;
+      const auto limit = approx_limit_points(scheme, fine.mesh, fine.values, options);
+      if (!limit) break;  // a vertex of two faces
+      // old vertices keep their numbers
+      for (std::size_t v = 0; v < before.size(); ++v)
+        EXPECT_LT(length(limit->positions[v] - before[v]), 1e-11) << level;
+      before = limit->positions;
+    }
+    for (Index v = 0; v < mesh.vertex_count(); ++v) open += mesh.is_boundary_vertex(v) ? 1 : 0;
+  }
+  EXPECT_GT(open, 0);
+}
 
 // Its matrix is dense: beyond a size it would take hours, and all memory.
 TEST(LimitPoints, OfHugeFansAreRefusedAtOnce) {

@@ -84,7 +84,7 @@ template <class Value, class Apply>
       std::vector<Index> neighbourhood;
       for (std::size_t i = first; i < last; ++i) {
         const Index at = patch.sites[i].at;
-        if (boundary_rests && kinds.at_boundary(mesh, at)) continue;
+        if (boundary_rests && beside_boundary_edge(mesh, at)) continue;
         const LimitKind& kind = kinds.at(mesh, at);
         const Index start = dual ? at : mesh.halfedge_of_vertex(at);
         if (!kind.pattern.match(mesh, start, neighbourhood)) continue;

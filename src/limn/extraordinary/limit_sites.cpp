@@ -143,6 +143,17 @@ std::vector<LimitSite> limit_sites(const Mesh& mesh, const std::vector<Index>& v
   return sites;
 }
 
+bool beside_boundary_edge(const Mesh& mesh, Index vertex) {
+  if (mesh.is_boundary_vertex(vertex)) return true;
+  const Index first = mesh.halfedge_of_vertex(vertex);
+  Index h = first;
+  do {
+    if (mesh.twin(mesh.next(h)) == kNone) return true;
+    h = mesh.rotate(h);
+  } while (h != first);
+  return false;
+}
+
 template <class Value>
 Result<LimitPatch<Value>> dual_patch(const Scheme& scheme, const Mesh& mesh,
                                      const std::vector<Value>& values,

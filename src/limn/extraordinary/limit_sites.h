@@ -27,6 +27,10 @@ struct LimitPatch {
 [[nodiscard]] std::vector<LimitSite> limit_sites(const Mesh& mesh,
                                                  const std::vector<Index>& vertices);
 
+/// Whether one of a vertex's triangles has an edge on the boundary: where such edges are cut in
+/// three, the triangle's centroid is left out, and even an inner vertex gets other neighbours.
+[[nodiscard]] bool beside_boundary_edge(const Mesh& mesh, Index vertex);
+
 /// The whole mesh of a dual split after one step, its number `step`, and the vertices' sites there.
 template <class Value>
 [[nodiscard]] Result<LimitPatch<Value>> dual_patch(const Scheme& scheme, const Mesh& mesh,

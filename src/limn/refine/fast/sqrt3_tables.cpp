@@ -136,30 +136,9 @@ class TableMaker {
       const Result<std::vector<Form>> forms = read(site, open, step, wanted);
       if (!forms) return forms.error();
       (open ? of(step).fans : of(step).stars)
-          .emplace(sectors, to_table(*forms, site, sectors, wanted));
+          .emplace(sectors, zone_table(*forms, site, sectors, wanted));
     }
     return Done{};
-  }
-
-  static ZoneTable to_table(const std::vector<Form>& forms, const Sqrt3Site& site, Index sectors,
-                            std::vector<SectorPoint> targets) {
-    std::map<Index, int> slot;
-    for (const Form& form : forms)
-      for (const auto& [vertex, weight] : form.terms)
-        if (weight != 0) slot.emplace(vertex, 0);
-    ZoneTable table;
-    table.sectors = sectors;
-    table.targets = std::move(targets);
-    for (auto& [vertex, number] : slot) {
-      number = table.rows.sources++;
-      table.sources.push_back(site.place(vertex));
-    }
-    for (const Form& form : forms) {
-      for (const auto& [vertex, weight] : form.terms)
-        if (weight != 0) table.rows.terms.push_back({slot.at(vertex), weight});
-      table.rows.row_begin.push_back(static_cast<int>(table.rows.terms.size()));
-    }
-    return table;
   }
 
   /// Control edges to the rim of a site on which zones, and points of so many rings more, see as
@@ -183,6 +162,27 @@ class TableMaker {
 };
 
 }  // namespace
+
+ZoneTable zone_table(const std::vector<LinearForm<double>>& forms, const Sqrt3Site& site,
+                     Index sectors, std::vector<SectorPoint> targets) {
+  std::map<Index, int> slot;
+  for (const LinearForm<double>& form : forms)
+    for (const auto& [vertex, weight] : form.terms)
+      if (weight != 0) slot.emplace(vertex, 0);
+  ZoneTable table;
+  table.sectors = sectors;
+  table.targets = std::move(targets);
+  for (auto& [vertex, number] : slot) {
+    number = table.rows.sources++;
+    table.sources.push_back(site.place(vertex));
+  }
+  for (const LinearForm<double>& form : forms) {
+    for (const auto& [vertex, weight] : form.terms)
+      if (weight != 0) table.rows.terms.push_back({slot.at(vertex), weight});
+    table.rows.row_begin.push_back(static_cast<int>(table.rows.terms.size()));
+  }
+  return table;
+}
 
 Result<std::array<Sqrt3Tables, 2>> read_sqrt3_stencils(const Scheme& scheme,
                                                        const std::vector<VertexKind>& kinds,

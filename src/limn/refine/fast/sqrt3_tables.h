@@ -4,29 +4,12 @@
 
 #include <map>
 
+#include "limn/refine/fast/sqrt3_patches.h"
 #include "limn/refine/fast/sqrt3_reach.h"
 #include "limn/refine/fast/stencil_tables.h"
+#include "limn/refine/linear_form.h"
 
 namespace limn::fast {
-
-/// The lattice of old points: local coordinates in which their patch is a dense grid. The old
-/// points of a step of thirds have the basis (2, -1), (1, 1).
-[[nodiscard]] constexpr Offset to_local(Sqrt3Step step, Offset old) {
-  if (step == Sqrt3Step::centroids) return {old.a / 3, old.b / 3};
-  return {(old.a - old.b) / 3, (old.a + 2 * old.b) / 3};
-}
-
-/// Regular new points of one class have one stencil but for a translation: the class is how far
-/// from its anchor, an old point, a point lies, along (1, 1) or (1, 0).
-inline constexpr Index kSqrt3Classes = 3;
-[[nodiscard]] constexpr Index sqrt3_class(Sqrt3Step step, Offset made) {
-  const Index along = step == Sqrt3Step::centroids ? made.a : made.a - made.b;
-  return ((along % 3) + 3) % 3;
-}
-[[nodiscard]] constexpr Offset anchor_of(Sqrt3Step step, Offset made) {
-  const Index c = sqrt3_class(step, made);
-  return {made.a - c, step == Sqrt3Step::centroids ? made.b - c : made.b};
-}
 
 /// Of one step.
 struct Sqrt3Tables {
@@ -39,6 +22,11 @@ struct Sqrt3Tables {
   std::map<Index, ZoneTable> stars;  ///< by valence of an interior vertex
   std::map<Index, ZoneTable> fans;   ///< by number of faces at a boundary vertex
 };
+
+/// Forms over the old vertices of a site, as the rows of these targets.
+[[nodiscard]] ZoneTable zone_table(const std::vector<LinearForm<double>>& forms,
+                                   const Sqrt3Site& site, Index sectors,
+                                   std::vector<SectorPoint> targets);
 
 /// The tables that refining a mesh with vertices and faces of these kinds needs, of both steps.
 /// Fails as read_stencils.

@@ -1,0 +1,64 @@
+#pragma once
+/// Sums for the limit surface, read on a star or fan of √3 grids, and compared.
+
+#include "limn/refine/fast/family.h"
+#include "limn/refine/fast/sqrt3_site.h"
+
+namespace limn::fast {
+
+/// Position and two tangents at a point, in thirds from it (sqrt3_site.h), rounded: weights that
+/// symmetry makes equal are.
+using LimitSums = std::array<Stencil, 3>;
+
+/// Whether two points have the same position and normal, whatever their tangents.
+[[nodiscard]] bool same_limit_forms(const LimitForms& p, const LimitForms& q);
+
+/// Without weights that are but rounding of the eigenvectors that they come from.
+void clean(LimitForms& forms);
+
+/// In a fan: rows along the side that is its first spoke, or the last one.
+enum class SideRow { none, first, last };
+
+/// A star or fan at one of the two kinds of levels: the one that `step` leads from.
+class LimitSite {
+ public:
+  static constexpr Index kEdge = 3;  ///< a grid edge, in thirds
+  static constexpr Index kRim = 2;   ///< edges from the rim that sums must not come to
+
+  /// Of so many rings of edges.
+  LimitSite(const Split& split, Sqrt3Step step, Index sectors, bool open, Index rings)
+      : step_(step),
+        sectors_(sectors),
+        open_(open),
+        rings_(rings),
+        site_(split, sectors, open, rings_) {}
+
+  [[nodiscard]] const Sqrt3Site& places() const { return site_; }
+  /// How many thirds a vertex lies from the middle one.
+  [[nodiscard]] Index ring(Index vertex) const {
+    return site_.place(vertex).x + site_.place(vertex).y;
+  }
+
+  /// Nothing where a point has no sums, or they come near the rim. Fails as `reader`.
+  [[nodiscard]] Result<std::optional<std::vector<LimitForms>>> read(
+      LimitReader& reader, const std::vector<SectorPoint>& points) const;
+
+  /// On at most six sectors, three of a fan.
+  [[nodiscard]] LimitSums on_plane_from(const LimitForms& forms, Offset point) const;
+
+  /// The sums at a point as its patch or side row finds them; nothing where these look past a
+  /// sector that is next to the point's.
+  [[nodiscard]] std::optional<LimitForms> shifted(const LimitSums& sums, const SectorPoint& point,
+                                                  SideRow row = SideRow::none) const;
+
+ private:
+  [[nodiscard]] std::optional<SectorPoint> beyond(SectorPoint place, SideRow row) const;
+
+  Sqrt3Step step_;
+  Index sectors_;
+  bool open_;
+  Index rings_;
+  Sqrt3Site site_;
+};
+
+}  // namespace limn::fast
