@@ -6,6 +6,7 @@
 
 #include <fmt/core.h>
 
+#include "limn/mesh/rings.h"
 #include "limn/refine/weight_form.h"
 
 namespace limn {
@@ -20,26 +21,28 @@ Error at_element(Error error, RuleKind kind, Index example) {
   return error;
 }
 
+/// A flag as a half-edge some hops away from where it began.
+struct HopFlag {
+  std::vector<Hop> hops;
+  bool at_target = false;
+};
+
 /// How the anchor's flag number `flag` is reached from the half-edge that names the anchor; the
 /// same order as anchor_flags. Nothing for flags that are not a fixed number of hops away.
-struct FlagHops {
-  std::vector<Hop> hops;
-  bool at_target;
-};
-std::optional<FlagHops> flag_hops(RuleKind kind, int flag) {
+std::optional<HopFlag> flag_hops(RuleKind kind, int flag) {
   switch (kind) {
     case RuleKind::vertex:
     case RuleKind::corner:
-      if (flag == 0) return FlagHops{{}, false};
-      return FlagHops{{Hop::prev}, true};
+      if (flag == 0) return HopFlag{{}, false};
+      return HopFlag{{Hop::prev}, true};
     case RuleKind::face:
-    case RuleKind::boundary_edge: return FlagHops{{}, flag == 1};
+    case RuleKind::boundary_edge: return HopFlag{{}, flag == 1};
     case RuleKind::edge:
-      if (flag < 2) return FlagHops{{}, flag == 1};
-      return FlagHops{{Hop::twin}, flag == 3};
+      if (flag < 2) return HopFlag{{}, flag == 1};
+      return HopFlag{{Hop::twin}, flag == 3};
     case RuleKind::edge_end:
-      if (flag == 0) return FlagHops{{}, false};
-      return FlagHops{{Hop::twin}, true};
+      if (flag == 0) return HopFlag{{}, false};
+      return HopFlag{{Hop::twin}, true};
     case RuleKind::boundary_vertex:
     case RuleKind::boundary_edge_end: break;
   }
@@ -55,31 +58,57 @@ void append_hop(std::vector<Hop>& hops, Hop hop) {
     hops.push_back(hop);
 }
 
+/// Adds the hops of these moves; false where they are not a fixed number.
+bool append_moves(const Moves& moves, HopFlag& flag) {
+  for (const Move move : moves) {
+    if (move == Move::boundary) return false;
+    if (move == Move::edge) append_hop(flag.hops, flag.at_target ? Hop::next : Hop::prev);
+    if (move == Move::face) flag.hops.push_back(Hop::twin);
+    flag.at_target = !flag.at_target;
+  }
+  return true;
+}
+
+/// Goes to where the flag's vertex is the half-edge's origin.
+void end_at_origin(HopFlag& flag) {
+  if (flag.at_target) append_hop(flag.hops, Hop::next);
+  flag.at_target = false;
+}
+
+/// False where the hops are too many.
+bool store(const std::vector<Hop>& hops, Way& way) {
+  if (hops.size() > way.hops.size()) return false;
+  std::copy(hops.begin(), hops.end(), way.hops.begin());
+  way.count = static_cast<std::uint8_t>(hops.size());
+  return true;
+}
+
 /// Fills in the step's hops, where its walk is one of hops alone.
 void make_direct(Step& step, RuleKind kind) {
-  std::optional<FlagHops> from = flag_hops(kind, step.flag);
-  if (!from || step.walk.repeated || step.walk.reads_face) return;
-  std::vector<Hop> hops = std::move(from->hops);
-  bool at_target = from->at_target;
-  for (const Move move : step.walk.before) {
-    if (move == Move::boundary) return;
-    if (move == Move::edge) append_hop(hops, at_target ? Hop::next : Hop::prev);
-    if (move == Move::face) hops.push_back(Hop::twin);
-    at_target = !at_target;
+  using Turning = Step::Turning;
+  std::optional<HopFlag> start = flag_hops(kind, step.flag);
+  if (!start || step.walk.reads_face || !append_moves(step.walk.before, *start)) return;
+  if (!step.walk.repeated) {
+    end_at_origin(*start);
+    step.direct = store(start->hops, step.way);
+    return;
   }
-  if (at_target) append_hop(hops, Hop::next);  // the target is the next half-edge's origin
-  if (hops.size() > step.hops.size()) return;
-  std::copy(hops.begin(), hops.end(), step.hops.begin());
-  step.hop_count = static_cast<std::uint8_t>(hops.size());
-  step.direct = true;
+  HopFlag turn{{}, start->at_target}, out = turn;
+  if (!append_moves(step.walk.step, turn) || !append_moves(step.walk.after, out)) return;
+  end_at_origin(out);
+  step.direct = turn.at_target == start->at_target && store(start->hops, step.way) &&
+                store(turn.hops, step.turn) && store(out.hops, step.out);
+  if (!step.direct || start->at_target) return;
+  if (turn.hops == std::vector{Hop::prev, Hop::twin}) step.turning = Turning::counterclockwise;
+  if (turn.hops == std::vector{Hop::twin, Hop::next}) step.turning = Turning::clockwise;
 }
 
 /// Steps go on from where earlier ones ended, as far as these lead the same way.
 void share_hops(Program& program) {
   std::vector<std::vector<Hop>> ways;  // of the ends that are kept
   for (Step& step : program) {
-    if (!step.direct || step.per_sector) continue;
-    const std::vector<Hop> way(step.hops.begin(), step.hops.begin() + step.hop_count);
+    if (!step.direct || step.per_sector || step.walk.repeated) continue;
+    const std::vector<Hop> way(step.way.hops.begin(), step.way.hops.begin() + step.way.count);
     std::size_t shared = 0;
     for (std::size_t i = 0; i < ways.size(); ++i)
       if (ways[i].size() > shared && ways[i].size() <= way.size() &&
@@ -87,8 +116,7 @@ void share_hops(Program& program) {
         shared = ways[i].size();
         step.after = static_cast<int>(i);
       }
-    std::copy(way.begin() + static_cast<std::ptrdiff_t>(shared), way.end(), step.hops.begin());
-    step.hop_count = static_cast<std::uint8_t>(way.size() - shared);
+    (void)store({way.begin() + static_cast<std::ptrdiff_t>(shared), way.end()}, step.way);
     if (ways.size() == kSharedSteps) continue;
     step.kept = static_cast<int>(ways.size());
     ways.push_back(way);
@@ -176,11 +204,12 @@ Status RuleTables<Number>::add(RuleKind kind, Index n, Index example) {
 template <class Number>
 Status RuleTables<Number>::prepare_vertices(const Mesh& mesh, bool boundary_refined) {
   const bool ends = scheme_->rule(RuleKind::edge_end).has_value();
+  const std::vector<Index> counted = valences(mesh);
   for (Index v = 0; v < mesh.vertex_count(); ++v) {
     if (mesh.is_isolated(v)) continue;
     const bool boundary = mesh.is_boundary_vertex(v);
     if (boundary && !boundary_refined) continue;
-    const Index n = mesh.valence(v);
+    const Index n = counted[v];
     const RuleKind kind = boundary ? RuleKind::boundary_vertex : RuleKind::vertex;
     if (Status status = add(kind, n, v); !status) return status;
     if (!boundary && ends)

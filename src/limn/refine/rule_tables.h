@@ -6,6 +6,7 @@
 #include <memory>
 #include <vector>
 
+#include "limn/mesh/rings.h"
 #include "limn/mesh/split.h"
 #include "limn/scheme/check.h"
 #include "limn/scheme/placement.h"
@@ -17,14 +18,26 @@ namespace limn {
 /// is at is known beforehand, so that only moves between half-edges are left to make.
 enum class Hop : std::uint8_t { next, prev, twin };
 
+/// Hops, one after the other.
+struct Way {
+  std::array<Hop, 32> hops;
+  std::uint8_t count = 0;
+};
+
 /// One walk of a rule's case, from one of the anchor's flags.
 struct Step {
-  std::array<Hop, 32> hops;
-  std::uint8_t hop_count = 0;
-  /// Where the hops begin: the end that an earlier step has kept under this number; -1: at the
+  Way way;
+  /// Where the way begins: the end that an earlier step has kept under this number; -1: at the
   /// anchor. And under which number this step's end is kept; -1: it is not.
   int after = -1, kept = -1;
-  bool direct = false;  ///< the hops say it all: the vertex is the origin where they end
+  /// The hops say it all: the vertex is the origin where they end. Of a repeated walk: `way` leads
+  /// to k = 0, `turn` from each k to the next, and `out` from a k to its vertex.
+  bool direct = false;
+  Way turn, out;
+  /// How a repeated walk turns round a vertex from one half-edge out of it to the next; none: it
+  /// does not, or is not one of hops.
+  enum class Turning : std::int8_t { none, counterclockwise, clockwise };
+  Turning turning = Turning::none;
   bool per_sector = false;
   Walk walk;
   int flag = 0;
@@ -130,11 +143,11 @@ void visit_walk(const Mesh& mesh, const Step& step, Flag flag, const Number& wei
   sink(Source{vertex_of(mesh, aside), false}, Number(Number(outside.aside) * weight));
 }
 
-/// The half-edge where the hops end; kNone where they leave the mesh.
-[[nodiscard]] inline Index follow(const Mesh& mesh, const Step& step, Index h) {
+/// The half-edge where the way ends; kNone where it leaves the mesh.
+[[nodiscard]] inline Index follow(const Mesh& mesh, const Way& way, Index h) {
   if (h == kNone) return h;
-  for (std::uint8_t i = 0; i < step.hop_count; ++i) {
-    switch (step.hops[i]) {
+  for (std::uint8_t i = 0; i < way.count; ++i) {
+    switch (way.hops[i]) {
       case Hop::next: h = mesh.next(h); break;
       case Hop::prev: h = mesh.prev(h); break;
       case Hop::twin: h = mesh.twin(h); break;
@@ -162,19 +175,55 @@ const Number* visit_repeated(const Mesh& mesh, const Step& step, Flag flag, cons
   return weight;
 }
 
+/// The same by hops, which do not leave the mesh: only an interior vertex or a face is gone round.
+template <class Number, class Sink>
+const Number* visit_turns(const Mesh& mesh, const Step& step, Index h, const Number* weight,
+                          Sink& sink) {
+  const Index first = follow(mesh, step.way, h);
+  h = first;
+  do {
+    sink(Source{mesh.origin(follow(mesh, step.out, h)), false}, *weight++);
+    h = follow(mesh, step.turn, h);
+  } while (h != first);
+  return weight;
+}
+
+/// The same, round a vertex whose ring is known.
+template <class Number, class Sink>
+const Number* visit_ring(const Mesh& mesh, const Rings& rings, const Step& step, Index h,
+                         const Number* weight, Sink& sink) {
+  const Index first = follow(mesh, step.way, h), v = mesh.origin(first);
+  const Index begin = rings.begin[v], end = rings.begin[v + 1], from = rings.place[first];
+  const bool neighbours = step.out.count == 1 && step.out.hops[0] == Hop::next;
+  const auto visit = [&](Index at) {
+    const Index vertex =
+        neighbours ? rings.targets[at] : mesh.origin(follow(mesh, step.out, rings.halfedges[at]));
+    sink(Source{vertex, false}, *weight++);
+  };
+  if (step.turning == Step::Turning::counterclockwise) {
+    for (Index at = from; at < end; ++at) visit(at);
+    for (Index at = begin; at < from; ++at) visit(at);
+  } else {
+    for (Index at = from; at >= begin; --at) visit(at);
+    for (Index at = end - 1; at > from; --at) visit(at);
+  }
+  return weight;
+}
+
 }  // namespace detail
 
 /// Calls sink(Source, weight) for everything that the rule weighs at the anchor named by h (and
 /// `at_target`, for a boundary edge's ends; see AnchorFlags). A vertex may come more than once:
-/// the weights add. Cost: the moves of the program's walks.
+/// the weights add. Cost: the moves of the program's walks; `rings` (those of the mesh) are quicker
+/// where vertices are gone round often.
 template <class Number, class Sink>
 void visit_stencil(const Mesh& mesh, RuleKind kind, Index h, bool at_target, const Row<Number>& row,
-                   Sink&& sink) {
+                   Sink&& sink, const Rings* rings = nullptr) {
   const Number* weight = row.weights.data();
   std::array<Index, kSharedSteps> ends;  // where steps' hops ended, for those that go on from there
   const auto visit = [&](const Step& step, Index anchor) {
     if (step.direct) {
-      const Index end = detail::follow(mesh, step, step.after < 0 ? anchor : ends[step.after]);
+      const Index end = detail::follow(mesh, step.way, step.after < 0 ? anchor : ends[step.after]);
       if (step.kept >= 0) ends[step.kept] = end;
       if (end != kNone) return sink(Source{mesh.origin(end), false}, *weight);
     }
@@ -182,6 +231,12 @@ void visit_stencil(const Mesh& mesh, RuleKind kind, Index h, bool at_target, con
     detail::visit_walk(mesh, step, start, *weight, sink);
   };
   for (const Step& step : *row.program) {
+    if (step.walk.repeated && step.direct) {
+      weight = rings != nullptr && step.turning != Step::Turning::none
+                   ? detail::visit_ring(mesh, *rings, step, h, weight, sink)
+                   : detail::visit_turns(mesh, step, h, weight, sink);
+      continue;
+    }
     if (step.walk.repeated) {
       const Flag start = anchor_flags(kind, mesh, h, at_target).flags[step.flag];
       weight = detail::visit_repeated(mesh, step, start, weight, sink);

@@ -72,7 +72,7 @@ Status FastRefiner::State::prepare(const Scheme& scheme) {
   Result<fast::PlainSteps> made = fast::PlainSteps::make(scheme, control, first);
   if (!made) return made.error();
   plain.emplace(std::move(*made));
-  plain->set_order(family->plain_order(plain->splits()));
+  plain->write_down(family->plain_order(plain->splits()));
   vertices.push_back(family->size(first).vertices);
   for (int level = first; level < levels; ++level) {
     ReadyStep& step = steps.emplace_back();

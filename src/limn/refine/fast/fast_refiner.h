@@ -6,8 +6,8 @@
 /// The finer the mesh, the more of it is regular: it falls into patches, whose insides need a few
 /// stencils and whose connectivity is arithmetic. Nothing is typed in for a scheme: all stencils
 /// are read by refining linear forms with the plain engine (stencil_tables.h), which also makes the
-/// first steps where rules look farther than a control edge. Topology is worked out once; positions
-/// may be evaluated often.
+/// first steps where rules look farther than a control edge: their sums are then written down
+/// (plain_rows.h). Topology is worked out once; positions may be evaluated often.
 ///
 /// Numbers of the refined mesh: see triangle_layout.h, quad_family.h, sqrt3_layout.h and
 /// dual_layout.h. Where a split keeps the old vertices, control vertices keep their numbers, so
@@ -60,8 +60,8 @@ class FastRefiner {
 
   /// Positions of the refined vertices from those of the control vertices: x, y, z of each, one
   /// after the other; `fine` holds 3 · vertex_count() numbers and does not overlap `control`. Sums
-  /// are made in `Real`, float or double (the plain steps in double), each by one thread in a
-  /// fixed order, so one thread and many give the same bits. Not-a-numbers pass through.
+  /// are made in `Real`, float or double, each by one thread in a fixed order, so one thread and
+  /// many give the same bits. Not-a-numbers pass through.
   template <class Real>
   void evaluate(std::span<const Real> control, std::span<Real> fine, Scratch<Real>& scratch) const;
   template <class Real>

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "limn/base/huge_array.h"
 #include "limn/refine/refine_values.h"
 
 namespace limn::fast {
@@ -20,7 +21,12 @@ Births births(const Split& split, const Mesh& mesh) {
   return births;
 }
 
+/// The most that rows may take: half as much again as a butterfly's do, and something on top for
+/// small meshes.
+std::size_t row_limit(Index vertices) { return 48 * (static_cast<std::size_t>(vertices) + 1024); }
+
 }  // namespace
+
 Index first_part(const Mesh& coarse, const SplitResult& split, Index h) {
   const Index middle = split.births.from_vertices + coarse.edge(h);
   Index part = split.mesh.halfedge_of_vertex(coarse.origin(h));
@@ -37,17 +43,61 @@ Result<PlainSteps> PlainSteps::make(const Scheme& scheme, const Mesh& control, i
         count > 1 ? scheme.split->apply(mesh, step) : SplitResult{{}, births(*scheme.split, mesh)};
     if (Status status = steps.tables_.prepare(mesh, split.births); !status) return status.error();
     steps.splits_.push_back(std::move(split));
+    ++steps.count_;
   }
   return steps;
 }
 
+void PlainSteps::write_down(std::vector<Index> order) {
+  std::vector<Index> places(order.size());
+  for (std::size_t i = 0; i < order.size(); ++i)
+    places[static_cast<std::size_t>(order[i])] = static_cast<Index>(i);
+  order_ = std::move(order);
+  std::vector<PlainRows> rows;
+  for (std::size_t step = 0; step < splits_.size(); ++step) {
+    StepStencils<double> stencils(*scheme_, mesh(step), splits_[step].births, tables_);
+    stencils.prepare_all();
+    const bool last = step + 1 == splits_.size();
+    std::optional<PlainRows> made = PlainRows::record(
+        stencils, last ? std::move(places) : std::vector<Index>{}, row_limit(stencils.count()));
+    if (!made) return;
+    rows.push_back(std::move(*made));
+  }
+  rows_ = std::move(rows);
+  splits_ = std::vector<SplitResult>();
+  order_ = std::vector<Index>();
+}
+
 template <class Real>
 void PlainSteps::evaluate(const Real* control, Real* fine) const {
-  const auto vertices = static_cast<std::size_t>(control_->vertex_count());
-  if (count() == 0) {
-    std::copy(control, control + 3 * vertices, fine);
-    return;
+  if (count() == 0)
+    std::copy(control, control + 3 * static_cast<std::size_t>(control_->vertex_count()), fine);
+  else if (rows_.empty())
+    evaluate_anew(control, fine);
+  else
+    evaluate_rows(control, fine);
+}
+
+template <class Real>
+void PlainSteps::evaluate_rows(const Real* control, Real* fine) const {
+  // a point is read with the number after it
+  const std::size_t numbers = 3 * static_cast<std::size_t>(control_->vertex_count());
+  HugeArray<Real> old(numbers + 1);
+  std::copy(control, control + numbers, old.data());
+  old[numbers] = 0;
+  for (std::size_t step = 0; step + 1 < rows_.size(); ++step) {
+    const std::size_t after = 3 * static_cast<std::size_t>(rows_[step].vertex_count());
+    HugeArray<Real> fresh(after + 1);
+    rows_[step].evaluate(old.data(), fresh.data());
+    fresh[after] = 0;
+    old = std::move(fresh);
   }
+  rows_.back().evaluate(old.data(), fine);
+}
+
+template <class Real>
+void PlainSteps::evaluate_anew(const Real* control, Real* fine) const {
+  const auto vertices = static_cast<std::size_t>(control_->vertex_count());
   std::vector<Point3> points(vertices);
   for (std::size_t v = 0; v < vertices; ++v, control += 3)
     points[v] = {double(control[0]), double(control[1]), double(control[2])};
@@ -69,7 +119,9 @@ std::size_t PlainSteps::bytes() const {
                static_cast<std::size_t>(mesh.edge_count()) +
                static_cast<std::size_t>(mesh.vertex_count());
   }
-  return indices * sizeof(Index);
+  std::size_t bytes = indices * sizeof(Index);
+  for (const PlainRows& rows : rows_) bytes += rows.bytes();
+  return bytes;
 }
 
 template void PlainSteps::evaluate<float>(const float*, float*) const;

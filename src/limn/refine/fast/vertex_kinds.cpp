@@ -2,18 +2,17 @@
 
 #include <algorithm>
 
-#include "limn/base/parallel.h"
+#include "limn/mesh/rings.h"
 
 namespace limn::fast {
 
 std::vector<VertexKind> vertex_kinds(const Mesh& mesh) {
   const auto count = static_cast<std::size_t>(mesh.vertex_count());
-  std::vector<Index> key(count);  // twice the faces, and 1 more in a fan
-  for (Index h = 0; h < mesh.halfedge_count(); ++h)
-    key[static_cast<std::size_t>(mesh.origin(h))] += 2;
-  parallel_for_each(mesh.vertex_count(), [&](Index v) {
-    if (mesh.is_boundary_vertex(v)) ++key[static_cast<std::size_t>(v)];
-  });
+  std::vector<Index> key = valences(mesh);  // → twice the valence, and 1 less in a fan
+  for (Index v = 0; v < mesh.vertex_count(); ++v) {
+    Index& k = key[static_cast<std::size_t>(v)];
+    k = mesh.is_boundary_vertex(v) ? 2 * k - 1 : 2 * k;
+  }
   const Index largest = count == 0 ? 0 : *std::max_element(key.begin(), key.end());
   std::vector<Index> members(static_cast<std::size_t>(largest) + 1);
   for (const Index k : key) ++members[static_cast<std::size_t>(k)];

@@ -1,0 +1,156 @@
+#pragma once
+/// The sums of one refinement step: which rule makes each new vertex, and what it weighs there. The
+/// one place where rules meet a mesh, whatever is refined (refine_values.h) or only written down
+/// (fast/plain_rows.h).
+
+#include <algorithm>
+#include <vector>
+
+#include "limn/base/parallel.h"
+#include "limn/refine/rule_tables.h"
+
+namespace limn {
+
+template <class Number>
+class StepStencils {
+ public:
+  /// All must outlive the stencils; `tables` has been prepared for `mesh` and `births`.
+  StepStencils(const Scheme& scheme, const Mesh& mesh, const Births& births,
+               const RuleTables<Number>& tables)
+      : split_(*scheme.split),
+        ends_(scheme.rule(RuleKind::edge_end).has_value()),
+        mesh_(mesh),
+        births_(births),
+        tables_(tables),
+        half_(Arithmetic<Number>::from(Rational(1, 2))),
+        one_(Arithmetic<Number>::from(Rational(1))),
+        faces_at_(births.from_vertices + births.from_edges),
+        corners_at_(faces_at_ + births.from_faces),
+        isolated_at_(corners_at_ + births.from_corners) {}
+
+  /// The number of new vertices.
+  [[nodiscard]] Index count() const {
+    return isolated_at_ + static_cast<Index>(births_.isolated.size());
+  }
+  /// The new vertices of faces, [faces_at(), corners_at()), are what others may weigh.
+  [[nodiscard]] Index faces_at() const { return faces_at_; }
+  [[nodiscard]] Index corners_at() const { return corners_at_; }
+
+  /// To be called before vertices are asked for by the thousand: what depends on a valence is found
+  /// for all old vertices. Cost O(mesh).
+  void prepare_all() {
+    if (births_.from_vertices > 0 || uses_ends()) valences_ = valences(mesh_);
+    if (!uses_ends()) return;
+    end_rows_.resize(static_cast<std::size_t>(mesh_.vertex_count()));
+    parallel_for_each(mesh_.vertex_count(), [&](Index v) {
+      if (!mesh_.is_isolated(v)) end_rows_[v] = end_row(v);
+    });
+    turns_ = std::any_of(end_rows_.begin(), end_rows_.end(), turns);
+    if (turns_) rings_ = rings(mesh_, valences_);
+  }
+
+  /// Calls sink(source, weight) for all that new vertex i weighs, in a fixed order: an old vertex,
+  /// or the new vertex faces_at() + source.index. One may come more than once: the weights add.
+  /// Nothing where the boundary is left out. Cost: the moves of the rule's walks.
+  template <class Sink>
+  void visit(Index i, Sink&& sink) const {
+    if (i < births_.from_vertices) return visit_vertex(i, sink);
+    if (i < faces_at_) return visit_edge(i - births_.from_vertices, sink);
+    if (i < corners_at_) return visit_face(i - faces_at_, sink);
+    if (i < isolated_at_) return visit_corner(i - corners_at_, sink);
+    sink(Source{births_.isolated[i - isolated_at_], false}, one_);
+  }
+
+ private:
+  [[nodiscard]] bool uses_ends() const {
+    return ends_ && births_.from_edges > 0 && births_.edge_ends.empty();
+  }
+  /// Whether a vertex with this row is gone round for each of its edges.
+  [[nodiscard]] static bool turns(const Row<Number>* row) {
+    return row != nullptr &&
+           std::any_of(row->program->begin(), row->program->end(),
+                       [](const Step& step) { return step.turning != Step::Turning::none; });
+  }
+  [[nodiscard]] Index valence(Index v) const {
+    return valences_.empty() ? mesh_.valence(v) : valences_[v];
+  }
+
+  template <class Sink>
+  void visit_row(RuleKind kind, Index h, bool at_target, const Row<Number>& row, Sink& sink) const {
+    if (row.program)
+      visit_stencil(mesh_, kind, h, at_target, row, sink, turns_ ? &rings_ : nullptr);
+  }
+
+  template <class Sink>
+  void visit_face(Index i, Sink& sink) const {
+    const Index f = births_.faces.empty() ? i : births_.faces[i];
+    visit_row(RuleKind::face, mesh_.face_begin(f), false,
+              tables_.row(RuleKind::face, mesh_.degree(f)), sink);
+  }
+
+  template <class Sink>
+  void visit_corner(Index h, Sink& sink) const {
+    visit_row(RuleKind::corner, h, false,
+              tables_.row(RuleKind::corner, mesh_.degree(mesh_.face(h))), sink);
+  }
+
+  template <class Sink>
+  void visit_vertex(Index v, Sink& sink) const {
+    const Index h = mesh_.halfedge_of_vertex(v);
+    const bool boundary = mesh_.is_boundary_vertex(v);
+    if (h == kNone || (boundary && split_.trisects_boundary && births_.edge_ends.empty()))
+      return sink(Source{v, false}, one_);
+    const RuleKind kind = boundary ? RuleKind::boundary_vertex : RuleKind::vertex;
+    visit_row(kind, h, false, tables_.row(kind, valence(v)), sink);
+  }
+
+  /// The row for the edge seen from an end, where the end is interior and has a case for it.
+  [[nodiscard]] const Row<Number>* end_row(Index v) const {
+    if (mesh_.is_boundary_vertex(v)) return nullptr;
+    const Row<Number>& row = tables_.row(RuleKind::edge_end, valence(v));
+    return row.program ? &row : nullptr;
+  }
+
+  template <class Sink>
+  void visit_edge(Index i, Sink& sink) const {
+    if (!births_.edge_ends.empty()) {
+      const Index end = births_.edge_ends[i];
+      return visit_row(RuleKind::boundary_edge_end, end / 2, end % 2 != 0,
+                       tables_.row(RuleKind::boundary_edge_end, 0), sink);
+    }
+    const Index h = mesh_.halfedge_of_edge(i), twin = mesh_.twin(h);
+    if (twin == kNone)
+      return visit_row(RuleKind::boundary_edge, h, false, tables_.row(RuleKind::boundary_edge, 0),
+                       sink);
+    if (ends_) {
+      const bool found = !end_rows_.empty();
+      const Index v = mesh_.origin(h), w = mesh_.origin(twin);
+      const Row<Number>* from = found ? end_rows_[v] : end_row(v);
+      const Row<Number>* to = found ? end_rows_[w] : end_row(w);
+      if (from != nullptr && to != nullptr) {  // both ends claim it: the mean
+        const auto half = [&](Source source, const Number& weight) {
+          sink(source, Number(half_ * weight));
+        };
+        visit_row(RuleKind::edge_end, h, false, *from, half);
+        return visit_row(RuleKind::edge_end, twin, false, *to, half);
+      }
+      if (from != nullptr) return visit_row(RuleKind::edge_end, h, false, *from, sink);
+      if (to != nullptr) return visit_row(RuleKind::edge_end, twin, false, *to, sink);
+    }
+    visit_row(RuleKind::edge, h, false, tables_.row(RuleKind::edge, 0), sink);
+  }
+
+  const Split& split_;
+  bool ends_;
+  const Mesh& mesh_;
+  const Births& births_;
+  const RuleTables<Number>& tables_;
+  const Number half_, one_;
+  Index faces_at_, corners_at_, isolated_at_;
+  std::vector<Index> valences_;               // of each old vertex, or empty
+  std::vector<const Row<Number>*> end_rows_;  // of each old vertex, or empty
+  bool turns_ = false;
+  Rings rings_;  // where there is a use for them
+};
+
+}  // namespace limn
