@@ -44,7 +44,7 @@ Stencil rounded_stencil(const std::vector<Offset>& places, std::vector<double> w
   return stencil;
 }
 
-bool same_limit(const LimitSums& a, const LimitSums& b) {
+bool same_limit(std::span<const Form> a, std::span<const Form> b) {
   constexpr double kSame = 1e-10;
   const auto differ = [](Form form, double weight, const Form& other) {
     add_scaled(form, -weight, other);

@@ -24,7 +24,8 @@ void drop_rounding(LinearForm<double>& form);
 
 /// Whether two vertices have the same limit position and the same oriented tangent plane, by their
 /// sums, which are three each.
-[[nodiscard]] bool same_limit(const LimitSums& a, const LimitSums& b);
+[[nodiscard]] bool same_limit(std::span<const LinearForm<double>> a,
+                              std::span<const LinearForm<double>> b);
 
 /// Three rows over the places that the stencils take from, which are sorted.
 [[nodiscard]] std::pair<RowTable, std::vector<Offset>> limit_rows(const LimitStencils& stencils);

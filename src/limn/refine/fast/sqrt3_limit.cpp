@@ -103,13 +103,13 @@ class LimitPlanner {
     const auto read = straight.read(reader_, points);
     if (!read) return read.error();
     if (!*read) return false;
-    std::map<Index, LimitSums> rows;
+    std::map<Index, LimitStencils> rows;
     Index depth = 0;
     for (std::size_t i = 0; i < points.size(); ++i) {
       const auto& [sector, x, y] = points[i];
       rows[y] = straight.on_plane_from((**read)[i], {x, y});
       const auto regular = straight.shifted(interior_, points[i]);
-      if (y > 0 && !(regular && same_limit_forms((**read)[i], *regular))) depth = y;
+      if (y > 0 && !(regular && same_limit((**read)[i], *regular))) depth = y;
     }
     if (depth > kMost - kEdge) return false;
     for (auto& [y, sums] : rows)
@@ -154,7 +154,7 @@ class LimitPlanner {
     zone.size = 0;
     for (std::size_t i = 1; i < points.size(); ++i) {
       const auto expected = usual(star, points[i], open ? sectors - 1 : kNone);
-      if (!expected || !same_limit_forms((**read)[i], *expected))
+      if (!expected || !same_limit((**read)[i], *expected))
         zone.size = std::max(zone.size, points[i].x + points[i].y);
     }
     if (zone.size > 0 && !open) {
@@ -221,10 +221,10 @@ class LimitPlanner {
             open ? fan(Lattice::triangle, sectors, rings) : star(Lattice::triangle, sectors, rings);
         auto limit = reader_.read(near, 0, !open, {0});
         if (!limit || !limit->front()) return false;
-        clean(*limit->front());
+        for (Form& form : *limit->front()) drop_rounding(form);
         read.push_back(*limit->front());
       }
-      if (!same_limit_forms(read[0], read[1])) return false;
+      if (!same_limit(read[0], read[1])) return false;
     }
     return true;
   }
@@ -252,16 +252,8 @@ class LimitPlanner {
   }
 
   /// The points in row y of boundary sides but for those in zones.
-  void add_side_row(Index y, const LimitSums& sums, std::vector<RowPlan>& plans) const {
-    std::map<Offset, int> slots;
-    for (const Stencil& stencil : sums)
-      for (const Tap& tap : stencil) slots.emplace(tap.place, 0);
-    RowTable table;
-    for (auto& [place, slot] : slots) slot = table.sources++;
-    for (const Stencil& stencil : sums) {
-      for (const Tap& tap : stencil) table.terms.push_back({slots.at(tap.place), tap.weight});
-      table.row_begin.push_back(static_cast<int>(table.terms.size()));
-    }
+  void add_side_row(Index y, const LimitStencils& sums, std::vector<RowPlan>& plans) const {
+    auto [table, places] = limit_rows(sums);
     const Mesh& mesh = control_.mesh;
     const auto zone_of = [&](Index v) { return zones_[1].at(mesh.valence(v) - 1).size; };
     std::vector<Index> sources, targets;
@@ -271,7 +263,7 @@ class LimitPlanner {
       const Index left = zone_of(mesh.origin(h)), right = zone_of(mesh.target(h));
       for (Index x = 1; x + y < side; ++x) {
         if (!is_old(level_.step, x, y) || x + y <= left || side - x <= right) continue;
-        for (const auto& [place, slot] : slots) {
+        for (const Offset& place : places) {
           sources.push_back(points.point(h, x + place.a, y + place.b));
           assert(sources.back() != kNone);
         }
@@ -294,8 +286,8 @@ class LimitPlanner {
   Sqrt3Level level_;
   LimitReader& reader_;
   Index reach_ = kWidest;  // edges that a regular vertex's sums reach
-  LimitSums interior_;
-  std::map<Index, LimitSums> sides_;            // by row
+  LimitStencils interior_;
+  std::map<Index, LimitStencils> sides_;        // by row
   std::array<std::map<Index, Zone>, 2> zones_;  // of interior, boundary vertices, by faces
 };
 

@@ -1,20 +1,10 @@
 #pragma once
 /// Sums for the limit surface, read on a star or fan of √3 grids, and compared.
 
-#include "limn/refine/fast/family.h"
+#include "limn/refine/fast/limit_sums.h"
 #include "limn/refine/fast/sqrt3_site.h"
 
 namespace limn::fast {
-
-/// Position and two tangents at a point, in thirds from it (sqrt3_site.h), rounded: weights that
-/// symmetry makes equal are.
-using LimitSums = std::array<Stencil, 3>;
-
-/// Whether two points have the same position and normal, whatever their tangents.
-[[nodiscard]] bool same_limit_forms(const LimitForms& p, const LimitForms& q);
-
-/// Without weights that are but rounding of the eigenvectors that they come from.
-void clean(LimitForms& forms);
 
 /// In a fan: rows along the side that is its first spoke, or the last one.
 enum class SideRow { none, first, last };
@@ -43,12 +33,13 @@ class LimitSite {
   [[nodiscard]] Result<std::optional<std::vector<LimitForms>>> read(
       LimitReader& reader, const std::vector<SectorPoint>& points) const;
 
-  /// On at most six sectors, three of a fan.
-  [[nodiscard]] LimitSums on_plane_from(const LimitForms& forms, Offset point) const;
+  /// In thirds from the point (sqrt3_site.h); on at most six sectors, three of a fan.
+  [[nodiscard]] LimitStencils on_plane_from(const LimitForms& forms, Offset point) const;
 
   /// The sums at a point as its patch or side row finds them; nothing where these look past a
   /// sector that is next to the point's.
-  [[nodiscard]] std::optional<LimitForms> shifted(const LimitSums& sums, const SectorPoint& point,
+  [[nodiscard]] std::optional<LimitForms> shifted(const LimitStencils& sums,
+                                                  const SectorPoint& point,
                                                   SideRow row = SideRow::none) const;
 
  private:
