@@ -145,13 +145,17 @@ void add(const std::string& mesh_name, const Polygons& control, int levels,
 const bool kAdded = [] {
   constexpr unsigned kSeed = 1;
   const Schemes triangles{"loop", "butterfly-modified", "laplacian-butterfly"};
-  const Schemes quads{"catmull-clark"};
+  const Schemes quads{"catmull-clark", "doo-sabin"};
+  const Schemes sqrt3{"sqrt3"};
   const Polygons sphere = peers::random_sphere(4, 800, 12, kSeed);
   add("sphere-2562", sphere, 5, triangles);
-  add("sphere-40962", peers::random_sphere(6, 12800, 12, kSeed), 3, triangles);
+  const Polygons large = peers::random_sphere(6, 12800, 12, kSeed);
+  add("sphere-40962", large, 3, triangles);
+  add("sphere-2562", sphere, 6, sqrt3);
+  add("sphere-40962", large, 4, sqrt3);
   add("quads-3842", peers::cut_into_quads(peers::random_sphere(3, 200, 12, kSeed)), 5, quads);
   add("quads-61442", peers::cut_into_quads(peers::random_sphere(5, 3200, 12, kSeed)), 3, quads);
-  add("sphere-2562", sphere, 5, quads);  // the first step is the plain engine's
+  add("sphere-2562", sphere, 5, {"catmull-clark"});  // the first step is the plain engine's
   return true;
 }();
 
