@@ -27,11 +27,19 @@ std::size_t row_limit(Index vertices) { return 48 * (static_cast<std::size_t>(ve
 
 }  // namespace
 
+Index halfedge_between(const Mesh& mesh, Index from, Index to) {
+  const Index first = mesh.halfedge_of_vertex(to);
+  Index h = first;
+  do {
+    if (mesh.origin(mesh.prev(h)) == from) return mesh.prev(h);
+    h = mesh.rotate(h);
+  } while (h != kNone && h != first);
+  return kNone;
+}
+
 Index first_part(const Mesh& coarse, const SplitResult& split, Index h) {
   const Index middle = split.births.from_vertices + coarse.edge(h);
-  Index part = split.mesh.halfedge_of_vertex(coarse.origin(h));
-  while (split.mesh.target(part) != middle) part = split.mesh.rotate(part);
-  return part;
+  return halfedge_between(split.mesh, coarse.origin(h), middle);
 }
 
 Result<PlainSteps> PlainSteps::make(const Scheme& scheme, const Mesh& control, int count) {

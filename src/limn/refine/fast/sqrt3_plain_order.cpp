@@ -1,5 +1,6 @@
 #include "limn/refine/fast/sqrt3_plain_order.h"
 
+#include "limn/refine/fast/plain_steps.h"
 #include "limn/refine/fast/sqrt3_layout.h"
 #include "limn/refine/fast/sqrt3_site.h"
 
@@ -8,10 +9,7 @@ namespace {
 
 /// The half-edge, two levels on from an even one, that starts as h does, on the same edge.
 Index first_third(const Mesh& coarse, const SplitResult& second, Index h) {
-  const Index end = third_along(coarse, second.births, h);
-  Index part = second.mesh.halfedge_of_vertex(coarse.origin(h));
-  while (second.mesh.target(part) != end) part = second.mesh.rotate(part);
-  return part;
+  return halfedge_between(second.mesh, coarse.origin(h), third_along(coarse, second.births, h));
 }
 
 /// The plain engine's vertices, by walking each control face of the last even level row by row.
