@@ -4,6 +4,7 @@
 #include <array>
 
 #include "limn/refine/fast/dual_frame.h"
+#include "limn/refine/fast/dual_tables.h"
 #include "limn/refine/fast/dual_umbrella.h"
 #include "limn/refine/fast/limit_sums.h"
 
@@ -246,7 +247,9 @@ Result<std::optional<StepPlan>> plan_control_dual_limit(const Mesh& mesh, int le
   if (!*near) return Found();
   std::vector<Index> vertices, isolated;
   for (Index v = 0; v < mesh.vertex_count(); ++v) {
-    if (!mesh.is_isolated(v) && !mesh.is_boundary_vertex(v) && mesh.valence(v) == 2) return Found();
+    const Index valence = mesh.valence(v);
+    if (valence > kLargestDualTable || (valence == 2 && !mesh.is_boundary_vertex(v)))
+      return Found();
     (mesh.is_isolated(v) ? isolated : vertices).push_back(v);
   }
   const auto umbrella = [&](Index v) {

@@ -19,7 +19,8 @@ namespace limn::fast {
 [[nodiscard]] Result<std::optional<StepPlan>> plan_dual_limit(const DualLayout& at, int level,
                                                               LimitReader& reader);
 
-/// At the vertices of any mesh, rows alone. Nothing where an interior vertex has valence 2.
+/// At the vertices of any mesh, rows alone. Nothing where an interior vertex has valence 2, or one
+/// a valence beyond kLargestDualTable (dual_tables.h).
 [[nodiscard]] Result<std::optional<StepPlan>> plan_control_dual_limit(const Mesh& mesh, int level,
                                                                       LimitReader& reader);
 
