@@ -1,6 +1,6 @@
 # cmake -D BUILD=… -D COMPILER=… -P run.cmake
 # Installs the build folder BUILD into BUILD/consumer-prefix, then configures, builds and runs the
-# project beside this file, which is the README's example program, against it.
+# project beside this file, the README's example programs, against it.
 cmake_minimum_required(VERSION 3.25)
 
 set(prefix ${BUILD}/consumer-prefix)
@@ -16,7 +16,8 @@ step(${CMAKE_COMMAND} -G Ninja -S ${CMAKE_CURRENT_LIST_DIR} -B ${work}
      -D CMAKE_BUILD_TYPE=Release -D CMAKE_CXX_COMPILER=${COMPILER}
      -D EXAMPLES=${examples} -D CMAKE_PREFIX_PATH=${prefix} -D CMAKE_FIND_PACKAGE_NO_PACKAGE_REGISTRY=ON)
 step(${CMAKE_COMMAND} --build ${work})
-step(${work}/consumer ${examples}/bracket.obj loop 2 ${work}/fine.ply)
+step(${work}/refine ${examples}/bracket.obj loop 2 ${work}/fine.ply)
+step(${work}/animate ${examples}/bracket.obj loop 2 3)
 if(EXISTS ${BUILD}/bin/limn)
   step(${prefix}/bin/limn --help)
 endif()
