@@ -144,7 +144,7 @@ Result<std::optional<FastRefiner::Limit>> FastRefiner::limit(fast::LimitReader& 
   if (!plan) return plan.error();
   if (!*plan) return std::optional<Limit>();
   fast::PatchProgram program =
-      fast::make_patch_program((*plan)->patches.shape, (*plan)->patches.stencils);
+      fast::make_patch_program((*plan)->patches.shape, (*plan)->patches.stencils, 3);
   auto made = std::make_unique<Limit::Plan>();
   made->step = {*std::move(*plan), std::move(program)};
   return std::optional<Limit>(Limit(std::move(made)));

@@ -9,8 +9,8 @@ constexpr Index kBlockPoints = 256;  // so that a line stays in the nearest cach
 
 class ProgramMaker {
  public:
-  ProgramMaker(const PatchShape& shape, const std::vector<Stencil>& stencils)
-      : shape_(shape), stencils_(stencils) {}
+  ProgramMaker(const PatchShape& shape, const std::vector<Stencil>& stencils, std::size_t each)
+      : shape_(shape), stencils_(stencils), each_(each) {}
 
   PatchProgram make() {
     find_box();
@@ -31,8 +31,9 @@ class ProgramMaker {
     for (const Offset place : shape_.inner) enclose(place);
     for (const std::vector<FinePoint>& run : shape_.runs)
       for (const FinePoint& point : run)
-        for (const Tap& tap : stencils_[point.stencil])
-          enclose({point.anchor.a + tap.place.a, point.anchor.b + tap.place.b});
+        for (std::size_t s = point.stencil; s < point.stencil + each_; ++s)
+          for (const Tap& tap : stencils_[s])
+            enclose({point.anchor.a + tap.place.a, point.anchor.b + tap.place.b});
     program_.pitch = high_.a - low_.a + 1;
     program_.slots = program_.pitch * (high_.b - low_.b + 1);
   }
@@ -71,6 +72,7 @@ class ProgramMaker {
 
   const PatchShape& shape_;
   const std::vector<Stencil>& stencils_;
+  std::size_t each_;
   PatchProgram program_;
   Offset low_, high_;
   Index used_ = 0;  // of the line
@@ -78,8 +80,9 @@ class ProgramMaker {
 
 }  // namespace
 
-PatchProgram make_patch_program(const PatchShape& shape, const std::vector<Stencil>& stencils) {
-  return ProgramMaker(shape, stencils).make();
+PatchProgram make_patch_program(const PatchShape& shape, const std::vector<Stencil>& stencils,
+                                std::size_t each) {
+  return ProgramMaker(shape, stencils, each).make();
 }
 
 }  // namespace limn::fast

@@ -33,7 +33,9 @@ struct PatchProgram {
   [[nodiscard]] Index slot_step(Offset step) const { return step.b * pitch + step.a; }
 };
 
+/// A new point takes from `each` stencils, from the one that it names on.
 [[nodiscard]] PatchProgram make_patch_program(const PatchShape& shape,
-                                              const std::vector<Stencil>& stencils);
+                                              const std::vector<Stencil>& stencils,
+                                              std::size_t each = 1);
 
 }  // namespace limn::fast

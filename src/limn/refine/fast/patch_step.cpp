@@ -1,5 +1,6 @@
 #include "limn/refine/fast/patch_step.h"
 
+#include <cassert>
 #include <cmath>
 #include <limits>
 
@@ -18,6 +19,21 @@ std::vector<LaneStencil<Real>> lane_stencils(const PatchPlan& plan, const PatchP
   stencils.reserve(plan.stencils.size());
   for (const Stencil& stencil : plan.stencils) stencils.emplace_back(stencil, program);
   return stencils;
+}
+
+/// Whether all places that new points take from are in the local grid; each takes from so many
+/// stencils, from the one that it names on.
+[[maybe_unused]] bool stays_in_grid(const PatchPlan& plan, const PatchProgram& program,
+                                    std::size_t each) {
+  for (const PatchBlock& block : program.blocks)
+    for (const StencilPoints& points : block.points)
+      for (std::size_t s = points.stencil; s < points.stencil + each; ++s)
+        for (const Tap& tap : plan.stencils[s])
+          for (const Index anchor : points.anchors) {
+            const Index slot = anchor + program.slot_step(tap.place);
+            if (slot < 0 || slot >= program.slots) return false;
+          }
+  return true;
 }
 
 /// Position and two tangents of the points of a block, and the normal from these.
@@ -63,6 +79,7 @@ class LimitLines {
 
 template <class Real>
 void make_patches(const PatchPlan& plan, const PatchProgram& program, const Real* in, Real* out) {
+  assert(stays_in_grid(plan, program, 1));
   const std::vector<LaneStencil<Real>> stencils = lane_stencils<Real>(plan, program);
   for_batches(plan, program, in, [&] {
     return [&, line = Line<Real>(static_cast<std::size_t>(program.line))](
@@ -79,6 +96,7 @@ void make_patches(const PatchPlan& plan, const PatchProgram& program, const Real
 template <class Real>
 void make_limit_patches(const PatchPlan& plan, const PatchProgram& program, const Real* in,
                         Real* positions, Real* normals) {
+  assert(stays_in_grid(plan, program, 3));
   const std::vector<LaneStencil<Real>> stencils = lane_stencils<Real>(plan, program);
   for_batches(plan, program, in, [&] {
     return [&, sums = LimitLines<Real>(static_cast<std::size_t>(program.line))](

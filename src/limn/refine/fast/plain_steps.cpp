@@ -65,9 +65,10 @@ void PlainSteps::write_down(std::vector<Index> order) {
   for (std::size_t step = 0; step < splits_.size(); ++step) {
     StepStencils<double> stencils(*scheme_, mesh(step), splits_[step].births, tables_);
     stencils.prepare_all();
-    const bool last = step + 1 == splits_.size();
-    std::optional<PlainRows> made = PlainRows::record(
-        stencils, last ? std::move(places) : std::vector<Index>{}, row_limit(stencils.count()));
+    std::vector<Index> places_here;
+    if (step + 1 == splits_.size()) places_here.swap(places);
+    std::optional<PlainRows> made =
+        PlainRows::record(stencils, std::move(places_here), row_limit(stencils.count()));
     if (!made) return;
     rows.push_back(std::move(*made));
   }
