@@ -2,6 +2,8 @@
 
 #include <cassert>
 
+#include "limn/refine/fast/limit_sums.h"
+
 namespace limn::fast {
 namespace {
 
@@ -47,10 +49,8 @@ Result<std::optional<RowTable>> read_umbrella(LimitReader& reader, int level,
 
 void add_isolated_limits(const std::vector<Index>& vertices, std::vector<RowPlan>& rows) {
   if (vertices.empty()) return;
-  rows.push_back({{1, {0, 1, 1, 1}, {{0, 1.0}}},
-                  HugeArray<Index>(vertices),
-                  HugeArray<Index>(vertices),
-                  false});
+  rows.push_back(
+      {isolated_limit_rows(), HugeArray<Index>(vertices), HugeArray<Index>(vertices), false});
 }
 
 }  // namespace limn::fast

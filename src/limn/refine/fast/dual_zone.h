@@ -1,13 +1,11 @@
 #pragma once
 /// Tables for the points round a centre.
 
-#include <map>
 #include <vector>
 
 #include "limn/refine/fast/dual_layout.h"
 #include "limn/refine/fast/dual_places.h"
 #include "limn/refine/fast/step_plan.h"
-#include "limn/refine/linear_form.h"
 
 namespace limn::fast {
 
@@ -22,20 +20,9 @@ struct DualZone {
 /// that the forms are over.
 template <class PlaceOf>
 void fill_zone(DualZone& zone, const std::vector<LinearForm<double>>& forms, PlaceOf place_of) {
-  std::map<Index, int> slots;  // of the vertices that are used
-  for (const LinearForm<double>& form : forms)
-    for (const auto& [vertex, weight] : form.terms)
-      if (weight != 0) slots.emplace(vertex, 0);
-  for (auto& [vertex, slot] : slots) {
-    slot = static_cast<int>(zone.sources.size());
-    zone.sources.push_back(place_of(vertex));
-  }
-  zone.table.sources = static_cast<int>(zone.sources.size());
-  for (const LinearForm<double>& form : forms) {
-    for (const auto& [vertex, weight] : form.terms)
-      if (weight != 0) zone.table.terms.push_back({slots.at(vertex), weight});
-    zone.table.row_begin.push_back(static_cast<int>(zone.table.terms.size()));
-  }
+  auto [rows, vertices] = to_rows(forms);
+  zone.table = std::move(rows);
+  for (const Index v : vertices) zone.sources.push_back(place_of(v));
 }
 
 /// Numbers of points round a face's centre, or (`vertex`) round a vertex, seen from which a patch's

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 
 namespace limn::fast {
 namespace {
@@ -84,25 +83,16 @@ std::pair<RowTable, std::vector<Offset>> limit_rows(const LimitStencils& stencil
   return {std::move(rows), std::move(places)};
 }
 
+RowTable isolated_limit_rows() { return {1, {0, 1, 1, 1}, {{0, 1.0}}}; }
+
 ZoneTable limit_table(const StarShape& shape, const std::vector<Index>& targets,
                       std::span<const LimitSums> sums) {
-  ZoneTable table;
-  table.sectors = shape.sectors;
-  std::map<Index, int> slots;
-  for (const LimitSums& forms : sums)
-    for (const Form& form : forms)
-      for (const auto& [vertex, weight] : form.terms) slots.emplace(vertex, 0);
-  for (auto& [vertex, slot] : slots) {
-    slot = table.rows.sources++;
-    table.sources.push_back(sector_point(shape, vertex));
-  }
+  std::vector<Form> forms;
+  for (const LimitSums& sum : sums) forms.insert(forms.end(), sum.begin(), sum.end());
+  auto [rows, vertices] = to_rows(forms);
+  ZoneTable table{shape.sectors, {}, {}, std::move(rows)};
+  for (const Index v : vertices) table.sources.push_back(sector_point(shape, v));
   for (const Index v : targets) table.targets.push_back(sector_point(shape, v));
-  for (const LimitSums& forms : sums)
-    for (const Form& form : forms) {
-      for (const auto& [vertex, weight] : form.terms)
-        table.rows.terms.push_back({slots.at(vertex), weight});
-      table.rows.row_begin.push_back(static_cast<int>(table.rows.terms.size()));
-    }
   return table;
 }
 

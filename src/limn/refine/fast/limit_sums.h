@@ -30,6 +30,9 @@ void drop_rounding(LinearForm<double>& form);
 /// Three rows over the places that the stencils take from, which are sorted.
 [[nodiscard]] std::pair<RowTable, std::vector<Offset>> limit_rows(const LimitStencils& stencils);
 
+/// The rows of an isolated vertex, which stays and has no tangents.
+[[nodiscard]] RowTable isolated_limit_rows();
+
 /// The rows of some vertices of a star or fan, from the sums of each.
 [[nodiscard]] ZoneTable limit_table(const StarShape& shape, const std::vector<Index>& targets,
                                     std::span<const LimitSums> sums);

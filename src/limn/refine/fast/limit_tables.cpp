@@ -229,8 +229,7 @@ class TableReader {
 
   Result<bool> read_star(Index sectors) {
     if (sectors == 0) {  // it stays, without tangents
-      tables_.stars[0].tables = {
-          {0, {SectorPoint{}}, {SectorPoint{}}, {1, {0, 1, 1, 1}, {{0, 1.0}}}}};
+      tables_.stars[0].tables = {{0, {SectorPoint{}}, {SectorPoint{}}, isolated_limit_rows()}};
       return true;
     }
     // from ring inner_ on, a vertex does not see the centre

@@ -60,8 +60,7 @@ template <class Layout, class MakePatches>
   for (const ZoneGroup& group : groups) {
     const LimitZone& zone = (group.kind.open ? tables.fans : tables.stars).at(group.kind.faces);
     for (const ZoneTable& table : zone.tables)
-      plan.rows.push_back({table.rows, number_points(group, at, table.sources),
-                           number_points(group, at, table.targets), false});
+      plan.rows.push_back(zone_rows(table, group, at, at, false));
   }
   return Found(std::move(plan));
 }

@@ -89,8 +89,8 @@ class Sqrt3Family final : public Family {
     const bool overlap = zones_meet(tables_[i].reach, step.side());
     for (const ZoneGroup& group : groups_) {
       const ZoneTable& table = table_of(group, tables_[i]);
-      plan.rows.push_back({table.rows, number_points(group, Sqrt3OldPoints{step}, table.sources),
-                           number_points(group, Sqrt3NewPoints{step}, table.targets), overlap});
+      plan.rows.push_back(
+          zone_rows(table, group, Sqrt3OldPoints{step}, Sqrt3NewPoints{step}, overlap));
     }
     return plan;
   }

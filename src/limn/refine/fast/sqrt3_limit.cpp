@@ -245,8 +245,7 @@ class LimitPlanner {
       const bool open = group.kind.open;
       const Index sectors = group.kind.faces;
       const ZoneTable& table = sectors == 0 ? isolated() : zones_[open ? 1 : 0].at(sectors).table;
-      plan.rows.push_back({table.rows, number_points(group, points, table.sources),
-                           number_points(group, points, table.targets), false});
+      plan.rows.push_back(zone_rows(table, group, points, points, false));
     }
     return plan;
   }
@@ -277,8 +276,7 @@ class LimitPlanner {
 
   /// It stays, without tangents.
   static const ZoneTable& isolated() {
-    static const ZoneTable table{
-        0, {SectorPoint{}}, {SectorPoint{}}, {1, {0, 1, 1, 1}, {{0, 1.0}}}};
+    static const ZoneTable table{0, {SectorPoint{}}, {SectorPoint{}}, isolated_limit_rows()};
     return table;
   }
 

@@ -1,7 +1,6 @@
 #include "limn/refine/fast/sqrt3_tables.h"
 
 #include <algorithm>
-#include <set>
 
 #include <fmt/core.h>
 
@@ -165,22 +164,9 @@ class TableMaker {
 
 ZoneTable zone_table(const std::vector<LinearForm<double>>& forms, const Sqrt3Site& site,
                      Index sectors, std::vector<SectorPoint> targets) {
-  std::map<Index, int> slot;
-  for (const LinearForm<double>& form : forms)
-    for (const auto& [vertex, weight] : form.terms)
-      if (weight != 0) slot.emplace(vertex, 0);
-  ZoneTable table;
-  table.sectors = sectors;
-  table.targets = std::move(targets);
-  for (auto& [vertex, number] : slot) {
-    number = table.rows.sources++;
-    table.sources.push_back(site.place(vertex));
-  }
-  for (const LinearForm<double>& form : forms) {
-    for (const auto& [vertex, weight] : form.terms)
-      if (weight != 0) table.rows.terms.push_back({slot.at(vertex), weight});
-    table.rows.row_begin.push_back(static_cast<int>(table.rows.terms.size()));
-  }
+  auto [rows, vertices] = to_rows(forms);
+  ZoneTable table{sectors, {}, std::move(targets), std::move(rows)};
+  for (const Index v : vertices) table.sources.push_back(site.place(v));
   return table;
 }
 

@@ -1,9 +1,10 @@
 #pragma once
 /// Stencils: what a new point takes from old ones, on the lattice or from a list.
 
+#include <span>
 #include <vector>
 
-#include "limn/mesh/polygons.h"
+#include "limn/refine/linear_form.h"
 
 namespace limn::fast {
 
@@ -37,5 +38,12 @@ struct RowTable {
 
 /// One target over the taps' places in their order.
 [[nodiscard]] RowTable to_rows(const Stencil& stencil);
+
+/// A target for each form, over the vertices that the forms weigh, ascending.
+struct FormRows {
+  RowTable rows;
+  std::vector<Index> vertices;
+};
+[[nodiscard]] FormRows to_rows(std::span<const LinearForm<double>> forms);
 
 }  // namespace limn::fast

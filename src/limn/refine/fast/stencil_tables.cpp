@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <numeric>
-#include <set>
 
 #include <fmt/core.h>
 
@@ -65,24 +64,10 @@ Stencil to_stencil(const Form& form, const StarShape& shape, Index fine_x, Index
 }
 
 ZoneTable to_table(const std::vector<Form>& forms, const StarShape& shape) {
-  std::set<Index> used;
-  for (const Form& form : forms)
-    for (const auto& [vertex, weight] : form.terms)
-      if (weight != 0) used.insert(vertex);
-  std::map<Index, int> slot;
-  ZoneTable table;
-  table.sectors = shape.sectors;
-  for (const Index v : used) {
-    slot[v] = static_cast<int>(table.sources.size());
-    table.sources.push_back(sector_point(shape, v));
-  }
-  table.rows.sources = static_cast<int>(table.sources.size());
-  for (std::size_t i = 0; i < forms.size(); ++i) {
-    table.targets.push_back(sector_point(shape, static_cast<Index>(i)));
-    for (const auto& [vertex, weight] : forms[i].terms)
-      if (weight != 0) table.rows.terms.push_back({slot[vertex], weight});
-    table.rows.row_begin.push_back(static_cast<int>(table.rows.terms.size()));
-  }
+  auto [rows, vertices] = to_rows(forms);
+  ZoneTable table{shape.sectors, {}, {}, std::move(rows)};
+  for (const Index v : vertices) table.sources.push_back(sector_point(shape, v));
+  for (Index i = 0; i < table.rows.targets(); ++i) table.targets.push_back(sector_point(shape, i));
   return table;
 }
 

@@ -61,13 +61,20 @@ template <class Layout>
   return numbers;
 }
 
+/// A table's rows round each vertex of a group.
+template <class Coarse, class Fine>
+[[nodiscard]] RowPlan zone_rows(const ZoneTable& table, const ZoneGroup& group,
+                                const Coarse& coarse, const Fine& fine, bool overlap) {
+  return {table.rows, number_points(group, coarse, table.sources),
+          number_points(group, fine, table.targets), overlap};
+}
+
 /// The points of zones, group by group.
 template <class Coarse, class Fine>
 void add_zones(const std::vector<ZoneGroup>& groups, const Coarse& coarse, const Fine& fine,
                bool overlap, std::vector<RowPlan>& plans) {
   for (const ZoneGroup& group : groups)
-    plans.push_back({group.table->rows, number_points(group, coarse, group.table->sources),
-                     number_points(group, fine, group.table->targets), overlap});
+    plans.push_back(zone_rows(*group.table, group, coarse, fine, overlap));
 }
 
 /// The points along boundary sides but for those in zones; `sides` are the boundary half-edges.
