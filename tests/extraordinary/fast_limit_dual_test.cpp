@@ -1,23 +1,17 @@
 // Limit points of dual schemes by the quick engine, beside those that the plain way finds on the
 // same refined mesh.
 
-#include "limn/base/parallel.h"
-#include "limn/extraordinary/fast_limit.h"
-#include "limn/extraordinary/limit_points.h"
+#include "extraordinary/fast_limit_check.h"
 #include "mesh/random_mesh.h"
-#include "refine/fast_check.h"
+#include "refine/dual_rules.h"
 #include "support/shipped.h"
 
 namespace limn::test {
 namespace {
 
-Scheme parsed(const std::string& rules) {
-  return parse_scheme("split = \"quad-dual\"\nsource = \"a test\"\n" + rules, "test.toml").value();
-}
-
 /// Of the face alone, with weights of its own for few and for many corners.
 const Scheme& near_rules() {
-  static const Scheme scheme = parsed(R"toml(
+  static const Scheme scheme = rules_on("quad-dual", R"toml(
 [[corner]]
 when = "n < 5"
 round = "((k == 0)*n/4 + 5/8 + cos(2*pi*k/n)/3 + cos(4*pi*k/n)/11)/n + (k == 0)/8"
@@ -28,38 +22,12 @@ round = "((k == 0)*n/2 + 1/2 + cos(2*pi*k/n)/9)/n"
   return scheme;
 }
 
-/// Beyond the face: its neighbours, for few corners and for many; and one vertex farther.
 const Scheme& wide_rules() {
-  static const Scheme scheme = parsed(R"toml(
-[roles.corner]
-past = "fevfev"
-opposite = "efev"
-
-[[corner]]
-when = "n < 5"
-round = "((k == 0)*n + 3 + 2*cos(2*pi*k/n))/(4*n) - (k == 0)/16"
-past = "1/32"
-opposite = "1/64"
-
-[[corner]]
-round = "((k == 0)*n + 3 + 2*cos(2*pi*k/n))/(4*n) - (k == 0)/16"
-past = "1/16"
-)toml");
+  static const Scheme scheme = rules_on("quad-dual", kWider);
   return scheme;
 }
 const Scheme& far_rules() {
-  static const Scheme scheme = parsed(R"toml(
-[roles.corner]
-straight = "vefev"
-outward = "fevefev"
-skew = "vefevev"
-
-[corner]
-round = "((k == 0)*n + 3 + 2*cos(2*pi*k/n))/(4*n) - (k == 0)*3/32"
-straight = "1/64"
-outward = "1/64"
-skew = "1/64"
-)toml");
+  static const Scheme scheme = rules_on("quad-dual", kFar);
   return scheme;
 }
 
@@ -82,14 +50,7 @@ Outcome expect_same_limit(const Scheme& scheme, const Mesh& control, int levels)
   const std::vector<Point3> values = as_points(evaluate<double>(refiner, points));
   const Mesh fine = Mesh::build(refined_polygons(refiner, values)).value();
   const LimitPoints expected = approx_limit_points(scheme, fine, values, options).value();
-  std::vector<Real> positions(3 * values.size(), Real(7e7)), normals = positions;
-  FastRefiner::Scratch<Real> scratch;
-  refiner.evaluate_limit<Real>(**found, as_numbers<Real>(points), positions, normals, scratch);
-  const std::vector<Point3> p = as_points(positions), n = as_points(normals);
-  for (std::size_t v = 0; v < p.size(); ++v) {
-    EXPECT_LT(distance(p[v], expected.positions[v]), exact ? 1e-12 : 1e-5) << v;
-    EXPECT_LT(distance(n[v], expected.normals[v]), exact ? 1e-9 : 1e-2) << v;
-  }
+  expect_limit<Real>(refiner, **found, points, expected, exact ? 1e-12 : 1e-5, exact ? 1e-9 : 1e-2);
   return Outcome::same;
 }
 
@@ -191,26 +152,7 @@ TEST(FastDualLimit, IsNotThereAtTheBoundaryForRulesThatLookBeyondTheFace) {
 }
 
 TEST(FastDualLimit, IsTheSameBitsOnOneThreadAndMany) {
-  const Mesh mesh = star(Lattice::triangle, 7, 9);
-  const FastRefiner refiner = FastRefiner::make(shipped("doo-sabin"), mesh, 4).value();
-  const auto limit = approx_fast_limit(shipped("doo-sabin"), refiner).value();
-  ASSERT_TRUE(limit);
-  const std::vector<float> points = as_numbers<float>(random_points(mesh.vertex_count(), 1));
-  const auto evaluated = [&] {
-    std::vector<float> both(6 * static_cast<std::size_t>(refiner.vertex_count()));
-    const std::span<float> all(both);
-    FastRefiner::Scratch<float> scratch;
-    refiner.evaluate_limit<float>(*limit, points, all.first(all.size() / 2),
-                                  all.last(all.size() / 2), scratch);
-    return both;
-  };
-  set_thread_limit(1);
-  const std::vector<float> one = evaluated();
-  for (const int threads : {2, 0}) {
-    set_thread_limit(threads);
-    EXPECT_EQ(evaluated(), one);
-  }
-  set_thread_limit(0);
+  expect_same_limit_bits(shipped("doo-sabin"), star(Lattice::triangle, 7, 9), 4);
 }
 
 }  // namespace

@@ -1,40 +1,14 @@
 // Limit points of √3 by the quick engine, beside those that the plain way finds on the same refined
 // mesh.
 
-#include <array>
 #include <string>
 
-#include "limn/base/parallel.h"
-#include "limn/extraordinary/fast_limit.h"
-#include "limn/extraordinary/limit_points.h"
-#include "limn/scheme/scheme.h"
-#include "refine/fast_check.h"
+#include "extraordinary/fast_limit_check.h"
 #include "support/mutants.h"
 #include "support/shipped.h"
 
 namespace limn::test {
 namespace {
-
-using Points = std::vector<Point3>;
-
-template <class Real>
-std::array<Points, 2> quick_limit(const FastRefiner& refiner, const FastRefiner::Limit& limit,
-                                  const Points& control) {
-  std::vector<Real> positions(3 * static_cast<std::size_t>(refiner.vertex_count()), Real(7e7));
-  std::vector<Real> normals = positions;
-  FastRefiner::Scratch<Real> scratch;
-  refiner.evaluate_limit<Real>(limit, as_numbers<Real>(control), positions, normals, scratch);
-  return {as_points(positions), as_points(normals)};
-}
-
-double farthest(const Points& a, const Points& b) {
-  double most = 0;
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    const double d = distance(a[i], b[i]);
-    if (!(d <= most)) most = d;
-  }
-  return most;
-}
 
 /// Whether there is a plan; if so, it is compared.
 bool expect_plain_limit(const Scheme& scheme, const Mesh& control, int levels, unsigned seed = 1) {
@@ -42,8 +16,8 @@ bool expect_plain_limit(const Scheme& scheme, const Mesh& control, int levels, u
   const FastRefiner refiner = FastRefiner::make(scheme, control, levels).value();
   const auto limit = approx_fast_limit(scheme, refiner);
   if (limit && !*limit) return false;
-  const Points points = random_points(control.vertex_count(), seed);
-  const Points fine = as_points(evaluate<double>(refiner, points));
+  const std::vector<Point3> points = random_points(control.vertex_count(), seed);
+  const std::vector<Point3> fine = as_points(evaluate<double>(refiner, points));
   const Result<Mesh> mesh = Mesh::build(refined_polygons(refiner, fine));
   if (!mesh) return false;  // a vertex of two faces keeps two edges between its neighbours
   LimitOptions options;
@@ -51,12 +25,8 @@ bool expect_plain_limit(const Scheme& scheme, const Mesh& control, int levels, u
   const auto expected = approx_limit_points(scheme, *mesh, fine, options);
   EXPECT_EQ(limit.ok(), expected.ok());
   if (!limit || !expected) return false;
-  const auto [positions, normals] = quick_limit<double>(refiner, **limit, points);
-  EXPECT_LT(farthest(positions, expected->positions), 1e-11);
-  EXPECT_LT(farthest(normals, expected->normals), 1e-7);
-  const auto [float_positions, float_normals] = quick_limit<float>(refiner, **limit, points);
-  EXPECT_LT(farthest(float_positions, expected->positions), 1e-5);
-  EXPECT_LT(farthest(float_normals, expected->normals), 2e-2);
+  expect_limit<double>(refiner, **limit, points, *expected, 1e-11, 1e-7);
+  expect_limit<float>(refiner, **limit, points, *expected, 1e-5, 2e-2);
   return true;
 }
 
@@ -136,17 +106,8 @@ TEST(FastLimitOfSqrt3, IsThePlainOneOfMutants) {
 }
 
 TEST(FastLimitOfSqrt3, GivesTheSameBitsOnOneThreadAndMany) {
-  for (const int levels : {4, 5}) {
-    const Mesh control = fan(Lattice::triangle, 5, 12);
-    const FastRefiner refiner = FastRefiner::make(shipped("sqrt3"), control, levels).value();
-    const auto limit = approx_fast_limit(shipped("sqrt3"), refiner).value();
-    ASSERT_TRUE(limit);
-    const Points points = random_points(control.vertex_count(), 1);
-    set_thread_limit(1);
-    const auto one = quick_limit<float>(refiner, *limit, points);
-    set_thread_limit(0);
-    EXPECT_EQ(quick_limit<float>(refiner, *limit, points), one);
-  }
+  for (const int levels : {4, 5})
+    expect_same_limit_bits(shipped("sqrt3"), fan(Lattice::triangle, 5, 12), levels);
 }
 
 }  // namespace

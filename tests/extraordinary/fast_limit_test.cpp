@@ -1,41 +1,12 @@
 // Limit points by the quick engine, beside those that the plain way finds on the same refined mesh.
 
-#include "limn/extraordinary/fast_limit.h"
-#include "limn/base/parallel.h"
-#include "limn/extraordinary/limit_points.h"
+#include "extraordinary/fast_limit_check.h"
 #include "mesh/random_mesh.h"
-#include "refine/fast_check.h"
 #include "support/mutants.h"
 #include "support/shipped.h"
 
 namespace limn::test {
 namespace {
-
-/// The refined mesh in the quick engine's order, and its points.
-Refined<Point3> refined(const FastRefiner& refiner, const std::vector<Point3>& points) {
-  Polygons polygons;
-  polygons.positions = as_points(evaluate<double>(refiner, points));
-  polygons.corners.resize(static_cast<std::size_t>(refiner.corner_count()));
-  refiner.write_faces(polygons.corners);
-  polygons.face_begin.resize(static_cast<std::size_t>(refiner.face_count()) + 1);
-  refiner.write_face_begin(polygons.face_begin);
-  return {Mesh::build(polygons).value(), polygons.positions};
-}
-
-template <class Real>
-void expect_limit(const FastRefiner& refiner, const FastRefiner::Limit& limit,
-                  const std::vector<Point3>& control, const LimitPoints& expected,
-                  double tolerance) {
-  const std::vector<Real> numbers = as_numbers<Real>(control);
-  std::vector<Real> positions(3 * expected.positions.size(), Real(7e7)), normals = positions;
-  FastRefiner::Scratch<Real> scratch;
-  refiner.evaluate_limit<Real>(limit, numbers, positions, normals, scratch);
-  const std::vector<Point3> p = as_points(positions), n = as_points(normals);
-  for (std::size_t v = 0; v < p.size(); ++v) {
-    EXPECT_LT(distance(p[v], expected.positions[v]), tolerance) << v;
-    EXPECT_LT(distance(n[v], expected.normals[v]), 1e3 * tolerance) << v;
-  }
-}
 
 enum class Quick { same, none, fails };
 
@@ -52,10 +23,11 @@ Quick quick_limit(const Scheme& scheme, const Mesh& control, int levels) {
     return Quick::fails;
   }
   if (!*limit) return Quick::none;
-  const Refined<Point3> fine = refined(refiner, points);
-  const LimitPoints expected = approx_limit_points(scheme, fine.mesh, fine.values, options).value();
-  expect_limit<double>(refiner, **limit, points, expected, 1e-11);
-  expect_limit<float>(refiner, **limit, points, expected, 1e-5);
+  const std::vector<Point3> values = as_points(evaluate<double>(refiner, points));
+  const Mesh fine = Mesh::build(refined_polygons(refiner, values)).value();
+  const LimitPoints expected = approx_limit_points(scheme, fine, values, options).value();
+  expect_limit<double>(refiner, **limit, points, expected, 1e-11, 1e-8);
+  expect_limit<float>(refiner, **limit, points, expected, 1e-5, 1e-2);
   return Quick::same;
 }
 
@@ -133,23 +105,7 @@ TEST(FastLimitOf, IsThereForQuadsWhereRulesLookFarther) {
 }
 
 TEST(FastLimitOf, HasTheSameBitsOnOneThreadAndMany) {
-  const Mesh mesh = star(Lattice::triangle, 9, 3);
-  const FastRefiner refiner = FastRefiner::make(shipped("butterfly-modified"), mesh, 4).value();
-  const auto limit = approx_fast_limit(shipped("butterfly-modified"), refiner).value();
-  ASSERT_TRUE(limit);
-  const std::vector<float> points = as_numbers<float>(random_points(mesh.vertex_count(), 5));
-  std::vector<std::vector<float>> found;
-  for (const int threads : {1, 2, 5}) {
-    set_thread_limit(threads);
-    const auto numbers = 3 * static_cast<std::size_t>(refiner.vertex_count());
-    std::vector<float>& positions = found.emplace_back(2 * numbers);
-    FastRefiner::Scratch<float> scratch;
-    refiner.evaluate_limit<float>(*limit, points, {positions.data(), numbers},
-                                  {positions.data() + numbers, numbers}, scratch);
-  }
-  set_thread_limit(0);
-  EXPECT_EQ(found[0], found[1]);
-  EXPECT_EQ(found[0], found[2]);
+  expect_same_limit_bits(shipped("butterfly-modified"), star(Lattice::triangle, 9, 3), 4);
 }
 
 }  // namespace

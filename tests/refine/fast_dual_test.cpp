@@ -2,6 +2,7 @@
 
 #include "limn/refine/fast/dual_tables.h"
 #include "refine/dual_meshes.h"
+#include "refine/dual_rules.h"
 #include "refine/fast_check.h"
 #include "support/mutants.h"
 #include "support/shipped.h"
@@ -48,34 +49,6 @@ beyond = "fev"
 [corner]
 round = "((k == 0)*n + 3 + 2*cos(2*pi*k/n))/(4*n) - (k == 0)/16"
 beyond = "1/32"
-)toml";
-constexpr const char* kWider = R"toml(
-[roles.corner]
-past = "fevfev"
-opposite = "efev"
-
-[[corner]]
-when = "n < 5"
-round = "((k == 0)*n + 3 + 2*cos(2*pi*k/n))/(4*n) - (k == 0)/16"
-past = "1/32"
-opposite = "1/64"
-
-[[corner]]
-round = "((k == 0)*n + 3 + 2*cos(2*pi*k/n))/(4*n) - (k == 0)/16"
-past = "1/16"
-)toml";
-
-constexpr const char* kFar = R"toml(
-[roles.corner]
-straight = "vefev"
-outward = "fevefev"
-skew = "vefevev"
-
-[corner]
-round = "((k == 0)*n + 3 + 2*cos(2*pi*k/n))/(4*n) - (k == 0)*3/32"
-straight = "1/64"
-outward = "1/64"
-skew = "1/64"
 )toml";
 constexpr const char* kFarther = R"toml(
 [roles.corner]
