@@ -19,10 +19,6 @@ target_include_directories(limn_test_support INTERFACE ${PROJECT_SOURCE_DIR}/tes
 target_link_libraries(limn_test_support INTERFACE
   limn::limn fmt::fmt nlohmann_json::nlohmann_json
   GTest::gtest GTest::gtest_main rapidcheck rapidcheck_gtest)
-target_compile_definitions(limn_test_support INTERFACE
-  LIMN_TEST_DATA="${PROJECT_SOURCE_DIR}/tests/data"
-  LIMN_SCHEMES="${PROJECT_SOURCE_DIR}/schemes"
-  LIMN_EXAMPLES="${PROJECT_SOURCE_DIR}/examples")
 
 file(GLOB_RECURSE test_sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/tests/*_test.cpp)
 set(test_folders ${test_sources})
@@ -45,6 +41,13 @@ foreach(folder IN LISTS test_folders)
     include(LimnPeers)
     target_link_libraries(${target} PRIVATE
       limn_peer_cgal limn_peer_openmesh limn_peer_opensubdiv)
+  endif()
+  # Only where files of the tree are read: whoever compiles elsewhere then finds the rest in ccache.
+  if(name MATCHES "^(mesh/io|peers|scheme|command)")
+    target_compile_definitions(${target} PRIVATE
+      LIMN_TEST_DATA="${PROJECT_SOURCE_DIR}/tests/data"
+      LIMN_SCHEMES="${PROJECT_SOURCE_DIR}/schemes"
+      LIMN_EXAMPLES="${PROJECT_SOURCE_DIR}/examples")
   endif()
   if(name MATCHES "^(apps|command)" AND TARGET limn_command)
     target_compile_definitions(${target} PRIVATE LIMN_COMMAND="$<TARGET_FILE:limn_command>")
