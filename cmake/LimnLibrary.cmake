@@ -35,7 +35,10 @@ target_include_directories(limn SYSTEM PRIVATE ${LIMN_TOML_INCLUDE_DIR})
 set_source_files_properties(${PROJECT_SOURCE_DIR}/src/limn/refine/fast/patch_step.cpp
   PROPERTIES COMPILE_OPTIONS -fno-math-errno)
 
-if(LIMN_HAS_TBB)
+if(LIMN_SANITIZE STREQUAL thread)
+  # It does not see how TBB's tasks synchronise.
+  target_compile_definitions(limn PRIVATE LIMN_PLAIN_THREADS=1)
+elseif(LIMN_HAS_TBB)
   target_compile_definitions(limn PRIVATE LIMN_HAS_TBB=1)
   target_link_libraries(limn PRIVATE TBB::tbb)
 endif()

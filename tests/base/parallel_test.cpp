@@ -7,6 +7,7 @@
 #include <mutex>
 #include <set>
 #include <stdexcept>
+#include <thread>
 #include <vector>
 
 namespace limn {
@@ -75,6 +76,33 @@ TEST_P(Parallel, EndsAreSafeAtTheLimitsOfTheIndex) {
   parallel_for(
       top - 5, top, [&](std::int32_t a, std::int32_t b) { length += b - a; }, 4096);
   EXPECT_EQ(length, 5);
+}
+
+TEST(ThreadLimit, MayChangeWhileLoopsRun) {
+  std::atomic<int> running{2};
+  const auto work = [&] {
+    for (int round = 0; round < 300; ++round) {
+      std::atomic<long> sum{0};
+      parallel_for(
+          0, 64,
+          [&](int first, int last) {
+            for (int i = first; i < last; ++i)
+              parallel_for(
+                  0, 8, [&](int a, int b) { sum += b - a; }, 2);
+          },
+          1);
+      EXPECT_EQ(sum, 64 * 8);
+    }
+    --running;
+  };
+  std::thread one(work), other(work);
+  for (int threads = 0; running > 0; threads = (threads + 1) % 5) {
+    set_thread_limit(threads);
+    std::this_thread::yield();
+  }
+  one.join();
+  other.join();
+  set_thread_limit(0);
 }
 
 INSTANTIATE_TEST_SUITE_P(Limits, Parallel, ::testing::Values(0, 1, 2, 3));

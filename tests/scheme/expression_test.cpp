@@ -160,7 +160,7 @@ TEST(Expression, NestingIsBounded) {
     return std::string(static_cast<std::size_t>(depth), '(') + "1" +
            std::string(static_cast<std::size_t>(depth), ')');
   };
-  EXPECT_EQ(value(nested(150)), "1");
+  EXPECT_EQ(value(nested(80)), "1");
   EXPECT_NE(value(nested(2000)).find("nested too deeply"), std::string::npos);
   std::string minus(4000, '-');
   EXPECT_EQ(value(minus + "1"), "1");

@@ -10,8 +10,8 @@
 
 namespace limn {
 
-/// At most `threads` threads for every later loop; 0: as many as the machine has (the default).
-/// Not to be called while a loop runs.
+/// At most `threads` threads for every loop that starts later; 0: as many as the machine has (the
+/// default). Safe while loops run in other threads: those keep the limit they started with.
 void set_thread_limit(int threads);
 [[nodiscard]] int thread_limit();
 

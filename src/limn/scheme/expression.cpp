@@ -7,8 +7,9 @@
 namespace limn {
 namespace {
 
-// so that a hostile file can exhaust neither the stack nor our patience
-constexpr int kDeepestNesting = 200;
+// so that a hostile file can exhaust neither the stack (a small one: docs/architecture.md) nor our
+// patience
+constexpr int kDeepestNesting = 100;
 constexpr std::size_t kLongestText = 4096;
 constexpr std::size_t kMostDigits = 100;
 constexpr std::size_t kShownBytes = 12;  // of what was found

@@ -8,6 +8,7 @@
 #define TOML_EXCEPTIONS 0
 #define TOML_HEADER_ONLY 1
 #define TOML_ENABLE_FORMATTERS 0
+#define TOML_MAX_NESTED_VALUES 64  // so that small stacks suffice
 #include <toml++/impl/preprocessor.h>
 
 #undef TOML_ASSERT_ASSUME
