@@ -2,7 +2,6 @@
 /// The single formats behind mesh_file.h, and what their readers and writers share.
 
 #include <cstddef>
-#include <limits>
 #include <string>
 #include <string_view>
 
@@ -10,12 +9,10 @@
 #include "limn/base/file.h"
 #include "limn/mesh/io/mesh_file.h"
 #include "limn/mesh/io/text_scanner.h"
+#include "limn/mesh/mesh_limits.h"
 #include "limn/mesh/polygons.h"
 
 namespace limn::io {
-
-/// Corners and vertices are counted in an `Index`, and so is one more than there are.
-inline constexpr std::size_t kMaxCorners = std::numeric_limits<Index>::max() - 1;
 
 /// What a reader has to say beside the mesh: each kind once, with the place of the first and how
 /// many there were.

@@ -129,6 +129,12 @@ Result<const Format*> format_for(std::string_view extension, const std::string& 
   return format;
 }
 
+/// Of the units of `LeftOut`.
+std::string singular(const std::string& unit) {
+  if (unit == "vertices") return "vertex";
+  return unit.ends_with("s") ? unit.substr(0, unit.size() - 1) : unit;
+}
+
 Result<Polygons> mesh_of(Result<MeshFile> file, Warnings* warnings) {
   if (!file) return file.error();
   if (warnings != nullptr) {
@@ -166,7 +172,8 @@ Warnings MeshFile::notes() const {
   Warnings notes;
   for (const LeftOut& kind : left_out) {
     std::string message = "left out: " + kind.what;
-    if (!kind.unit.empty()) message += ", " + std::to_string(kind.count) + " " + kind.unit;
+    message += ", " + std::to_string(kind.count) + " " +
+               (kind.count == 1 ? io::singular(kind.unit) : kind.unit);
     notes.push_back({std::move(message), "", source.file, kind.line, kind.column});
   }
   return notes;

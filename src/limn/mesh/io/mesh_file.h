@@ -25,7 +25,7 @@ namespace limn {
 struct LeftOut {
   std::string what;       ///< plural, in a user's words: "vertex colours", "groups ('g')"
   std::size_t count = 0;  ///< how often it was met
-  std::string unit;       ///< of what: "lines", "vertices"; may be empty
+  std::string unit;       ///< of what: "lines", "vertices"
   int line = 0;           ///< of the first; 0: binary
   int column = 0;
 };

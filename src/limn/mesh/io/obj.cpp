@@ -75,7 +75,7 @@ class ObjReader {
     if (count == 4 && numbers[3] != 1.0) {
       remarks_.left_out(place, "weights w other than 1", "vertices");
     }
-    if (mesh_.positions.size() == kMaxCorners) {
+    if (mesh_.positions.size() == kMostElements) {
       return in_.fail(place, "2^31 - 1 vertices or more");
     }
     mesh_.positions.push_back({numbers[0], numbers[1], numbers[2]});
@@ -128,7 +128,7 @@ class ObjReader {
       last_vertex_ = vertex;
       last_vertex_place_ = in_.last_place();
     }
-    if (mesh_.corners.size() == kMaxCorners) {
+    if (mesh_.corners.size() == kMostElements) {
       return in_.fail(in_.last_place(), "2^31 - 1 corners or more");
     }
     // One beyond the range of Index is beyond the vertices too: refused in `check_end`.

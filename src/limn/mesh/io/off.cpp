@@ -128,7 +128,7 @@ class OffReader {
                                        ", more than the " + std::to_string(in_.remaining()) +
                                        " bytes that follow can hold");
     }
-    return count.value <= static_cast<std::int64_t>(kMaxCorners) ||
+    return count.value <= static_cast<std::int64_t>(kMostElements) ||
            in_.fail(count.place, what + " is 2^31 - 1 or more");
   }
 
@@ -193,7 +193,7 @@ class OffReader {
                                               " is out of range: expected 0 to " +
                                               std::to_string(vertex_count_ - 1));
       }
-      if (mesh_.corners.size() == kMaxCorners) {
+      if (mesh_.corners.size() == kMostElements) {
         return in_.fail(in_.last_place(), "2^31 - 1 corners or more");
       }
       mesh_.corners.push_back(static_cast<Index>(vertex));

@@ -79,7 +79,7 @@ class Facets {
     mesh_.corners.reserve(3 * count);
   }
   /// Whether there is room for one more.
-  [[nodiscard]] bool full() const { return mesh_.corners.size() > kMaxCorners - 3; }
+  [[nodiscard]] bool full() const { return mesh_.corners.size() > kMostElements - 3; }
 
   /// `line`: 0 in a binary file.
   void add(Point3 a, Point3 b, Point3 c, int line) {
@@ -246,7 +246,7 @@ Status parse_binary(std::string_view content, MeshFile& file) {
                 kHeadSize - 4);
   }
   if (count == 0) return fail("the mesh has no faces: the count is 0", kHeadSize - 4);
-  if (count > kMaxCorners / 3) return fail("2^31 - 1 corners or more", kHeadSize - 4);
+  if (count > kMostElements / 3) return fail("2^31 - 1 corners or more", kHeadSize - 4);
 
   Facets facets(file);
   facets.reserve(count);
