@@ -11,6 +11,7 @@
 #include "limn/mesh/io/text_scanner.h"
 #include "limn/mesh/mesh_limits.h"
 #include "limn/mesh/polygons.h"
+#include "limn/mesh/triangulate.h"
 
 namespace limn::io {
 
@@ -52,14 +53,16 @@ std::string count_of(std::size_t count, const char* one, const char* many);
 /// Says why the mesh that was read cannot be refined at all, or nothing if it can.
 std::string emptiness(const Polygons& mesh);
 
-/// Calls `use(a, b, c)` for every triangle of the fans from the first corner of the faces `first`
-/// to `last` - 1.
+/// Calls `use(a, b, c)` for every triangle of the faces `first` to `last` - 1, as `FaceCutter` cuts
+/// them.
 template <class Use>
 void for_each_triangle(const Polygons& mesh, Index first, Index last, Use use) {
+  FaceCutter cutter(mesh);
+  bool gave_up = false;
   for (Index face = first; face < last; ++face) {
-    const Index begin = mesh.face_begin[face];
-    for (Index corner = begin + 2; corner < mesh.face_begin[face + 1]; ++corner) {
-      use(mesh.corners[begin], mesh.corners[corner - 1], mesh.corners[corner]);
+    const Index* const corners = mesh.corners.data() + mesh.face_begin[face];
+    for (const auto& [a, b, c] : cutter.cut(face, gave_up)) {
+      use(corners[a], corners[b], corners[c]);
     }
   }
 }
