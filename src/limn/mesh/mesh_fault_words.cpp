@@ -55,6 +55,7 @@ class Words {
       error.hint = remedy(list.begin(), list.end()) + counting();
       return error;
     }
+    error.line = first_line(list.front());
     error.message = std::to_string(list.size()) + " faults keep the mesh from being a surface:";
     for (auto first = list.begin(); first != list.end();) {
       const auto last = std::find_if(
