@@ -2,6 +2,7 @@
 
 #include <cstdio>
 #include <nlohmann/json.hpp>
+#include <utility>
 
 #include "command.h"
 #include "limn/mesh/mesh_faults.h"
@@ -20,17 +21,23 @@ Result<ControlMesh> load_control_mesh(const std::string& path, bool triangulate)
   Result<MeshFile> file = read_mesh_file(path);
   if (!file) return file.error();
   Warnings& warnings = file->warnings;
+  const MeshSource source = file->source;
+  Polygons uncut;
   if (triangulate) {
     Result<Triangulation> cut = limn::triangulate(file->polygons);
     if (!cut) {
       cut.error().file = path;
       return cut.error();
     }
-    for (Error& warning : warnings_of(*cut, file->source)) warnings.push_back(std::move(warning));
-    file->source = source_of(*cut, file->source);
-    file->polygons = std::move(cut->polygons);
+    for (Error& warning : warnings_of(*cut, source)) warnings.push_back(std::move(warning));
+    file->source = source_of(*cut, source);
+    uncut = std::exchange(file->polygons, std::move(cut->polygons));
   }
   Result<Mesh> mesh = build_mesh(file->polygons, file->source, &warnings);
+  // A fault of the polygons is named once, not for each triangle of them.
+  if (!mesh && triangulate) {
+    if (Result<Mesh> polygons = build_mesh(uncut, source); !polygons) mesh = std::move(polygons);
+  }
   report_warnings(warnings);
   report_notes(file->notes());
   if (!mesh) return mesh.error();

@@ -191,7 +191,7 @@ TEST(Command, RefusesBadMeshes) {
   folder.write("fan.obj",
                "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nv 0 -1 0\n"
                "f 1 2 3\nf 1 2 4\nf 1 2 5\n");
-  expect_refused(folder.limn("refine fan.obj -s loop -o y.obj"), {"fan.obj", "0", "1"});
+  expect_refused(folder.limn("refine fan.obj -s loop -o y.obj"), {"fan.obj:6", "vertices 1 and 2"});
   expect_refused(folder.limn("refine " + kQuads + " -s loop -o y.obj"),
                  {"corners", "--triangulate"});
   EXPECT_EQ(folder.limn("refine " + kQuads + " -s loop --triangulate -o y.obj").code, 0);
