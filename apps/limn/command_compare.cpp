@@ -126,7 +126,7 @@ void declare_mesh(CLI::App& command, CompareOptions& options) {
   options.view.declare(command);
   command
       .add_flag("--triangulate", options.triangulate,
-                "cut polygons into triangles first, each from its first corner")
+                "cut polygons into triangles first, concave ones too")
       ->needs(mesh);
 }
 

@@ -110,7 +110,7 @@ void declare_draw(CLI::App& parser, Action& action) {
   options->scheme.declare_parameters(*command);
   declare_look(*command, *options);
   command->add_flag("--triangulate", options->triangulate,
-                    "cut polygons into triangles first, each from its first corner");
+                    "cut polygons into triangles first, concave ones too");
   command->add_flag("--json", options->json, "print one JSON object");
   command->footer(
       "Example: limn draw mesh.obj -s loop -o surface.png\n"

@@ -159,7 +159,7 @@ void declare_fairness(CLI::App& parser, Action& action) {
                    "mesh, or draw which of them each scheme passes on (.pdf, .svg, .png)")
       ->type_name("K|FILE");
   command->add_flag("--triangulate", options->triangulate,
-                    "cut polygons into triangles first, each from its first corner");
+                    "cut polygons into triangles first, concave ones too");
   command->add_flag("--json", options->json, "print one JSON object");
   command->footer(
       "Example: limn fairness mesh.obj -s loop -s optimal -s laplacian-butterfly:b=1/8\n"

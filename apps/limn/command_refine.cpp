@@ -40,14 +40,15 @@ struct RefineOptions {
 };
 
 void print_result(const RefineOptions& options, const Scheme& scheme, const Polygons& result,
-                  double seconds) {
+                  double seconds, const MeshRemarks& remarks) {
   if (options.json) {
-    const nlohmann::ordered_json json{{"vertices", result.vertex_count()},
-                                      {"faces", result.face_count()},
-                                      {"levels", options.levels},
-                                      {"seconds", seconds},
-                                      {"scheme", scheme.name},
-                                      {"output", options.output}};
+    nlohmann::ordered_json json{{"vertices", result.vertex_count()},
+                                {"faces", result.face_count()},
+                                {"levels", options.levels},
+                                {"seconds", seconds},
+                                {"scheme", scheme.name},
+                                {"output", options.output}};
+    add_remarks(json, remarks);
     fmt::print("{}\n", json.dump());
     return;
   }
@@ -185,7 +186,7 @@ int refine_mesh(const RefineOptions& options) {
   line.show("writing " + options.output);
   if (Status status = write_mesh(options.output, *result, extras); !status)
     return report(status.error());
-  print_result(options, *scheme, *result, seconds);
+  print_result(options, *scheme, *result, seconds, control->remarks);
   return kDone;
 }
 
@@ -212,7 +213,7 @@ void declare_refine(CLI::App& parser, Action& action) {
                       "write the limit surface's principal curvatures to this .csv or .json, "
                       "where they are bounded");
   command->add_flag("--triangulate", options->triangulate,
-                    "cut polygons into triangles first, each from its first corner");
+                    "cut polygons into triangles first, concave ones too");
   command
       ->add_option("--engine", options->engine,
                    "quick: grids on the control faces; plain: step by step. The same surface to "

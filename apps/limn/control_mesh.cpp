@@ -1,25 +1,60 @@
 #include "control_mesh.h"
 
+#include <cstdio>
+#include <nlohmann/json.hpp>
+#include <utility>
+
 #include "command.h"
-#include "limn/mesh/io/mesh_file.h"
+#include "limn/mesh/mesh_faults.h"
+#include "limn/mesh/triangulate.h"
 
 namespace limn::app {
+namespace {
+
+void report_notes(const Warnings& notes) {
+  for (const Error& note : notes) std::fprintf(stderr, "limn: note: %s\n", note.text().c_str());
+}
+
+}  // namespace
 
 Result<ControlMesh> load_control_mesh(const std::string& path, bool triangulate) {
-  Warnings warnings;
-  Result<Polygons> polygons = read_mesh(path, &warnings);
-  report_warnings(warnings);
-  if (!polygons) return polygons.error();
-  if (triangulate) polygons = triangulated(*polygons);
-  warnings.clear();
-  Result<Mesh> mesh = Mesh::build(*polygons, &warnings);
-  for (Error& warning : warnings) warning.file = path;
-  report_warnings(warnings);
-  if (!mesh) {
-    mesh.error().file = path;
-    return mesh.error();
+  Result<MeshFile> file = read_mesh_file(path);
+  if (!file) return file.error();
+  Warnings& warnings = file->warnings;
+  const MeshSource source = file->source;
+  Polygons uncut;
+  if (triangulate) {
+    Result<Triangulation> cut = limn::triangulate(file->polygons);
+    if (!cut) {
+      cut.error().file = path;
+      return cut.error();
+    }
+    for (Error& warning : warnings_of(*cut, source)) warnings.push_back(std::move(warning));
+    file->source = source_of(*cut, source);
+    uncut = std::exchange(file->polygons, std::move(cut->polygons));
   }
-  return ControlMesh{std::move(*mesh), std::move(polygons->positions)};
+  Result<Mesh> mesh = build_mesh(file->polygons, file->source, &warnings);
+  // A fault of the polygons is named once, not for each triangle of them.
+  if (!mesh && triangulate) {
+    if (Result<Mesh> polygons = build_mesh(uncut, source); !polygons) mesh = std::move(polygons);
+  }
+  report_warnings(warnings);
+  report_notes(file->notes());
+  if (!mesh) return mesh.error();
+  return ControlMesh{std::move(*mesh),
+                     std::move(file->polygons.positions),
+                     {std::move(warnings), std::move(file->left_out)}};
+}
+
+void add_remarks(nlohmann::ordered_json& json, const MeshRemarks& remarks) {
+  json["warnings"] = nlohmann::ordered_json::array();
+  for (const Error& warning : remarks.warnings)
+    json["warnings"].push_back({{"message", warning.message}, {"line", warning.line}});
+  json["left_out"] = nlohmann::ordered_json::array();
+  for (const LeftOut& kind : remarks.left_out) {
+    json["left_out"].push_back(
+        {{"what", kind.what}, {"count", kind.count}, {"unit", kind.unit}, {"line", kind.line}});
+  }
 }
 
 }  // namespace limn::app

@@ -1,21 +1,34 @@
 #pragma once
 /// The control mesh that a command line names.
 
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <vector>
 
 #include "limn/base/error.h"
+#include "limn/mesh/io/mesh_file.h"
 #include "limn/mesh/mesh.h"
 
 namespace limn::app {
 
+/// What a mesh file gives reason to say.
+struct MeshRemarks {
+  Warnings warnings;              ///< of the file and of the mesh
+  std::vector<LeftOut> left_out;  ///< content of the file that limn does not keep
+};
+
 struct ControlMesh {
   Mesh mesh;
   std::vector<Point3> points;
+  MeshRemarks remarks;
 };
 
+/// Adds "warnings", a list of message and line, and "left_out", a list of what, count, unit and
+/// line; line 0: none is known.
+void add_remarks(nlohmann::ordered_json& json, const MeshRemarks& remarks);
+
 /// Reads a mesh file, cuts its polygons into triangles if asked to, and builds the mesh. Warnings
-/// go to standard error; errors name the file.
+/// and notes go to standard error; errors speak in the numbers and lines of the file.
 [[nodiscard]] Result<ControlMesh> load_control_mesh(const std::string& path, bool triangulate);
 
 }  // namespace limn::app

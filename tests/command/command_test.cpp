@@ -191,7 +191,7 @@ TEST(Command, RefusesBadMeshes) {
   folder.write("fan.obj",
                "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nv 0 -1 0\n"
                "f 1 2 3\nf 1 2 4\nf 1 2 5\n");
-  expect_refused(folder.limn("refine fan.obj -s loop -o y.obj"), {"fan.obj", "0", "1"});
+  expect_refused(folder.limn("refine fan.obj -s loop -o y.obj"), {"fan.obj:6", "vertices 1 and 2"});
   expect_refused(folder.limn("refine " + kQuads + " -s loop -o y.obj"),
                  {"corners", "--triangulate"});
   EXPECT_EQ(folder.limn("refine " + kQuads + " -s loop --triangulate -o y.obj").code, 0);
@@ -204,14 +204,53 @@ TEST(Command, RefusesLevelsThatDoNotFit) {
   EXPECT_EQ(folder.count(), 1);
 }
 
-TEST(Command, WarnsOnceOfContentThatIsNotRefined) {
+TEST(Command, SaysOncePerKindWhatOfAFileIsLeftOut) {
   const Folder folder;
-  folder.write("uv.obj", std::string(kTetrahedron) + "vt 0 0\nvt 1 0\nvn 0 0 1\n");
-  const Outcome outcome = folder.limn("refine uv.obj -s loop -n 1 -o y.obj");
+  folder.write("uv.obj", "usemtl red\n" + std::string(kTetrahedron) + "vt 0 0\nvt 1 0\nvn 0 0 1\n");
+  const Outcome outcome = folder.limn("refine uv.obj -s loop -n 1 -o y.obj --json");
   EXPECT_EQ(outcome.code, 0);
-  const std::size_t first = outcome.err.find("not refined yet");
-  ASSERT_NE(first, std::string::npos) << outcome.err;
-  EXPECT_EQ(outcome.err.find("not refined yet", first + 1), std::string::npos);
+  for (const char* note :
+       {"limn: note: uv.obj:1:1: left out: materials of faces ('usemtl'), 1 line\n",
+        "left out: texture coordinates ('vt'), 2 lines\n", "left out: normals ('vn'), 1 line\n"}) {
+    const std::size_t first = outcome.err.find(note);
+    ASSERT_NE(first, std::string::npos) << outcome.err;
+    EXPECT_EQ(outcome.err.find(note, first + 1), std::string::npos);
+  }
+  const nlohmann::json json = parsed(outcome);
+  EXPECT_EQ(json.at("warnings"), nlohmann::json::array());
+  ASSERT_EQ(json.at("left_out").size(), 3U);
+  EXPECT_EQ(
+      json.at("left_out")[1],
+      nlohmann::json(
+          {{"what", "texture coordinates ('vt')"}, {"count", 2}, {"unit", "lines"}, {"line", 10}}));
+}
+
+TEST(Command, RefusesAMeshWithAllItsFaultsInTheNumbersOfTheFile) {
+  const Folder folder;
+  folder.write("bad.obj",
+               "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 2 3\nf 1 2 3\nf 2 3 4\nf 4 4 1\n");
+  expect_refused(folder.limn("refine bad.obj -s loop -o y.obj"),
+                 {"3 faults", "face 2 (line 6) is face 1 (line 5) once more",
+                  "faces 1 (line 5) and 3 (line 7) both run from vertex 2 to vertex 3",
+                  "face 4 (line 8) meets vertex 4 twice"});
+  EXPECT_EQ(folder.count(), 1);
+  // What is cut into triangles is named by the polygons of the file.
+  folder.write("quads.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\nf 1 2 3 4\n");
+  expect_refused(folder.limn("refine quads.obj -s loop --triangulate -o y.obj"),
+                 {"face 2 (line 6) is face 1 (line 5) once more"});
+}
+
+TEST(Command, TriangulateCutsConcavePolygonsAndSaysWhereItCannot) {
+  const Folder folder;
+  folder.write("concave.obj", "v 0 4 0\nv 0 0 0\nv 4 0 0\nv 1 1 0\nf 1 2 3 4\n");
+  const std::string rest = " -s loop --triangulate -n 0 --json -o y.obj";
+  EXPECT_EQ(parsed(folder.limn("refine concave.obj" + rest)).at("warnings").size(), 0U);
+  EXPECT_EQ(read_mesh(folder.file("y.obj"))->corners, (std::vector<Index>{3, 0, 1, 3, 1, 2}));
+  folder.write("bow.obj", "v 0 0 0\nv 3 0 0\nv 0 2 0\nv 1 2 0\nf 1 2 3 4\n");
+  const Outcome bow = folder.limn("refine bow.obj" + rest);
+  EXPECT_EQ(bow.code, 0);
+  EXPECT_NE(bow.err.find("bow.obj:5: face 1 crosses itself"), std::string::npos) << bow.err;
+  EXPECT_EQ(parsed(bow).at("warnings").size(), 1U);
 }
 
 /// The bytes of `name` there, or -1.

@@ -5,69 +5,34 @@
 
 #include "limn/base/parallel.h"
 #include "limn/mesh/mesh.h"
+#include "limn/mesh/mesh_faults.h"
+#include "limn/mesh/mesh_limits.h"
 
 namespace limn {
 namespace {
-
-using Fault = std::optional<Error>;
-
-Error fault(std::string message, std::string hint) {
-  Error error;
-  error.message = std::move(message);
-  error.hint = std::move(hint);
-  return error;
-}
-
-std::string number(std::size_t i) { return std::to_string(i); }
-std::string number(Index i) { return std::to_string(i); }
 
 std::vector<Index> filled(Index count, Index value) {
   return std::vector<Index>(static_cast<std::size_t>(count), value);
 }
 
-// "0, 2 and 5"; long lists are cut, since a fault needs a place and not a census
-std::string list(const std::vector<Index>& items) {
-  constexpr std::size_t kMost = 6;
-  std::string text;
-  for (std::size_t i = 0; i < items.size() && i < kMost; ++i) {
-    if (i > 0) text += i + 1 == items.size() ? " and " : ", ";
-    text += number(items[i]);
-  }
-  return items.size() > kMost ? text + ", …" : text;
-}
-
-Error out_of_range(const Polygons& polygons, Index f, Index corner) {
-  const Index v = polygons.corners[corner], count = polygons.vertex_count();
-  std::string message = "corner " + number(corner - polygons.face_begin[f]) + " of face " +
-                        number(f) + " is vertex " + number(v) + ", but ";
-  message += count == 0 ? "there are no vertices" : "the vertices are 0 to " + number(count - 1);
-  return fault(message, "vertices, faces and corners count from 0 here");
-}
-
-// face by face: enough corners, each a vertex, none twice
-Fault check_faces(const Polygons& polygons) {
+// Whether the faces are in order one by one: enough corners, each a vertex, none twice. Here and
+// below a fault is only noticed; `find_mesh_faults` finds all of them.
+bool faces_are_sound(const Polygons& polygons) {
   const auto& begin = polygons.face_begin;
   if (begin.empty() || begin.front() != 0 ||
       static_cast<std::size_t>(begin.back()) != polygons.corners.size())
-    return fault("the face offsets do not run from 0 to the number of corners",
-                 "face_begin holds one offset more than there are faces");
+    return false;
   for (Index f = 0; f < polygons.face_count(); ++f)
-    if (polygons.degree(f) < 3)  // also keeps every offset within `corners`
-      return fault("face " + number(f) + " has " + number(polygons.degree(f)) +
-                       " corners, but a face needs at least 3",
-                   "remove the face; faces count from 0 here");
+    if (begin[f + 1] < begin[f] || polygons.degree(f) < 3) return false;
   std::vector<Index> seen_by = filled(polygons.vertex_count(), kNone);
   for (Index f = 0; f < polygons.face_count(); ++f) {
     for (Index c = begin[f]; c < begin[f + 1]; ++c) {
       const Index v = polygons.corners[c];
-      if (v < 0 || v >= polygons.vertex_count()) return out_of_range(polygons, f, c);
-      if (seen_by[v] == f)
-        return fault("face " + number(f) + " meets vertex " + number(v) + " twice",
-                     "remove the repeated corner, or cut the face in two there");
+      if (v < 0 || v >= polygons.vertex_count() || seen_by[v] == f) return false;
       seen_by[v] = f;
     }
   }
-  return {};
+  return true;
 }
 
 class TwinMatcher {
@@ -81,8 +46,8 @@ class TwinMatcher {
     fill_buckets();
   }
 
-  /// Twins of all half-edges, or why two faces do not fit.
-  Fault match(std::vector<Index>& twin) const {
+  /// Twins of all half-edges; false where two faces do not fit.
+  bool match(std::vector<Index>& twin) const {
     const Index vertices = polygons_.vertex_count();
     std::vector<Index> first = filled(vertices, kNone), owner = filled(vertices, kNone);
     twin.assign(origin_.size(), kNone);
@@ -96,13 +61,13 @@ class TwinMatcher {
           twin[h] = g;
           twin[g] = h;
         } else {
-          return not_manifold(v, w);
+          return false;  // in three faces
         }
       }
     }
     for (Index h = 0; h < static_cast<Index>(twin.size()); ++h)
-      if (twin[h] != kNone && origin_[h] == origin_[twin[h]]) return flipped(h, twin[h]);
-    return {};
+      if (twin[h] != kNone && origin_[h] == origin_[twin[h]]) return false;  // flipped
+    return true;
   }
 
  private:
@@ -120,32 +85,6 @@ class TwinMatcher {
 
   [[nodiscard]] Index lower(Index h) const { return std::min(origin_[h], target_[h]); }
 
-  [[nodiscard]] Index face(Index h) const {  // for messages only
-    const auto& begin = polygons_.face_begin;
-    return static_cast<Index>(std::upper_bound(begin.begin(), begin.end(), h) - begin.begin()) - 1;
-  }
-
-  [[nodiscard]] Error not_manifold(Index v, Index w) const {
-    std::vector<Index> faces;
-    for (Index slot = bucket_begin_[v]; slot < bucket_begin_[v + 1]; ++slot) {
-      const Index h = bucket_[slot];
-      if (std::max(origin_[h], target_[h]) == w) faces.push_back(face(h));
-    }
-    return fault("the edge between vertices " + number(v) + " and " + number(w) + " lies in " +
-                     number(faces.size()) + " faces (" + list(faces) +
-                     "), but on a surface it lies in at most 2",
-                 "remove the extra faces, or give each sheet its own copies of the two vertices; "
-                 "vertices and faces count from 0 here");
-  }
-
-  [[nodiscard]] Error flipped(Index h, Index g) const {
-    return fault("faces " + number(face(h)) + " and " + number(face(g)) + " both run from vertex " +
-                     number(origin_[h]) + " to vertex " + number(target_[h]) +
-                     ": one of them is flipped",
-                 "reverse the corners of one of the two (and of its side of the mesh); a "
-                 "one-sided surface must be cut open; vertices and faces count from 0 here");
-  }
-
   const Polygons& polygons_;
   const std::vector<Index>& origin_;
   std::vector<Index> target_;
@@ -161,67 +100,79 @@ Index number_edges(const std::vector<Index>& twin, std::vector<Index>& edge) {
   return count;
 }
 
-// the faces that one turn about v from its half-edge meets
-std::vector<Index> fan(const Mesh& mesh, Index v) {
-  std::vector<Index> faces;
-  Index h = mesh.halfedge_of_vertex(v);
-  do {
-    faces.push_back(mesh.face(h));
-    h = mesh.rotate(h);
-  } while (h != kNone && h != mesh.halfedge_of_vertex(v));
-  return faces;
-}
-
-Error bow_tie(const Mesh& mesh, Index v) {
-  std::vector<Index> one = fan(mesh, v), other;
-  for (Index h = 0; h < mesh.halfedge_count(); ++h)
-    if (mesh.origin(h) == v && std::find(one.begin(), one.end(), mesh.face(h)) == one.end())
-      other.push_back(mesh.face(h));
-  return fault("the faces round vertex " + number(v) + " form more than one fan (faces " +
-                   list(one) + " apart from " + list(other) + "): the surface only touches " +
-                   "itself there",
-               "give each fan its own copy of the vertex; vertices and faces count from 0 here");
-}
-
-Fault check_fans(const Mesh& mesh) {
+// Whether the faces of each vertex are one fan.
+bool fans_are_whole(const Mesh& mesh) {
   std::vector<Index> corners = filled(mesh.vertex_count(), 0);
   for (Index h = 0; h < mesh.halfedge_count(); ++h) ++corners[mesh.origin(h)];
   for (Index v = 0; v < mesh.vertex_count(); ++v) {
     if (mesh.is_isolated(v)) continue;
     const Index fan_size = mesh.valence(v) - (mesh.is_boundary_vertex(v) ? 1 : 0);
-    if (fan_size != corners[v]) return bow_tie(mesh, v);
+    if (fan_size != corners[v]) return false;
   }
-  return {};
+  return true;
 }
 
-void warn_of_isolated(const Mesh& mesh, Warnings& warnings) {
+// "0, 2 and 5"; long lists are cut
+std::string list(const std::vector<Index>& items, Index first_number) {
+  constexpr std::size_t kMost = 6;
+  std::string text;
+  for (std::size_t i = 0; i < items.size() && i < kMost; ++i) {
+    if (i > 0) text += i + 1 == items.size() ? " and " : ", ";
+    text += std::to_string(items[i] + first_number);
+  }
+  return items.size() > kMost ? text + ", …" : text;
+}
+
+void warn_of_isolated(const Mesh& mesh, const MeshSource& source, Warnings& warnings) {
   std::vector<Index> isolated;
   for (Index v = 0; v < mesh.vertex_count(); ++v)
     if (mesh.is_isolated(v)) isolated.push_back(v);
   if (isolated.empty()) return;
   const bool one = isolated.size() == 1;
-  warnings.push_back(
-      fault(one ? "vertex " + list(isolated) + " belongs to no face"
-                : number(isolated.size()) + " vertices belong to no face (" + list(isolated) + ")",
-            one ? "it is kept and stays where it is; vertices count from 0 here"
-                : "they are kept and stay where they are; vertices count from 0 "
-                  "here"));
+  Error warning;
+  warning.file = source.file;
+  const auto first = static_cast<std::size_t>(isolated.front());
+  if (first < source.vertex_lines.size()) warning.line = source.vertex_lines[first];
+  const std::string vertices = list(isolated, source.first);
+  warning.message =
+      one ? "vertex " + vertices + " belongs to no face"
+          : std::to_string(isolated.size()) + " vertices belong to no face (" + vertices + ")";
+  warning.hint = one ? "it is kept and stays where it is" : "they are kept and stay where they are";
+  warning.hint += "; vertices count from " + std::to_string(source.first) +
+                  (source.file.empty() ? " here" : ", as in the file");
+  warnings.push_back(std::move(warning));
 }
 
-}  // namespace
-
-Result<Mesh> Mesh::build(const Polygons& polygons, Warnings* warnings) {
-  if (Fault bad = check_faces(polygons)) return *std::move(bad);
-  Arrays arrays;
-  if (Fault bad = TwinMatcher(polygons).match(arrays.twin)) return *std::move(bad);
+// The connectivity, where no fault is noticed.
+std::optional<Mesh> build_sound(const Polygons& polygons) {
+  if (!faces_are_sound(polygons)) return std::nullopt;
+  Mesh::Arrays arrays;
+  if (!TwinMatcher(polygons).match(arrays.twin)) return std::nullopt;
   arrays.vertex_count = polygons.vertex_count();
   arrays.edge_count = number_edges(arrays.twin, arrays.edge);
   arrays.face_begin = polygons.face_begin;
   arrays.origin = polygons.corners;
-  Mesh mesh = from_arrays(std::move(arrays));
-  if (Fault bad = check_fans(mesh)) return *std::move(bad);
-  if (warnings != nullptr) warn_of_isolated(mesh, *warnings);
+  Mesh mesh = Mesh::from_arrays(std::move(arrays));
+  if (!fans_are_whole(mesh)) return std::nullopt;
   return mesh;
+}
+
+}  // namespace
+
+Result<Mesh> build_mesh(const Polygons& polygons, const MeshSource& source, Warnings* warnings) {
+  if (std::optional<Error> fault = too_many(polygons.positions.size(), polygons.face_begin.size(),
+                                            polygons.corners.size())) {
+    fault->file = source.file;
+    return *std::move(fault);
+  }
+  std::optional<Mesh> mesh = build_sound(polygons);
+  if (!mesh) return error_of(find_mesh_faults(polygons), polygons, source);
+  if (warnings != nullptr) warn_of_isolated(*mesh, source, *warnings);
+  return *std::move(mesh);
+}
+
+Result<Mesh> Mesh::build(const Polygons& polygons, Warnings* warnings) {
+  return build_mesh(polygons, {}, warnings);
 }
 
 }  // namespace limn

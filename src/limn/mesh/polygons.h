@@ -49,8 +49,8 @@ struct Polygons {
   friend bool operator==(const Polygons&, const Polygons&) = default;
 };
 
-/// Every polygon of more than three corners cut into triangles by a fan from its first
-/// corner; vertices and triangles keep their order. [what `limn refine --triangulate` does]
+/// Every polygon of more than three corners cut into triangles, concave ones too: `triangulate`
+/// (triangulate.h) without what it has to say; what that refuses is a std::length_error here.
 [[nodiscard]] Polygons triangulated(const Polygons& polygons);
 
 }  // namespace limn

@@ -12,6 +12,7 @@
 #include <unsupported/Eigen/BVH>
 
 #include "limn/base/parallel.h"
+#include "limn/mesh/triangulate.h"
 
 namespace limn {
 namespace {
@@ -76,8 +77,8 @@ Result<double> largest_coordinate(const Polygons& surface, const char* name) {
   return largest;
 }
 
-Facets facets_of(const Polygons& surface, double scale) {
-  const Polygons cut = triangulated(surface);
+/// Of a surface cut into triangles.
+Facets facets_of(const Polygons& cut, double scale) {
   Facets facets;
   facets.weights.assign(cut.positions.size(), -1);
   for (const Point3& p : cut.positions) facets.vertices.push_back(scale * p);
@@ -206,7 +207,11 @@ Result<SurfaceDistance> approx_surface_distance(const Polygons& a, const Polygon
   const double largest = std::max(*largest_a, *largest_b);
   const int exponent = largest > 0 ? std::ilogb(largest) : 0;
   const double scale = std::ldexp(1.0, -exponent), back = std::ldexp(1.0, exponent);
-  const Facets first = facets_of(a, scale), second = facets_of(b, scale);
+  const Result<Triangulation> cut_a = triangulate(a), cut_b = triangulate(b);
+  if (!cut_a) return refusal("first", "is too large: " + cut_a.error().message);
+  if (!cut_b) return refusal("second", "is too large: " + cut_b.error().message);
+  const Facets first = facets_of(cut_a->polygons, scale);
+  const Facets second = facets_of(cut_b->polygons, scale);
   if (!(first.area > 0)) return refusal("first", "has no area");
   if (!(second.area > 0)) return refusal("second", "has no area");
 

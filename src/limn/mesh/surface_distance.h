@@ -26,7 +26,7 @@ struct SurfaceDistance {
   std::vector<double> from_a = {}, from_b = {};
 };
 
-/// Polygons of more than three corners count as their fans of triangles (`triangulated`). Meshes
+/// Polygons of more than three corners count as the triangles that `triangulated` cuts. Meshes
 /// that sample smooth surfaces with edges h differ from these by about κh²/8, κ the curvature; a
 /// smaller distance says that the surfaces are equal as far as such samples can tell. In double
 /// precision. Fails where a surface has no triangle with an area, or a corner that is no vertex or

@@ -63,21 +63,78 @@ TEST(Obj, NumbersInAllForms) {
   EXPECT_EQ(mesh.positions[2], (Point3{0.1, 1000, 4.9e-324}));
 }
 
-TEST(Obj, OneWarningPerKindOfContentLeftOut) {
+TEST(Obj, SaysWhatIsLeftOutOncePerKindAndCounted) {
   Warnings warnings;
   parse(
       "mtllib a.mtl\no thing\ng a b\ns off\nusemtl red\n"
       "vt 0 0\nvt 1 0\nvn 0 0 1\nv 0 0 0 0.5 0.5 0.5\nv 1 0 0 0.5 0.5 0.5 1\nv 0 1 0 1\n"
-      "v 0 0 1 2\nl 1 2\nl 2 3\np 1\ncurv 0 1 1 2\nf 1/1/1 2/2/1 3/2/1\n",
+      "v 0 0 1 2\nl 1 2\nl 2 3\np 1\ncurv 0 1 1 2\nusemtl blue\nf 1/1/1 2/2/1 3/2/1\n"
+      "t crease 2/1/0 0 1 4.0\nt corner 1/1/0 3 10\n",
       &warnings);
-  ASSERT_EQ(warnings.size(), 6u);
-  EXPECT_EQ(warnings[0].text(),
-            "test.obj:6:1: texture coordinates and normals are not refined yet");
-  EXPECT_EQ(warnings[1].text(), "test.obj:9:1: vertex colours are left out");
-  EXPECT_EQ(warnings[2].text(), "test.obj:12:1: the weight w of vertices is left out");
-  EXPECT_EQ(warnings[3].text(), "test.obj:13:1: lines ('l') are left out");
-  EXPECT_EQ(warnings[4].text(), "test.obj:15:1: points ('p') are left out");
-  EXPECT_EQ(warnings[5].text(), "test.obj:16:1: statements of kind 'curv' are left out");
+  std::vector<std::string> said;
+  for (const Error& warning : warnings) said.push_back(warning.text());
+  EXPECT_EQ(said,
+            (std::vector<std::string>{
+                "test.obj:1:1: left out: names of material files ('mtllib'), 1 line",
+                "test.obj:2:1: left out: object names ('o'), 1 line",
+                "test.obj:3:1: left out: groups ('g'), 1 line",
+                "test.obj:4:1: left out: smoothing groups ('s'), 1 line",
+                "test.obj:5:1: left out: materials of faces ('usemtl'), 2 lines",
+                "test.obj:6:1: left out: texture coordinates ('vt'), 2 lines",
+                "test.obj:8:1: left out: normals ('vn'), 1 line",
+                "test.obj:9:1: left out: vertex colours, 2 vertices",
+                "test.obj:12:1: left out: weights w other than 1, 1 vertex",
+                "test.obj:13:1: left out: lines ('l'), 2 lines",
+                "test.obj:15:1: left out: points ('p'), 1 line",
+                "test.obj:16:1: left out: statements 'curv', 1 line",
+                "test.obj:19:1: left out: sharp edges and corners, and other tags of OpenSubdiv "
+                "('t'), 2 lines"}));
+}
+
+TEST(Obj, AThousandKindsOfNoiseAreNotAThousandNotes) {
+  std::string noise = kSquare + "f 1 2 3 4\n";
+  for (int k = 0; k < 1000; ++k) noise += "word" + std::to_string(k) + " 1 2 3\n";
+  const Result<MeshFile> file = parse_mesh_file(noise, "obj", "test.obj");
+  ASSERT_TRUE(file.ok());
+  EXPECT_LT(file->left_out.size(), 30u);
+  std::size_t lines = 0;
+  for (const LeftOut& kind : file->left_out) lines += kind.count;
+  EXPECT_EQ(lines, 1000u);
+}
+
+TEST(Obj, ABackslashWithBlanksBehindItContinues) {
+  const Polygons plain = parse(kSquare + "f 1 2 3 4\n");
+  for (const std::string blank : {" ", "\t", "  \t "}) {
+    for (const std::string end : {"\n", "\r\n", "\r"}) {
+      const std::string join = "\\" + blank + end;
+      EXPECT_EQ(parse(kSquare + "f 1 2 " + join + "3 4\n"), plain);
+      EXPECT_EQ(parse(kSquare + "f 1 2" + join + join + " 3 4\n"), plain);
+      EXPECT_EQ(parse(kSquare + "vt 0 " + join + "0\nf 1 2 3 4\n"), plain);
+    }
+  }
+}
+
+TEST(Obj, ANameThatEndsInABackslashSwallowsNoLine) {
+  const std::string faces = "f 1 2 3\nf 1 3 4\n";
+  const Polygons plain = parse(kSquare + faces);
+  for (const std::string name :
+       {"usemtl A\\", "usemtl C:\\materials\\", "mtllib ..\\a\\ ", "g a \\", "o \\", "s \\"}) {
+    EXPECT_EQ(parse(kSquare + name + "\n" + faces), plain) << name;
+    EXPECT_EQ(parse(kSquare + name + "\r\n" + faces), plain) << name;
+    EXPECT_EQ(parse(kSquare + "f 1 2 3\n" + name + "\n  f 1 3 4\n"), plain) << name;
+    EXPECT_EQ(parse(name + "\n" + kSquare + faces), plain) << name;
+  }
+  // Before what begins no statement it continues, as in a long list of groups.
+  EXPECT_EQ(parse(kSquare + "g a \\\nb c\n" + faces), plain);
+}
+
+TEST(Obj, KnowsTheLinesOfVerticesAndFaces) {
+  const Result<MeshFile> file =
+      parse_mesh_file("# a\nv 0 0 0\nv 1 0 0\n\nv 0 \\\n1 0\nf 1 2 \\\n3\nf 3 2 1\n", "obj", "x");
+  ASSERT_TRUE(file.ok());
+  EXPECT_EQ(file->source.first, 1);
+  EXPECT_EQ(file->source.vertex_lines, (std::vector<int>{2, 3, 5}));
+  EXPECT_EQ(file->source.face_lines, (std::vector<int>{7, 9}));
 }
 
 TEST(Obj, ReadsTheSharedMeshesIfTheyAreThere) {

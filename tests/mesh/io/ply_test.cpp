@@ -80,11 +80,12 @@ TEST(Ply, AsciiWithOtherContentInAnyOrder) {
   EXPECT_EQ(mesh.corners, kTriangle.corners);
   std::vector<std::string> said;
   for (const Error& warning : warnings) said.push_back(warning.message);
-  EXPECT_EQ(said,
-            (std::vector<std::string>{
-                "face colours are left out", "texture coordinates and normals are not refined yet",
-                "elements 'edge' are left out", "elements 'nothing' are left out",
-                "vertex property 'quality' is left out", "vertex colours are left out"}));
+  EXPECT_EQ(said, (std::vector<std::string>{
+                      "left out: face colours, 1 face", "left out: texture coordinates, 1 face",
+                      "left out: elements 'edge', 2 of them",
+                      "left out: elements 'nothing', 1000000000000 of them",
+                      "left out: the vertex property 'quality', 3 vertices",
+                      "left out: normals, 3 vertices", "left out: vertex colours, 3 vertices"}));
   EXPECT_EQ(warnings[0].line, 6);
   EXPECT_EQ(warnings[0].column, 16);
 }
@@ -115,6 +116,69 @@ TEST(Ply, HeaderWithCarriageReturnsBeforeBinaryData) {
   std::string with_cr;
   for (const char c : text.substr(0, head)) with_cr += c == '\n' ? "\r\n" : std::string(1, c);
   EXPECT_EQ(parse(with_cr + text.substr(head)), kTriangle);
+}
+
+const std::string kFourVertices =
+    "element vertex 4\nproperty float x\nproperty float y\nproperty float z\n";
+const std::string kFourPoints = "0 0 0\n1 0 0\n0 1 0\n0 0 1\n";
+
+TEST(Ply, TriangleStripsTurnEveryOtherTriangle) {
+  const std::string head =
+      "ply\nformat ascii 1.0\n" + kFourVertices +
+      "element tristrips 1\nproperty list int int vertex_indices\nend_header\n";
+  const Polygons mesh = parse(head + kFourPoints + "9 0 2 1 3 -1 2 0 3 -1\n");
+  EXPECT_EQ(mesh.corners, (std::vector<Index>{0, 2, 1, 1, 2, 3, 2, 0, 3}));
+  // A repeated vertex turns the next triangle and makes none of its own.
+  EXPECT_EQ(parse(head + kFourPoints + "6 0 1 2 2 1 3\n").corners,
+            (std::vector<Index>{0, 1, 2, 1, 2, 3}));
+  // One triangle too few, an index out of range, no triangle at all.
+  for (const std::string strip : {"3 0 1 7", "3 0 1 -2", "2 0 1", "4 0 1 -1 2", "-1"})
+    EXPECT_FALSE(parse_mesh(head + kFourPoints + strip + "\n", "ply", "").ok()) << strip;
+}
+
+TEST(Ply, StripsInBinaryAndBesideFaces) {
+  std::string text = "ply\nformat binary_big_endian 1.0\n" + kFourVertices +
+                     "element face 1\nproperty list uchar int vertex_indices\n"
+                     "element tristrips 1\nproperty list int int vertex_indices\nend_header\n";
+  for (const float x : {0.F, 0.F, 0.F, 1.F, 0.F, 0.F, 0.F, 1.F, 0.F, 0.F, 0.F, 1.F})
+    text += bytes(x, true);
+  text += "\3";
+  for (const Index v : {0, 2, 1}) text += bytes(v, true);
+  for (const Index v : {7, 0, 1, 3, -1, 1, 2, 3}) text += bytes(v, true);
+  EXPECT_EQ(parse(text).corners, (std::vector<Index>{0, 2, 1, 0, 1, 3, 1, 2, 3}));
+  EXPECT_FALSE(parse_mesh(text.substr(0, text.size() - 1), "ply", "").ok());
+}
+
+TEST(Ply, PaddingBehindBinaryDataIsAWarning) {
+  const std::string text = *format_mesh("ply", kTriangle);
+  for (const std::string& padding : {std::string("\n"), std::string("\r\n"), std::string(7, '\0')}) {
+    Warnings warnings;
+    EXPECT_EQ(parse(text + padding, &warnings), kTriangle);
+    ASSERT_EQ(warnings.size(), 1u);
+    EXPECT_NE(warnings[0].message.find("padding after the data at byte"), std::string::npos);
+  }
+  EXPECT_FALSE(parse_mesh(text + "x", "ply", "").ok());
+  EXPECT_FALSE(parse_mesh(text + "\n\1", "ply", "").ok());
+}
+
+TEST(Ply, AsciiElementsThatShareLinesOrCrossThem) {
+  const std::string head = "ply\nformat ascii 1.0\n" + kFourVertices +
+                           "element face 2\nproperty list uchar int vertex_indices\nend_header\n";
+  const Polygons plain = parse(head + kFourPoints + "3 0 1 2\n3 0 2 3\n");
+  for (const std::string body : {"0 0 0 1 0 0 0 1 0 0 0 1\n3 0 1 2 3 0 2 3\n",
+                                 "0 0 0 1 0 0\n0 1 0 0 0 1\n3 0 1 2\n3 0 2 3\n",
+                                 "0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 1 2 3 0 2 3",
+                                 "0\n0\n0\n1 0\n0 0 1 0 0 0 1 3\n0 1 2 3 0 2 3\n"}) {
+    Warnings warnings;
+    EXPECT_EQ(parse(head + body, &warnings), plain) << body;
+    ASSERT_EQ(warnings.size(), 1u) << body;
+    EXPECT_NE(warnings[0].message.find("word by word"), std::string::npos);
+  }
+  // What fits no better word by word is refused at the line that is wrong.
+  const Result<Polygons> bad =
+      parse_mesh(head + "0 0 0 1\n1 0 0\n0 1 0\n0 0 1\n3 0 1 2\n3 0 2 3\n", "ply", "");
+  ASSERT_FALSE(bad.ok());
+  EXPECT_EQ(bad.error().line, 10);
 }
 
 TEST(Ply, WritesDoublesAndWideLists) {

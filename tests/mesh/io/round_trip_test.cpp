@@ -33,15 +33,20 @@ RC_GTEST_PROP(RoundTrip, TextAndPlyKeepEveryDouble, ()) {
 
 RC_GTEST_PROP(RoundTrip, StlKeepsFloatsAndTriangles, ()) {
   const Polygons mesh = test::random_polygons(test::any_float(), 3);
-  const std::string text = *format_mesh("stl", mesh);
-  const Result<Polygons> again = parse_mesh(text, "stl", "memory");
-  RC_ASSERT(again.ok());
-  RC_ASSERT(again->face_begin == mesh.face_begin);
-  for (std::size_t c = 0; c < mesh.corners.size(); ++c) {
-    const Point3 p = mesh.positions[mesh.corners[c]], q = again->positions[again->corners[c]];
-    RC_ASSERT(std::memcmp(&p, &q, sizeof(p)) == 0);
+  std::vector<Point3> kept;  // the corners of the triangles that have three places
+  for (std::size_t c = 0; c < mesh.corners.size(); c += 3) {
+    const Point3 p = mesh.positions[mesh.corners[c]], q = mesh.positions[mesh.corners[c + 1]],
+                 r = mesh.positions[mesh.corners[c + 2]];
+    if (!(p == q || q == r || r == p)) kept.insert(kept.end(), {p, q, r});
   }
-  RC_ASSERT(*format_mesh("stl", *again) == text);
+  const Result<Polygons> again = parse_mesh(*format_mesh("stl", mesh), "stl", "memory");
+  RC_ASSERT(again.ok() == !kept.empty());
+  if (!again) return;
+  RC_ASSERT(again->corners.size() == kept.size());
+  for (std::size_t c = 0; c < kept.size(); ++c)
+    RC_ASSERT(again->positions[again->corners[c]] == kept[c]);  // but -0 is +0
+  const std::string text = *format_mesh("stl", *again);
+  RC_ASSERT(*format_mesh("stl", *parse_mesh(text, "stl", "memory")) == text);
 }
 
 /// More vertices and faces than are formatted at once, and no two alike.

@@ -1,0 +1,29 @@
+#pragma once
+/// How large a mesh can be: its parts are counted in an `Index`.
+
+#include <cstddef>
+#include <limits>
+#include <optional>
+#include <string>
+
+#include "limn/base/error.h"
+#include "limn/mesh/polygons.h"
+
+namespace limn {
+
+/// The most vertices, faces and corners: an `Index` also holds one more than there are, which is
+/// where an array of offsets ends.
+inline constexpr std::size_t kMostElements = std::numeric_limits<Index>::max() - 1;
+
+/// Why a mesh with so many of each cannot be held; nothing where it can.
+[[nodiscard]] inline std::optional<Error> too_many(std::size_t vertices, std::size_t faces,
+                                                   std::size_t corners) {
+  const char* what = vertices > kMostElements  ? "vertices"
+                     : faces > kMostElements   ? "faces"
+                     : corners > kMostElements ? "corners"
+                                               : nullptr;
+  if (what == nullptr) return std::nullopt;
+  return Error{std::string("2^31 - 1 ") + what + " or more", "cut the mesh into parts", {}, 0, 0};
+}
+
+}  // namespace limn

@@ -1,0 +1,77 @@
+/// Formats told by content, and meshes read from streams.
+
+#include <gtest/gtest.h>
+
+#include <sstream>
+
+#include "limn/mesh/io/mesh_file.h"
+#include "mesh/io/mesh_samples.h"
+
+namespace limn {
+namespace {
+
+const std::string kObj = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+
+TEST(FormatOfContent, KnowsWhatLimnWrites) {
+  for (const std::string extension : {"obj", "off", "ply", "stl"}) {
+    const std::string content = *format_mesh(extension, test::cube());
+    EXPECT_EQ(format_of_content(content).value(), extension);
+    std::istringstream in(content);
+    const Result<MeshFile> file = read_mesh_file(in, "standard input");
+    ASSERT_TRUE(file.ok()) << file.error().text();
+    EXPECT_EQ(file->polygons, parse_mesh(content, extension, "").value());
+    EXPECT_EQ(file->source.file, "standard input");
+  }
+}
+
+TEST(FormatOfContent, KnowsWhatOthersWrite) {
+  const std::string mark = "\xEF\xBB\xBF";
+  std::string solid_head = *format_mesh("stl", test::cube());
+  solid_head.replace(0, 11, "solid model");
+  const std::string ascii_stl =
+      "solid\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\n"
+      "endfacet\nendsolid\n";
+  struct Known {
+    std::string content, format;
+  };
+  for (const Known& known :
+       {Known{"# Blender\n\nmtllib a.mtl\no Cube\n" + kObj, "obj"}, Known{mark + kObj, "obj"},
+        Known{"mystatement 1\n" + kObj, "obj"}, Known{"\n  \t# c\n  g\n" + kObj, "obj"},
+        Known{"OFF4 4 0\n", "off"}, Known{"# c\noff\n", "off"}, Known{"STCNOFF\n", "off"},
+        Known{"3 1 0\n0 0 0\n", "off"}, Known{mark + "OFF\n", "off"},
+        Known{"ply\r\nformat ascii 1.0\r\n", "ply"}, Known{mark + "ply\n", "ply"},
+        Known{"SOLID x\n", "stl"}, Known{mark + ascii_stl, "stl"}, Known{solid_head, "stl"},
+        Known{std::string(100, '\0'), "stl"}})
+    EXPECT_EQ(format_of_content(known.content).value(), known.format) << known.content;
+}
+
+TEST(FormatOfContent, SaysWhyItCannotTell) {
+  struct Unknown {
+    std::string content, message;
+  };
+  for (const Unknown& unknown :
+       {Unknown{"", "no content"}, Unknown{"glTF\2\0\0\0", "glb"}, Unknown{"\x1f\x8b\x08", "gzip"},
+        Unknown{"\xFF\xFEv\0 \0", "UTF-16"}, Unknown{"<?xml version='1.0'?>", "XML"},
+        Unknown{"hello world\nfoo\n", "no format"}, Unknown{"# only a comment\n", "no format"}}) {
+    const Result<std::string> format = format_of_content(unknown.content);
+    ASSERT_FALSE(format.ok()) << unknown.content;
+    EXPECT_NE(format.error().message.find(unknown.message), std::string::npos)
+        << format.error().message;
+    std::istringstream in(unknown.content);
+    const Result<MeshFile> file = read_mesh_file(in, "standard input");
+    ASSERT_FALSE(file.ok());
+    EXPECT_EQ(file.error().file, "standard input");
+  }
+}
+
+TEST(ReadMesh, AByteOrderMarkOfUtf8IsNoContent) {
+  const std::string mark = "\xEF\xBB\xBF";
+  for (const std::string extension : {"obj", "off"}) {
+    const std::string text = *format_mesh(extension, test::cube());
+    EXPECT_EQ(parse_mesh(mark + text, extension, "").value(), test::cube());
+  }
+  EXPECT_EQ(parse_mesh(mark + *format_mesh("ply", test::cube()), "ply", "").value(), test::cube());
+}
+
+}  // namespace
+}  // namespace limn
