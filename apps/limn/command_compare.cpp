@@ -49,7 +49,7 @@ Status check(const CompareOptions& options) {
     return Error{"this limn draws no surfaces", "build it with cairo and Embree", {}, 0, 0};
   const Result<FigureFormat> format = figure_format(options.output);
   if (!format) return format.error();
-  return Done{};
+  return check_outputs({options.output});
 }
 
 Result<MeshComparison> compare_surfaces(const CompareOptions& options,
@@ -100,7 +100,7 @@ int compare(const CompareOptions& options) {
   for (const auto& [label, scheme] : schemes)
     comparison.schemes.push_back(approx_record(label, scheme, record));
   if (options.json)
-    fmt::print("{}\n", compare_json(comparison).dump());
+    print_json(compare_json(comparison));
   else
     fmt::print("{}", compare_text(comparison, options.differences));
   return kDone;

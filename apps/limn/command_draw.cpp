@@ -52,13 +52,16 @@ int draw(const DrawOptions& options) {
   if (Status status = check_readable(options.mesh); !status) return report(status.error());
   if (const Result<FigureFormat> format = figure_format(options.output); !format)
     return report(format.error());
+  if (Status status = check_outputs({options.output}); !status) return report(status.error());
   const Result<Scheme> scheme = options.scheme.load();
   if (!scheme) return report(scheme.error());
   ProgressLine line;
   line.show("finding limit points");
+  set_step("finding limit points of " + options.mesh);
   const Result<SurfaceScene> scene = scene_of(options, *scheme);
   if (!scene) return report(scene.error());
   line.show("drawing " + options.output);
+  set_step("drawing " + options.output);
   const LightLines lights{.count = options.lights};
   Figure figure(1);
   if (options.lines)
@@ -70,11 +73,10 @@ int draw(const DrawOptions& options) {
   if (Status status = figure.write(options.output); !status) return report(status.error());
   const std::size_t vertices = scene->surfaces.front().vertices.size();
   if (options.json)
-    fmt::print("{}\n", nlohmann::ordered_json{{"output", options.output},
-                                              {"scheme", scheme->name},
-                                              {"levels", options.levels},
-                                              {"vertices", vertices}}
-                           .dump());
+    print_json({{"output", options.output},
+                {"scheme", scheme->name},
+                {"levels", options.levels},
+                {"vertices", vertices}});
   else
     fmt::print("{}: the limit surface of {} at {} points\n", options.output, scheme->name,
                vertices);

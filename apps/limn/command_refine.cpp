@@ -48,7 +48,7 @@ void print_result(const RefineOptions& options, const Scheme& scheme, const Poly
                                       {"seconds", seconds},
                                       {"scheme", scheme.name},
                                       {"output", options.output}};
-    fmt::print("{}\n", json.dump());
+    print_json(json);
     return;
   }
   fmt::print("{}: {} vertices, {} faces, after {} level{} of {} in {:.3g} s\n", options.output,
@@ -78,6 +78,7 @@ std::optional<Refined<Point3>> with_connectivity(Polygons& polygons) {
 /// Moves the points to the limit surface and finds normals there, as the options ask.
 Status take_to_limit(const RefineOptions& options, const Scheme& scheme, Refined<Point3>& refined,
                      WriteOptions& extras, ProgressLine& line) {
+  set_step("finding limit points of " + options.mesh + ", refined");
   LimitOptions limit_options;
   limit_options.steps_made = options.levels;
   limit_options.curvatures = !options.curvatures.empty();
@@ -166,6 +167,8 @@ int refine_mesh(const RefineOptions& options) {
                    {},
                    0,
                    0});
+  if (Status status = check_outputs({options.output, options.curvatures}); !status)
+    return report(status.error());
   const Result<Scheme> scheme = options.scheme.load();
   if (!scheme) return report(scheme.error());
   Result<ControlMesh> control = load_control_mesh(options.mesh, options.triangulate);
@@ -174,6 +177,7 @@ int refine_mesh(const RefineOptions& options) {
   ProgressLine line;
   WriteOptions extras;
   double seconds = 0;
+  set_step(fmt::format("refining {} by {} levels", options.mesh, options.levels));
   announce(options, *scheme, control->mesh, line);
   const Result<Polygons> result =
       refined_polygons(options, *scheme, *control, extras, line, seconds);
@@ -183,6 +187,7 @@ int refine_mesh(const RefineOptions& options) {
     return report(error);
   }
   line.show("writing " + options.output);
+  set_step("writing " + options.output);
   if (Status status = write_mesh(options.output, *result, extras); !status)
     return report(status.error());
   print_result(options, *scheme, *result, seconds);

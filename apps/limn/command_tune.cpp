@@ -62,6 +62,7 @@ Result<Task> read_task(const TuneOptions& options) {
                  0};
   if (!options.output.empty())
     if (Status status = check_scheme_path(options.output); !status) return status.error();
+  if (Status status = check_outputs({options.output}); !status) return status.error();
   if (options.range && !options.output.empty())
     return Error{"-o writes solutions, not ranges", "leave out -o or --range", {}, 0, 0};
   std::optional<SearchRange> between;
@@ -117,7 +118,10 @@ int solve(Task& task, const TuneOptions& options) {
   if (!any_value) return report(without_value);
   if (!options.output.empty())
     if (Status status = write_tuned(task, all, options); !status) return report(status.error());
-  fmt::print("{}", json ? heading_json(task, list).dump() + "\n" : text);
+  if (json)
+    print_json(heading_json(task, list));
+  else
+    fmt::print("{}", text);
   return undecided ? kUndecided : kDone;
 }
 
@@ -140,9 +144,10 @@ int find_ranges(Task& task, bool json) {
   if (json) {
     nlohmann::ordered_json object = heading_json(task, list);
     object["common"] = intervals_json(common);
-    text = object.dump() + "\n";
+    print_json(object);
+  } else {
+    fmt::print("{}", text);
   }
-  fmt::print("{}", text);
   return kDone;
 }
 

@@ -6,6 +6,7 @@
 namespace limn::app {
 
 Result<ControlMesh> load_control_mesh(const std::string& path, bool triangulate) {
+  set_step("reading " + path);
   Warnings warnings;
   Result<Polygons> polygons = read_mesh(path, &warnings);
   report_warnings(warnings);
