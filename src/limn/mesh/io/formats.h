@@ -3,7 +3,6 @@
 
 #include <cstddef>
 #include <limits>
-#include <set>
 #include <string>
 #include <string_view>
 
@@ -15,35 +14,39 @@
 
 namespace limn::io {
 
-/// Corners and vertices are counted in an `Index`.
-inline constexpr std::size_t kMaxCorners = std::numeric_limits<Index>::max();
+/// Corners and vertices are counted in an `Index`, and so is one more than there are.
+inline constexpr std::size_t kMaxCorners = std::numeric_limits<Index>::max() - 1;
 
-/// Remarks on what is left out: the first of each kind is kept, with its place.
+/// What a reader has to say beside the mesh: each kind once, with the place of the first and how
+/// many there were.
 class Remarks {
  public:
-  Remarks(Warnings* out, std::string path) : out_(out), path_(std::move(path)) {}
+  explicit Remarks(MeshFile& out) : out_(out) {}
 
-  void texture_or_normals(Place place) {
-    if (!said_texture_) add(place, "texture coordinates and normals are not refined yet");
-    said_texture_ = true;
+  /// `what` in the plural: "vertex colours"; `unit`: "lines".
+  void left_out(Place place, std::string_view what, const char* unit, std::size_t count = 1) {
+    LeftOut& kind = find(place, what, unit);
+    kind.count += count;
   }
-  /// `kind` is the subject of "… left out": "vertex colours are", "keyword 'l' is".
-  void left_out(Place place, std::string_view kind) {
-    if (out_ != nullptr && kinds_.emplace(kind).second) {
-      add(place, std::string(kind) + " left out");
-    }
+  void warn(Place place, std::string message) {
+    out_.warnings.push_back({std::move(message), "", out_.source.file, place.line, place.column});
   }
 
  private:
-  void add(Place place, std::string message) {
-    if (out_ == nullptr) return;
-    out_->push_back({std::move(message), "", path_, place.line, place.column});
+  LeftOut& find(Place place, std::string_view what, const char* unit) {
+    for (LeftOut& kind : out_.left_out) {
+      if (kind.what == what) return kind;
+    }
+    // A file of noise has as many kinds as it has words.
+    constexpr std::size_t most = 24;
+    if (out_.left_out.size() > most) return out_.left_out.back();
+    const bool last = out_.left_out.size() == most;
+    out_.left_out.push_back(
+        {last ? "statements of more kinds" : std::string(what), 0, unit, place.line, place.column});
+    return out_.left_out.back();
   }
 
-  Warnings* out_;
-  std::string path_;
-  bool said_texture_ = false;
-  std::set<std::string, std::less<>> kinds_;
+  MeshFile& out_;
 };
 
 /// "1 vertex", "8 vertices".
@@ -66,10 +69,26 @@ void for_each_triangle(const Polygons& mesh, Index first, Index last, Use use) {
 
 std::size_t triangle_count(const Polygons& mesh);
 
-Result<Polygons> parse_obj(std::string_view content, const std::string& path, Warnings* warnings);
-Result<Polygons> parse_off(std::string_view content, const std::string& path, Warnings* warnings);
-Result<Polygons> parse_ply(std::string_view content, const std::string& path, Warnings* warnings);
-Result<Polygons> parse_stl(std::string_view content, const std::string& path, Warnings* warnings);
+/// Whether `content` has the size that a binary STL file states for itself.
+bool has_size_of_binary_stl(std::string_view content);
+/// Whether what is STL is binary: by its size, else by a NUL near its head.
+bool is_binary_stl(std::string_view content);
+/// "the file is UTF-16 text", with or without a byte order mark; or nothing.
+std::string utf16_fault(std::string_view content);
+/// Whether nothing but blanks, line ends and NULs is left: padding that carries nothing.
+bool is_padding(std::string_view rest);
+/// "1 byte of padding follows the data".
+std::string padding_remark(std::size_t bytes);
+/// Whether OBJ statements may begin with this word.
+bool is_obj_keyword(std::string_view word);
+/// The length of the keyword that an OFF file begins with, in any case: 3 of "OFF4"; 0: none.
+std::size_t off_keyword_length(std::string_view word);
+
+/// These fill `mesh`, whose `source.file` is set.
+Status parse_obj(std::string_view content, MeshFile& mesh);
+Status parse_off(std::string_view content, MeshFile& mesh);
+Status parse_ply(std::string_view content, MeshFile& mesh);
+Status parse_stl(std::string_view content, MeshFile& mesh);
 
 /// Preconditions of these, checked by `format_mesh`: coordinates and normals are finite, and fit
 /// in a float where the format keeps floats; normals are none or one per vertex.

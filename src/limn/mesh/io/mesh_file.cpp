@@ -4,6 +4,8 @@
 #include <array>
 #include <cassert>
 #include <cmath>
+#include <istream>
+#include <iterator>
 #include <limits>
 
 #include "limn/base/file.h"
@@ -15,7 +17,7 @@ namespace {
 
 struct Format {
   std::string_view extension;
-  Result<Polygons> (*parse)(std::string_view, const std::string&, Warnings*);  ///< null: not read
+  Status (*parse)(std::string_view, MeshFile&);  ///< null: not read
   void (*format)(const Polygons&, const WriteOptions&, const Sink&);
   bool keeps_floats;
   bool is_gltf;
@@ -127,6 +129,15 @@ Result<const Format*> format_for(std::string_view extension, const std::string& 
   return format;
 }
 
+Result<Polygons> mesh_of(Result<MeshFile> file, Warnings* warnings) {
+  if (!file) return file.error();
+  if (warnings != nullptr) {
+    for (Warnings list : {std::move(file->warnings), file->notes()})
+      std::move(list.begin(), list.end(), std::back_inserter(*warnings));
+  }
+  return std::move(file->polygons);
+}
+
 }  // namespace
 
 std::string count_of(std::size_t count, const char* one, const char* many) {
@@ -151,19 +162,68 @@ std::size_t triangle_count(const Polygons& mesh) {
 
 }  // namespace io
 
-Result<Polygons> parse_mesh(std::string_view content, std::string_view extension,
-                            const std::string& path, Warnings* warnings) {
-  const io::Format* format = io::find_format(extension, true);
-  if (format == nullptr) return io::unknown_extension(extension, path, true);
-  if (content.empty()) return Error{"the file is empty", "", path, 1, 1};
-  return format->parse(content, path, warnings);
+Warnings MeshFile::notes() const {
+  Warnings notes;
+  for (const LeftOut& kind : left_out) {
+    std::string message = "left out: " + kind.what;
+    if (!kind.unit.empty()) message += ", " + std::to_string(kind.count) + " " + kind.unit;
+    notes.push_back({std::move(message), "", source.file, kind.line, kind.column});
+  }
+  return notes;
 }
 
-Result<Polygons> read_mesh(const std::string& path, Warnings* warnings) {
+Result<MeshFile> parse_mesh_file(std::string_view content, std::string_view extension,
+                                 const std::string& name) {
+  std::string recognised;
+  if (extension.empty()) {
+    Result<std::string> format = format_of_content(content);
+    if (!format) {
+      format.error().file = name;
+      return format.error();
+    }
+    recognised = *format;
+  }
+  const io::Format* format = io::find_format(extension.empty() ? recognised : extension, true);
+  if (format == nullptr) return io::unknown_extension(extension, name, true);
+  if (content.empty()) return Error{"the file is empty", "", name, 1, 1};
+  if (std::string fault = io::utf16_fault(content); !fault.empty()) {
+    if (format->extension != "stl" || !io::has_size_of_binary_stl(content))
+      return Error{std::move(fault), "convert it to UTF-8: iconv -f UTF-16 -t UTF-8", name, 1, 1};
+  }
+  MeshFile mesh;
+  mesh.source.file = name;
+  Status done = format->parse(content, mesh);
+  if (done) return mesh;
+  Error error = done.error();
+  if (!extension.empty() && error.hint.empty()) {
+    const Result<std::string> seems = format_of_content(content);
+    if (seems && *seems != format->extension)
+      error.hint = "the content looks like " + *seems + "; is the file's extension right?";
+  }
+  return error;
+}
+
+Result<MeshFile> read_mesh_file(const std::string& path) {
   if (Status known = check_readable(path); !known) return known.error();
   const Result<std::string> content = read_file(path);
   if (!content) return content.error();
-  return parse_mesh(*content, io::extension_of(path), path, warnings);
+  return parse_mesh_file(*content, io::extension_of(path), path);
+}
+
+Result<MeshFile> read_mesh_file(std::istream& in, const std::string& name) {
+  std::string content((std::istreambuf_iterator<char>(in)), std::istreambuf_iterator<char>());
+  if (in.bad()) return Error{"cannot be read", "", name, 0, 0};
+  return parse_mesh_file(content, "", name);
+}
+
+Result<Polygons> parse_mesh(std::string_view content, std::string_view extension,
+                            const std::string& path, Warnings* warnings) {
+  if (extension.empty()) return io::unknown_extension(extension, path, true);
+  return io::mesh_of(parse_mesh_file(content, extension, path), warnings);
+}
+
+Result<Polygons> read_mesh(const std::string& path, Warnings* warnings) {
+  return io::mesh_of(read_mesh_file(path), warnings);
 }
 
 Result<std::string> format_mesh(std::string_view extension, const Polygons& mesh,

@@ -3,28 +3,65 @@
 /// A control mesh comes in exactly as given (order, quads and n-gons, coincident but distinct
 /// vertices), and what is written reads back equal: PLY binary and the text formats keep every
 /// double (PLY as `double`; text in the shortest form that reads back to the same double); STL
-/// and GLB keep floats. STL has no shared vertices: corners with bitwise equal coordinates become
-/// one vertex on reading; it holds triangles only.
+/// and GLB keep floats. STL has no shared vertices: corners with equal coordinates become one
+/// vertex on reading (-0 is +0), facets that then have less than three are dropped with a warning;
+/// it holds triangles only.
 /// One file per format; the format of a path is its extension, in any case.
 
+#include <cstddef>
 #include <filesystem>
+#include <iosfwd>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "limn/base/error.h"
+#include "limn/mesh/mesh_source.h"
 #include "limn/mesh/polygons.h"
 
 namespace limn {
 
-/// Reads a mesh. Faults (not a number, NaN or infinity, index out of range, truncated data, a
-/// wrong count, an unknown extension, an empty mesh, more than 2^31 corners…) are reported with
-/// file:line:column (binary: with the byte offset in the message), what was found and what was
-/// expected. `warnings` gets at most one remark that texture coordinates or normals are not
-/// refined yet, and one per other kind of content that is left out.
-[[nodiscard]] Result<Polygons> read_mesh(const std::string& path, Warnings* warnings = nullptr);
+/// Content of a file that a mesh does not keep, of one kind.
+struct LeftOut {
+  std::string what;       ///< plural, in a user's words: "vertex colours", "groups ('g')"
+  std::size_t count = 0;  ///< how often it was met
+  std::string unit;       ///< of what: "lines", "vertices"; may be empty
+  int line = 0;           ///< of the first; 0: binary
+  int column = 0;
+};
 
-/// The same from memory; `extension` without the dot ("obj"); `path` only for error messages.
+/// What a file gives: the mesh, and what there is to say about it.
+struct MeshFile {
+  Polygons polygons;
+  MeshSource source;              ///< for messages about the mesh
+  Warnings warnings;              ///< faults of the file that did not keep it from being read
+  std::vector<LeftOut> left_out;  ///< in the order in which they were met
+
+  /// `left_out` in words, with file and line.
+  [[nodiscard]] Warnings notes() const;
+};
+
+/// Reads a mesh. Faults (not a number, NaN or infinity, index out of range, truncated data, a
+/// wrong count, an unknown extension, UTF-16, an empty mesh, 2^31 - 1 corners or more…) are
+/// reported with file:line:column (binary: with the byte offset in the message), what was found
+/// and what was expected. Nothing is allocated for a count that the file cannot hold.
+[[nodiscard]] Result<MeshFile> read_mesh_file(const std::string& path);
+
+/// The same from a stream, standard input say, to its end; its content tells the format
+/// (`format_of_content`). `name` only for messages: "standard input".
+[[nodiscard]] Result<MeshFile> read_mesh_file(std::istream& in, const std::string& name);
+
+/// The same from memory; `extension` without the dot ("obj"), or empty: the content tells.
+[[nodiscard]] Result<MeshFile> parse_mesh_file(std::string_view content, std::string_view extension,
+                                               const std::string& name);
+
+/// The format that a content is in, by its first words (STL: by its size too): "obj", "off",
+/// "ply" or "stl"; or why that cannot be told. Cost O(1) for what has a sign of its format near
+/// its head, else O(size).
+[[nodiscard]] Result<std::string> format_of_content(std::string_view content);
+
+/// The mesh alone; `warnings` gets the warnings, then the notes, one for each kind.
+[[nodiscard]] Result<Polygons> read_mesh(const std::string& path, Warnings* warnings = nullptr);
 [[nodiscard]] Result<Polygons> parse_mesh(std::string_view content, std::string_view extension,
                                           const std::string& path, Warnings* warnings = nullptr);
 

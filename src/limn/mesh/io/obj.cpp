@@ -1,6 +1,8 @@
 /// Wavefront OBJ: `v` and `f` are read, all else is left out.
 
+#include <algorithm>
 #include <cstdint>
+#include <iterator>
 
 #include "limn/mesh/io/blocks.h"
 #include "limn/mesh/io/formats.h"
@@ -9,18 +11,47 @@
 namespace limn::io {
 namespace {
 
+/// Those of the manual [Wavefront, appendix B1], and OpenSubdiv's tags.
+constexpr std::string_view kKeywords[] = {
+    "v",     "vt",    "vn",   "vp",     "f",        "fo",       "l",      "p",          "g",
+    "o",     "s",     "mg",   "usemtl", "mtllib",   "usemap",   "maplib", "curv",       "curv2",
+    "surf",  "parm",  "trim", "hole",   "scrv",     "sp",       "end",    "con",        "cstype",
+    "deg",   "bmat",  "step", "bevel",  "c_interp", "d_interp", "lod",    "shadow_obj", "trace_obj",
+    "ctech", "stech", "t",    "call",   "csh"};
+
+struct Kind {
+  std::string_view keyword, what;
+};
+constexpr Kind kLeftOut[] = {
+    {"vt", "texture coordinates ('vt')"},
+    {"vn", "normals ('vn')"},
+    {"vp", "points of parameter space ('vp')"},
+    {"l", "lines ('l')"},
+    {"p", "points ('p')"},
+    {"g", "groups ('g')"},
+    {"o", "object names ('o')"},
+    {"s", "smoothing groups ('s')"},
+    {"usemtl", "materials of faces ('usemtl')"},
+    {"mtllib", "names of material files ('mtllib')"},
+    {"t", "sharp edges and corners, and other tags of OpenSubdiv ('t')"},
+};
+
 class ObjReader {
  public:
-  ObjReader(std::string_view content, const std::string& path, Warnings* warnings)
-      : in_(content, path, {.comments = true, .continuation = true}), remarks_(warnings, path) {}
+  ObjReader(std::string_view content, MeshFile& file)
+      : in_(content, file.source.file, {.comments = true, .continuation = true}),
+        remarks_(file),
+        mesh_(file.polygons),
+        source_(file.source) {}
 
-  Result<Polygons> read() {
+  Status read() {
+    source_.first = 1;
     while (in_.next_content()) {
       if (!statement()) return in_.error();
-      in_.skip_line();
+      in_.skip_line(is_obj_keyword);
     }
     if (!check_end()) return in_.error();
-    return std::move(mesh_);
+    return Done{};
   }
 
  private:
@@ -40,12 +71,15 @@ class ObjReader {
       ++count;
     }
     if (in_.line_has_more() || count < 3 || count == 5) return bad_vertex(place, count);
-    if (count >= 6) remarks_.left_out(place, "vertex colours are");
-    if (count == 4 && numbers[3] != 1.0) remarks_.left_out(place, "the weight w of vertices is");
+    if (count >= 6) remarks_.left_out(place, "vertex colours", "vertices");
+    if (count == 4 && numbers[3] != 1.0) {
+      remarks_.left_out(place, "weights w other than 1", "vertices");
+    }
     if (mesh_.positions.size() == kMaxCorners) {
-      return in_.fail(place, "more than 2^31 - 1 vertices");
+      return in_.fail(place, "2^31 - 1 vertices or more");
     }
     mesh_.positions.push_back({numbers[0], numbers[1], numbers[2]});
+    source_.vertex_lines.push_back(place.line);
     return true;
   }
 
@@ -73,6 +107,7 @@ class ObjReader {
           place, "a face of " + count_of(degree, "corner", "corners") + ", expected three or more");
     }
     mesh_.face_begin.push_back(static_cast<Index>(mesh_.corners.size()));
+    source_.face_lines.push_back(place.line);
     return true;
   }
 
@@ -94,7 +129,7 @@ class ObjReader {
       last_vertex_place_ = in_.last_place();
     }
     if (mesh_.corners.size() == kMaxCorners) {
-      return in_.fail(in_.last_place(), "more than 2^31 - 1 corners");
+      return in_.fail(in_.last_place(), "2^31 - 1 corners or more");
     }
     // One beyond the range of Index is beyond the vertices too: refused in `check_end`.
     mesh_.corners.push_back(static_cast<Index>(vertex));
@@ -128,21 +163,13 @@ class ObjReader {
       return in_.fail(in_.last_place(), "expected an OBJ keyword, found " + in_quotes(keyword),
                       "is this a binary file?");
     }
-    if (keyword == "vt" || keyword == "vn") {
-      remarks_.texture_or_normals(in_.last_place());
-    } else if (keyword == "l") {
-      remarks_.left_out(in_.last_place(), "lines ('l') are");
-    } else if (keyword == "p") {
-      remarks_.left_out(in_.last_place(), "points ('p') are");
-    } else if (!is_grouping(keyword)) {
-      remarks_.left_out(in_.last_place(), "statements of kind " + in_quotes(keyword) + " are");
-    }
+    const auto known = std::find_if(std::begin(kLeftOut), std::end(kLeftOut),
+                                    [&](const Kind& kind) { return kind.keyword == keyword; });
+    remarks_.left_out(
+        in_.last_place(),
+        known != std::end(kLeftOut) ? std::string(known->what) : "statements " + in_quotes(keyword),
+        "lines");
     return true;
-  }
-
-  static bool is_grouping(std::string_view keyword) {
-    return keyword == "g" || keyword == "o" || keyword == "s" || keyword == "usemtl" ||
-           keyword == "mtllib";
   }
 
   /// A face may come before its vertices; only now is it known which are missing.
@@ -158,15 +185,20 @@ class ObjReader {
 
   TextScanner in_;
   Remarks remarks_;
-  Polygons mesh_;
+  Polygons& mesh_;
+  MeshSource& source_;
   std::int64_t last_vertex_ = -1;  ///< the largest index seen
   Place last_vertex_place_;
 };
 
 }  // namespace
 
-Result<Polygons> parse_obj(std::string_view content, const std::string& path, Warnings* warnings) {
-  return ObjReader(content, path, warnings).read();
+bool is_obj_keyword(std::string_view word) {
+  return std::find(std::begin(kKeywords), std::end(kKeywords), word) != std::end(kKeywords);
+}
+
+Status parse_obj(std::string_view content, MeshFile& mesh) {
+  return ObjReader(content, mesh).read();
 }
 
 void format_obj(const Polygons& mesh, const WriteOptions& options, const Sink& sink) {

@@ -1,6 +1,10 @@
 /// Geomview OFF, ascii, three-dimensional: OFF and the variants with vertex colours (C), normals
-/// (N) and texture coordinates (ST), which are left out. One vertex or face a line.
+/// (N) and texture coordinates (ST), which are left out. One vertex or face a line; a plain OFF
+/// whose lines are broken otherwise is read number by number. As data sets have it, the keyword may
+/// be in lower case, glued to the first count ("OFF4 4 0", ModelNet), or missing.
 
+#include <algorithm>
+#include <cctype>
 #include <cstdint>
 
 #include "limn/mesh/io/blocks.h"
@@ -12,26 +16,48 @@ namespace {
 
 class OffReader {
  public:
-  OffReader(std::string_view content, const std::string& path, Warnings* warnings)
-      : in_(content, path, {.comments = true, .continuation = false}), remarks_(warnings, path) {}
+  OffReader(std::string_view content, MeshFile& file, bool by_number)
+      : in_(content, file.source.file, {.comments = true, .continuation = false}),
+        remarks_(file),
+        mesh_(file.polygons),
+        source_(file.source),
+        by_number_(by_number) {}
 
-  Result<Polygons> read() {
-    if (header() && counts() && vertices() && faces() && check_end()) return std::move(mesh_);
+  Status read() {
+    if (header() && counts() && vertices() && faces() && check_end()) return Done{};
     return in_.error();
   }
+  /// Whether the fault lies behind the counts, and nothing but numbers is expected there.
+  [[nodiscard]] bool may_read_by_number() const { return in_body_ && !has_extras_; }
 
  private:
   bool header() {
     if (!in_.next_content()) return in_.fail(in_.place(), "the file has no content");
-    std::string_view word = in_.take_word();
-    const std::string_view whole = word;
-    if (!word.ends_with("OFF")) {
-      return in_.fail(in_.last_place(), "expected the word OFF, found " + in_quotes(word));
+    const std::string_view word = in_.take_word();
+    const std::size_t length = off_keyword_length(word);
+    in_.keep_of_last(length);
+    if (length > 0) return variant(word.substr(0, length));
+    std::int64_t count = 0;
+    if (parse_integer(word.data(), word.data() + word.size(), count) != nullptr) return true;
+    return in_.fail(in_.last_place(), "expected the word OFF, found " + in_quotes(word));
+  }
+
+  /// Of the keyword `whole`.
+  bool variant(std::string_view whole) {
+    const std::string_view prefix = whole.substr(0, whole.size() - 3);
+    // "nOFF" is of n dimensions; "noff" is taken for NOFF in lower case.
+    const bool n_dimensions = whole.ends_with("OFF") && prefix.find('n') != std::string_view::npos;
+    if (n_dimensions || prefix.find('4') != std::string_view::npos) {
+      return in_.fail(in_.last_place(), in_quotes(whole) +
+                                            " holds points of other than three "
+                                            "dimensions, expected OFF, COFF, NOFF or STOFF");
     }
-    word.remove_suffix(3);
-    const auto take = [&word](std::string_view prefix) {
-      const bool found = word.starts_with(prefix);
-      if (found) word.remove_prefix(prefix.size());
+    std::string kind(prefix);
+    for (char& c : kind) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
+    std::string_view rest = kind;
+    const auto take = [&rest](std::string_view part) {
+      const bool found = rest.starts_with(part);
+      if (found) rest.remove_prefix(part.size());
       return found;
     };
     // The manual has C before N, some programs write NC.
@@ -39,17 +65,17 @@ class OffReader {
     const bool normals_first = take("N");
     const bool colours = take("C");
     const bool normals = take("N") || normals_first;
-    if (word == "4" || word == "n" || word == "4n") {
-      return in_.fail(in_.last_place(), in_quotes(whole) +
-                                            " holds points of other than three "
-                                            "dimensions, expected OFF, COFF, NOFF or STOFF");
-    }
-    if (!word.empty()) {
+    if (!rest.empty()) {
       return in_.fail(in_.last_place(), "unknown kind of OFF file " + in_quotes(whole));
     }
-    if (texture || normals) remarks_.texture_or_normals(in_.last_place());
-    if (colours) remarks_.left_out(in_.last_place(), "vertex colours are");
-    has_extras_ = texture || colours || normals;
+    const auto left_out = [&](bool there, const char* what) {
+      if (there) extras_.emplace_back(what);
+    };
+    left_out(texture, "texture coordinates");
+    left_out(normals, "normals");
+    left_out(colours, "vertex colours");
+    has_extras_ = !extras_.empty();
+    keyword_place_ = in_.last_place();
     return true;
   }
 
@@ -68,7 +94,12 @@ class OffReader {
     }
     vertex_count_ = vertices.value;
     face_count_ = faces.value;
-    return check(vertices) && check(faces);
+    if (!check(vertices) || !check(faces)) return false;
+    for (const char* what : extras_) {
+      remarks_.left_out(keyword_place_, what, "vertices", static_cast<std::size_t>(vertex_count_));
+    }
+    in_body_ = true;
+    return true;
   }
 
   struct Count {
@@ -98,29 +129,39 @@ class OffReader {
                                        " bytes that follow can hold");
     }
     return count.value <= static_cast<std::int64_t>(kMaxCorners) ||
-           in_.fail(count.place, what + " is 2^31 or more");
+           in_.fail(count.place, what + " is 2^31 - 1 or more");
   }
 
   bool next_line_of(const char* kind, std::int64_t number, std::int64_t count) {
-    in_.skip_line();
+    if (!by_number_) in_.skip_line();
     if (in_.next_content()) return true;
     return in_.fail(in_.place(), "expected " + std::string(kind) + " " + std::to_string(number) +
                                      " of " + std::to_string(count) +
                                      ", found the end of the file");
   }
 
+  bool number(double& value, const char* what) {
+    if (by_number_) in_.next_content();
+    return in_.read_number(value, what);
+  }
+  bool integer(std::int64_t& value, const char* what) {
+    if (by_number_) in_.next_content();
+    return in_.read_integer(value, what);
+  }
+
   bool vertices() {
     mesh_.positions.reserve(static_cast<std::size_t>(vertex_count_));
     for (std::int64_t v = 0; v < vertex_count_; ++v) {
       if (!next_line_of("vertex", v + 1, vertex_count_)) return false;
+      source_.vertex_lines.push_back(in_.place().line);
       Point3 p;
-      if (!in_.read_number(p.x, "the x coordinate") || !in_.read_number(p.y, "the y coordinate") ||
-          !in_.read_number(p.z, "the z coordinate")) {
+      if (!number(p.x, "the x coordinate") || !number(p.y, "the y coordinate") ||
+          !number(p.z, "the z coordinate")) {
         return false;
       }
       // Many write colours under a plain OFF.
-      if (!has_extras_ && in_.line_has_more()) {
-        remarks_.left_out(in_.place(), "numbers behind the coordinates of vertices are");
+      if (!has_extras_ && !by_number_ && in_.line_has_more()) {
+        remarks_.left_out(in_.place(), "numbers behind the coordinates", "vertices");
       }
       mesh_.positions.push_back(p);
     }
@@ -137,33 +178,37 @@ class OffReader {
 
   /// The degree and the indices; what follows on the line is a colour.
   bool face() {
+    source_.face_lines.push_back(in_.place().line);
     std::int64_t degree = 0;
-    if (!in_.read_integer(degree, "the number of corners")) return false;
+    if (!integer(degree, "the number of corners")) return false;
     if (degree < 3) {
       return in_.fail(in_.last_place(),
                       "a face of " + std::to_string(degree) + " corners, expected three or more");
     }
     for (std::int64_t k = 0; k < degree; ++k) {
       std::int64_t vertex = 0;
-      if (!in_.read_integer(vertex, "a vertex index")) return false;
+      if (!integer(vertex, "a vertex index")) return false;
       if (vertex < 0 || vertex >= vertex_count_) {
         return in_.fail(in_.last_place(), "vertex index " + std::to_string(vertex) +
                                               " is out of range: expected 0 to " +
                                               std::to_string(vertex_count_ - 1));
       }
       if (mesh_.corners.size() == kMaxCorners) {
-        return in_.fail(in_.last_place(), "more than 2^31 - 1 corners");
+        return in_.fail(in_.last_place(), "2^31 - 1 corners or more");
       }
       mesh_.corners.push_back(static_cast<Index>(vertex));
     }
     mesh_.face_begin.push_back(static_cast<Index>(mesh_.corners.size()));
+    if (!by_number_ && in_.line_has_more()) {
+      remarks_.left_out(in_.place(), "face colours", "faces");
+    }
     return true;
   }
 
   bool check_end() {
     if (std::string fault = emptiness(mesh_); !fault.empty()) return in_.fail(in_.place(), fault);
-    in_.skip_line();
-    if (!in_.next_content()) return true;
+    if (!by_number_) in_.skip_line();
+    if (!in_.next_content() || is_padding(in_.rest())) return true;
     return in_.fail(in_.place(),
                     "expected the end of the file after " +
                         count_of(mesh_.face_begin.size() - 1, "face", "faces") +
@@ -173,7 +218,12 @@ class OffReader {
 
   TextScanner in_;
   Remarks remarks_;
-  Polygons mesh_;
+  Polygons& mesh_;
+  MeshSource& source_;
+  bool by_number_;  ///< lines mean nothing
+  bool in_body_ = false;
+  std::vector<const char*> extras_;  ///< of vertices, that the keyword announces
+  Place keyword_place_;
   std::int64_t vertex_count_ = 0;
   std::int64_t face_count_ = 0;
   bool has_extras_ = false;
@@ -181,8 +231,29 @@ class OffReader {
 
 }  // namespace
 
-Result<Polygons> parse_off(std::string_view content, const std::string& path, Warnings* warnings) {
-  return OffReader(content, path, warnings).read();
+std::size_t off_keyword_length(std::string_view word) {
+  std::string upper(word);
+  for (char& c : upper) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
+  const std::size_t at = upper.find("OFF");
+  if (at == std::string::npos) return 0;
+  const std::size_t length = at + 3;
+  return length == word.size() || std::isdigit(static_cast<unsigned char>(word[length])) != 0
+             ? length
+             : 0;
+}
+
+Status parse_off(std::string_view content, MeshFile& mesh) {
+  OffReader by_line(content, mesh, false);
+  Status status = by_line.read();
+  if (status || !by_line.may_read_by_number()) return status;
+  MeshFile other;
+  other.source.file = mesh.source.file;
+  // Only where every number finds its place to the end of the file; else the lines tell the fault.
+  if (!OffReader(content, other, true).read()) return status;
+  Remarks(other).warn({status.error().line, 1},
+                      "not one vertex or face a line, so read number by number");
+  mesh = std::move(other);
+  return Done{};
 }
 
 void format_off(const Polygons& mesh, const WriteOptions& options, const Sink& sink) {

@@ -1,9 +1,11 @@
-/// Stanford PLY: the positions of `vertex` and the index lists of `face` are read from ascii and
-/// both binary encodings; binary little-endian with double coordinates is written.
+/// Stanford PLY: the positions of `vertex`, the index lists of `face` and the strips of
+/// `tristrips` are read from ascii and both binary encodings; binary little-endian with double
+/// coordinates is written.
 
 #include <cmath>
 #include <cstdint>
 #include <initializer_list>
+#include <set>
 
 #include "limn/mesh/io/blocks.h"
 #include "limn/mesh/io/bytes.h"
@@ -31,15 +33,33 @@ int axis_of(const PlyProperty& property) {
   return property.name == "x" ? 0 : property.name == "y" ? 1 : property.name == "z" ? 2 : -1;
 }
 
+bool holds_faces(const PlyElement& element) {
+  return is_one_of(element.name, {"face", "tristrips"});
+}
+
+/// That the element has one list of vertices.
+bool check_index_list(TextScanner& in, const PlyElement& element) {
+  int lists = 0;
+  for (const PlyProperty& property : element.properties) lists += is_index_list(property) ? 1 : 0;
+  if (lists == 1) return true;
+  return in.fail(element.place, "element " + in_quotes(element.name) +
+                                    (lists == 0 ? " has no list property 'vertex_indices' "
+                                                  "or 'vertex_index'"
+                                                : " has two lists of vertex indices"));
+}
+
 /// Checks that the header declares a mesh.
 bool check_header(TextScanner& in, const PlyHeader& header) {
   const PlyElement* vertex = header.find("vertex");
   const PlyElement* face = header.find("face");
+  const PlyElement* strips = header.find("tristrips");
   if (vertex == nullptr) return in.fail(in.last_place(), "the header has no element 'vertex'");
-  if (face == nullptr) return in.fail(in.last_place(), "the header has no element 'face'");
+  if (face == nullptr && strips == nullptr) {
+    return in.fail(in.last_place(), "the header has no element 'face' or 'tristrips'");
+  }
   if (vertex->count == 0) return in.fail(vertex->count_place, "the mesh has no vertices");
-  if (face->count == 0) {
-    return in.fail(face->count_place,
+  if ((face == nullptr || face->count == 0) && (strips == nullptr || strips->count == 0)) {
+    return in.fail((face != nullptr ? face : strips)->count_place,
                    "the mesh has no faces, only " +
                        count_of(static_cast<std::size_t>(vertex->count), "vertex", "vertices"));
   }
@@ -53,33 +73,37 @@ bool check_header(TextScanner& in, const PlyHeader& header) {
                      std::string("element 'vertex' has no scalar property '") + "xyz"[axis] + "'");
     }
   }
-  int lists = 0;
-  for (const PlyProperty& property : face->properties) lists += is_index_list(property) ? 1 : 0;
-  if (lists == 1) return true;
-  return in.fail(face->place, lists == 0 ? "element 'face' has no list property 'vertex_indices' "
-                                           "or 'vertex_index'"
-                                         : "element 'face' has two lists of vertex indices");
+  for (const PlyElement* element : {face, strips}) {
+    if (element != nullptr && !check_index_list(in, *element)) return false;
+  }
+  return true;
+}
+
+/// What a property of a vertex or face is to a user.
+std::string kind_of(const PlyElement& element, const PlyProperty& property) {
+  const std::string& name = property.name;
+  if (is_one_of(name, {"nx", "ny", "nz"})) return "normals";
+  if (is_one_of(name, {"s", "t", "u", "v", "texture_u", "texture_v", "texcoord"})) {
+    return "texture coordinates";
+  }
+  if (is_one_of(name, {"red", "green", "blue", "alpha"})) return element.name + " colours";
+  return "the " + element.name + " property " + in_quotes(name);
 }
 
 void remark_what_is_left_out(const PlyHeader& header, Remarks& remarks) {
   for (const PlyElement& element : header.elements) {
+    const auto count = static_cast<std::size_t>(element.count);
     const bool is_vertex = element.name == "vertex";
-    const bool is_face = element.name == "face";
-    if (!is_vertex && !is_face) {
-      remarks.left_out(element.place, "elements " + in_quotes(element.name) + " are");
+    if (!is_vertex && !holds_faces(element)) {
+      remarks.left_out(element.place, "elements " + in_quotes(element.name), "of them", count);
       continue;
     }
+    std::set<std::string> kinds;
     for (const PlyProperty& property : element.properties) {
       if (is_vertex ? axis_of(property) >= 0 : is_index_list(property)) continue;
-      const std::string& name = property.name;
-      if (is_one_of(name,
-                    {"nx", "ny", "nz", "s", "t", "u", "v", "texture_u", "texture_v", "texcoord"})) {
-        remarks.texture_or_normals(property.place);
-      } else if (is_one_of(name, {"red", "green", "blue", "alpha"})) {
-        remarks.left_out(property.place, element.name + " colours are");
-      } else {
-        remarks.left_out(property.place, element.name + " property " + in_quotes(name) + " is");
-      }
+      std::string kind = kind_of(element, property);
+      if (!kinds.insert(kind).second) continue;
+      remarks.left_out(property.place, kind, is_vertex ? "vertices" : "faces", count);
     }
   }
 }
@@ -87,8 +111,8 @@ void remark_what_is_left_out(const PlyHeader& header, Remarks& remarks) {
 template <class Body>
 class ElementReader {
  public:
-  ElementReader(Body& body, const PlyHeader& header, Polygons& mesh)
-      : body_(body), header_(header), mesh_(mesh) {}
+  ElementReader(Body& body, const PlyHeader& header, MeshFile& file)
+      : body_(body), header_(header), file_(file), mesh_(file.polygons) {}
 
   bool read() {
     vertex_count_ = header_.find("vertex")->count;
@@ -96,13 +120,16 @@ class ElementReader {
       if (!check_count(element)) return false;
       if (element.name == "vertex") {
         if (!vertices(element)) return false;
-      } else if (element.name == "face") {
+      } else if (holds_faces(element)) {
         if (!faces(element)) return false;
       } else if (!skip_all(element)) {
         return false;
       }
     }
-    return body_.finish();
+    // Strips may hold no triangle.
+    if (const std::string fault = emptiness(mesh_); !fault.empty()) return body_.fail(fault);
+    Remarks remarks(file_);
+    return body_.finish(remarks);
   }
 
  private:
@@ -119,9 +146,9 @@ class ElementReader {
                                                     std::to_string(body_.remaining()) +
                                                     " bytes of data can hold");
     }
-    const bool kept = element.name == "vertex" || element.name == "face";
+    const bool kept = element.name == "vertex" || holds_faces(element);
     return !kept || count <= kMaxCorners ||
-           body_.fail_at(element.count_place, "more than 2^31 - 1 of '" + element.name + "'");
+           body_.fail_at(element.count_place, "2^31 - 1 or more of '" + element.name + "'");
   }
 
   bool vertices(const PlyElement& element) {
@@ -134,6 +161,7 @@ class ElementReader {
     for (std::int64_t number = 0; number < element.count; ++number) {
       double xyz[3] = {};
       if (!body_.begin(element, number)) return false;
+      note_line(file_.source.vertex_lines);
       for (std::size_t k = 0; k < axes.size(); ++k) {
         const PlyProperty& property = element.properties[k];
         const int axis = axes[k];
@@ -153,19 +181,28 @@ class ElementReader {
     for (const PlyProperty& property : element.properties) {
       is_index.push_back(is_index_list(property) ? 1 : 0);
     }
+    const bool strips = element.name == "tristrips";
     mesh_.face_begin.reserve(static_cast<std::size_t>(element.count) + 1);
     for (std::int64_t number = 0; number < element.count; ++number) {
       if (!body_.begin(element, number)) return false;
       for (std::size_t k = 0; k < is_index.size(); ++k) {
         const PlyProperty& property = element.properties[k];
-        if (is_index[k] != 0 ? !face(property) : !skip(property)) return false;
+        const bool read = is_index[k] == 0 ? skip(property)
+                          : strips         ? strip(property)
+                                           : face(property);
+        if (!read) return false;
       }
       if (!body_.end()) return false;
     }
     return true;
   }
 
+  void note_line(std::vector<int>& lines) {
+    if (const int line = body_.line(); line > 0) lines.push_back(line);
+  }
+
   bool face(const PlyProperty& property) {
+    note_line(file_.source.face_lines);
     std::int64_t degree = 0;
     if (!integer(property.count_type, degree, "the number of corners")) return false;
     if (degree < 3) {
@@ -174,11 +211,53 @@ class ElementReader {
     for (std::int64_t k = 0; k < degree; ++k) {
       std::int64_t vertex = 0;
       if (!integer(property.type, vertex, "a vertex index")) return false;
-      if (vertex < 0 || vertex >= vertex_count_) {
-        return body_.fail("vertex index " + std::to_string(vertex) +
-                          " is out of range: expected 0 to " + std::to_string(vertex_count_ - 1));
+      if (!check_vertex(vertex)) return false;
+      if (mesh_.corners.size() == kMaxCorners) return body_.fail("2^31 - 1 corners or more");
+      mesh_.corners.push_back(static_cast<Index>(vertex));
+    }
+    mesh_.face_begin.push_back(static_cast<Index>(mesh_.corners.size()));
+    return true;
+  }
+
+  bool check_vertex(std::int64_t vertex) {
+    if (vertex >= 0 && vertex < vertex_count_) return true;
+    return body_.fail("vertex index " + std::to_string(vertex) +
+                      " is out of range: expected 0 to " + std::to_string(vertex_count_ - 1));
+  }
+
+  /// Each vertex from the third on makes a triangle with the two before it; every other triangle
+  /// is turned over. A vertex -1 ends the strip, and the next begins. Triangles that meet a vertex
+  /// twice only lead from one strip to the next.
+  bool strip(const PlyProperty& property) {
+    std::int64_t count = 0;
+    if (!integer(property.count_type, count, "the length of the strips")) return false;
+    if (count < 0) return body_.fail("a list of negative length");
+    std::int64_t before[2] = {};
+    std::int64_t length = 0;  // of the strip that has begun
+    for (std::int64_t k = 0; k < count; ++k) {
+      std::int64_t vertex = 0;
+      if (!integer(property.type, vertex, "a vertex index, or -1")) return false;
+      if (vertex == -1) {
+        length = 0;
+        continue;
       }
-      if (mesh_.corners.size() == kMaxCorners) return body_.fail("more than 2^31 - 1 corners");
+      if (!check_vertex(vertex)) return false;
+      const bool turned = length % 2 != 0;
+      if (length >= 2 && !triangle(before[turned ? 1 : 0], before[turned ? 0 : 1], vertex)) {
+        return false;
+      }
+      before[0] = before[1];
+      before[1] = vertex;
+      ++length;
+    }
+    return true;
+  }
+
+  bool triangle(std::int64_t a, std::int64_t b, std::int64_t c) {
+    if (a == b || b == c || c == a) return true;
+    if (mesh_.corners.size() > kMaxCorners - 3) return body_.fail("2^31 - 1 corners or more");
+    note_line(file_.source.face_lines);
+    for (const std::int64_t vertex : {a, b, c}) {
       mesh_.corners.push_back(static_cast<Index>(vertex));
     }
     mesh_.face_begin.push_back(static_cast<Index>(mesh_.corners.size()));
@@ -219,15 +298,38 @@ class ElementReader {
 
   Body& body_;
   const PlyHeader& header_;
+  MeshFile& file_;
   Polygons& mesh_;
   std::int64_t vertex_count_ = 0;
 };
 
 template <class Body>
-Result<Polygons> read_elements(Body body, const PlyHeader& header) {
-  Polygons mesh;
-  if (ElementReader<Body>(body, header, mesh).read()) return mesh;
+Status read_elements(Body body, const PlyHeader& header, MeshFile& mesh) {
+  if (ElementReader<Body>(body, header, mesh).read()) return Done{};
   return body.error();
+}
+
+/// `by_word`: where one instance a line does not make sense of ascii data.
+Status read_ply(std::string_view content, bool by_word, MeshFile& mesh) {
+  TextScanner in(content, mesh.source.file, {});
+  PlyHeader header;
+  if (!read_ply_header(in, header) || !check_header(in, header)) return in.error();
+  Remarks remarks(mesh);
+  remark_what_is_left_out(header, remarks);
+  if (header.format != PlyFormat::ascii) {
+    return read_elements(BinaryBody(content, in.offset(), header.format, mesh.source.file), header,
+                         mesh);
+  }
+  const Status status = read_elements(AsciiBody(in, by_word), header, mesh);
+  if (status || by_word) return status;
+  MeshFile other;
+  other.source.file = mesh.source.file;
+  // Only where every word finds its place to the end of the file; else the lines tell the fault.
+  if (!read_ply(content, true, other)) return status;
+  Remarks(other).warn({status.error().line, 1},
+                      "not one vertex or face a line, so read word by word");
+  mesh = std::move(other);
+  return Done{};
 }
 
 std::string header_text(const Polygons& mesh, bool normals, bool wide) {
@@ -247,14 +349,8 @@ char* store(char* to, Point3 p) {
 
 }  // namespace
 
-Result<Polygons> parse_ply(std::string_view content, const std::string& path, Warnings* warnings) {
-  TextScanner in(content, path, {});
-  PlyHeader header;
-  if (!read_ply_header(in, header) || !check_header(in, header)) return in.error();
-  Remarks remarks(warnings, path);
-  remark_what_is_left_out(header, remarks);
-  if (header.format == PlyFormat::ascii) return read_elements(AsciiBody(in), header);
-  return read_elements(BinaryBody(content, in.offset(), header.format, path), header);
+Status parse_ply(std::string_view content, MeshFile& mesh) {
+  return read_ply(content, false, mesh);
 }
 
 void format_ply(const Polygons& mesh, const WriteOptions& options, const Sink& sink) {

@@ -7,16 +7,17 @@
 #include <string_view>
 
 #include "limn/mesh/io/bytes.h"
+#include "limn/mesh/io/formats.h"
 #include "limn/mesh/io/ply_header.h"
 #include "limn/mesh/io/text_scanner.h"
 
 namespace limn::io {
 
-/// One instance of an element a line. Values are read as text: "0.1" declared float is the
-/// double nearest to 0.1.
+/// One instance of an element a line, or word by word, whatever the lines are. Values are read as
+/// text: "0.1" declared float is the double nearest to 0.1.
 class AsciiBody {
  public:
-  explicit AsciiBody(TextScanner& in) : in_(in) {}
+  AsciiBody(TextScanner& in, bool by_word) : in_(in), by_word_(by_word) {}
 
   bool begin(const PlyElement& element, std::int64_t number) {
     if (in_.next_content()) return true;
@@ -25,6 +26,7 @@ class AsciiBody {
                                      ", found the end of the file");
   }
   bool end() {
+    if (by_word_) return true;
     if (in_.line_has_more()) {
       in_.take_word();
       return fail("expected the end of the line, found " + in_quotes(in_.last_word()),
@@ -33,15 +35,24 @@ class AsciiBody {
     in_.skip_line();
     return true;
   }
-  bool read(PlyType, double& value, const char* what) { return in_.read_number(value, what); }
+  bool read(PlyType, double& value, const char* what) {
+    if (by_word_) in_.next_content();
+    return in_.read_number(value, what);
+  }
   bool skip(PlyType, std::int64_t count) {
     for (std::int64_t k = 0; k < count; ++k) {
+      if (by_word_) in_.next_content();
       if (!in_.skip_word("the value of a property")) return false;
     }
     return true;
   }
   /// At the end of the data: nothing may follow.
-  bool finish() { return !in_.next_content() || fail_at_rest("expected the end of the file"); }
+  bool finish(Remarks&) {
+    return !in_.next_content() || is_padding(in_.rest()) ||
+           fail_at_rest("expected the end of the file");
+  }
+  /// The line of the instance that is read; 0: there are no lines.
+  [[nodiscard]] int line() const { return in_.place().line; }
 
   /// Of the value read last.
   bool fail(std::string message, std::string hint = {}) {
@@ -61,6 +72,7 @@ class AsciiBody {
   }
 
   TextScanner& in_;
+  bool by_word_;
 };
 
 class BinaryBody {
@@ -95,13 +107,18 @@ class BinaryBody {
     offset_ += static_cast<std::size_t>(count) * size_of(type);
     return true;
   }
-  bool finish() {
+  bool finish(Remarks& remarks) {
     last_ = offset_;
     if (remaining() == 0) return true;
+    if (is_padding(content_.substr(offset_))) {
+      remarks.warn({}, padding_remark(remaining()) + " at byte " + std::to_string(offset_));
+      return true;
+    }
     return fail(
         "expected the end of the file, found " + std::to_string(remaining()) + " more bytes",
         "are the counts in the header right?");
   }
+  [[nodiscard]] static int line() { return 0; }
 
   bool fail(const std::string& message, std::string hint = {}) {
     error_ = {message + " at byte " + std::to_string(last_), std::move(hint), path_, 0, 0};

@@ -1,6 +1,6 @@
-/// STL: ascii and binary are read, binary is written. Corners whose coordinates are equal bit by
-/// bit are one vertex, numbered as first met; so +0 and -0 stay apart, as do coordinates that an
-/// exporter rounded differently.
+/// STL: ascii and binary are read, binary is written. Corners whose coordinates are equal are one
+/// vertex, numbered as first met; -0 is +0, but coordinates that an exporter rounded differently
+/// stay apart. A facet that does not have three corners then is dropped, with a warning.
 
 #include <cmath>
 #include <cstdint>
@@ -20,7 +20,10 @@ std::uint64_t size_for(std::uint32_t triangles) {
   return kHeadSize + std::uint64_t{kTriangleSize} * triangles;
 }
 
-/// Gives every distinct point an index: open addressing, with linear probing.
+/// As every coordinate is kept: one zero, so that equal coordinates have equal bits.
+double without_sign_of_zero(double x) { return x + 0.0; }
+
+/// Gives every distinct point an index: open addressing, with linear probing. No coordinate is -0.
 class Merger {
  public:
   explicit Merger(Polygons& mesh) : mesh_(mesh), slots_(64, kNone) {}
@@ -49,14 +52,9 @@ class Merger {
     return h;
   }
 
-  // the bits are what is meant: +0 and -0 are different corners
-  static bool same_bits(Point3 a, Point3 b) {
-    return std::memcmp(&a, &b, sizeof(a)) == 0;  // NOLINT(bugprone-suspicious-memory-comparison)
-  }
-
   Index& find(Point3 point) {
     std::size_t k = hash(point) & (slots_.size() - 1);
-    while (slots_[k] != kNone && !same_bits(mesh_.positions[slots_[k]], point)) {
+    while (slots_[k] != kNone && mesh_.positions[slots_[k]] != point) {
       k = (k + 1) & (slots_.size() - 1);
     }
     return slots_[k];
@@ -71,17 +69,81 @@ class Merger {
   std::vector<Index> slots_;
 };
 
+/// Takes the facets of a file, in order.
+class Facets {
+ public:
+  explicit Facets(MeshFile& file) : file_(file), mesh_(file.polygons), merger_(mesh_) {}
+
+  void reserve(std::size_t count) {
+    mesh_.face_begin.reserve(count + 1);
+    mesh_.corners.reserve(3 * count);
+  }
+  /// Whether there is room for one more.
+  [[nodiscard]] bool full() const { return mesh_.corners.size() > kMaxCorners - 3; }
+
+  /// `line`: 0 in a binary file.
+  void add(Point3 a, Point3 b, Point3 c, int line) {
+    if (line > 0) file_.source.face_lines.push_back(line);
+    const Index number = met_++;
+    for (Point3* p : {&a, &b, &c}) {
+      *p = {without_sign_of_zero(p->x), without_sign_of_zero(p->y), without_sign_of_zero(p->z)};
+    }
+    if (a == b || b == c || c == a) return drop(number, line);
+    for (const Point3& p : {a, b, c}) mesh_.corners.push_back(merger_.index_of(p));
+    mesh_.face_begin.push_back(static_cast<Index>(mesh_.corners.size()));
+    if (dropped_ > 0) file_.source.file_faces.push_back(number);
+  }
+
+  void finish() {
+    if (dropped_ == 0) return;
+    const bool one = dropped_ == 1;
+    std::string message = count_of(static_cast<std::size_t>(dropped_), "facet", "facets") +
+                          " dropped: two of " + (one ? "its" : "their") +
+                          " corners are one place (" + (one ? "" : "the first is ") + "facet " +
+                          std::to_string(first_dropped_) + ", counted from 0)";
+    Remarks(file_).warn({first_line_, 0}, std::move(message));
+  }
+
+ private:
+  void drop(Index number, int line) {
+    if (dropped_++ == 0) {
+      first_dropped_ = number;
+      first_line_ = line;
+      for (Index face = 0; face < mesh_.face_count(); ++face)
+        file_.source.file_faces.push_back(face);
+    }
+  }
+
+  MeshFile& file_;
+  Polygons& mesh_;
+  Merger merger_;
+  Index met_ = 0, dropped_ = 0, first_dropped_ = 0;
+  int first_line_ = 0;
+};
+
 class StlTextReader {
  public:
-  StlTextReader(std::string_view content, const std::string& path) : in_(content, path, {}) {}
+  StlTextReader(std::string_view content, MeshFile& file)
+      : in_(content, file.source.file, {}), file_(file), facets_(file) {}
 
-  Result<Polygons> read() {
+  Status read() {
     // Several solids may follow each other; they are one mesh.
-    while (in_.next_content()) {
+    int solids = 0;
+    Place second;
+    for (; in_.next_content() && !is_padding(in_.rest()); ++solids) {
+      if (solids == 1) second = in_.place();
       if (!solid()) return in_.error();
     }
-    if (const std::string fault = emptiness(mesh_); !fault.empty()) in_.fail(in_.place(), fault);
-    return mesh_.face_count() > 0 ? Result<Polygons>(std::move(mesh_)) : in_.error();
+    if (const std::string fault = emptiness(file_.polygons); !fault.empty()) {
+      in_.fail(in_.place(), fault);
+      return in_.error();
+    }
+    facets_.finish();
+    if (solids > 1) {
+      Remarks(file_).left_out(second, "which facets form a solid", "solids",
+                              static_cast<std::size_t>(solids));
+    }
+    return Done{};
   }
 
  private:
@@ -106,9 +168,16 @@ class StlTextReader {
 
   bool expect(const char* word) {
     if (!take(word)) return false;
-    if (is_word(in_.last_word(), word)) return true;
+    if (is_word(in_.last_word(), word) || is_end_and(word)) return true;
     return in_.fail(in_.last_place(),
                     std::string("expected ") + word + ", found " + in_quotes(in_.last_word()));
+  }
+
+  /// Whether the word that was taken is "end" and the rest of `word`, as "end solid", which some
+  /// programs write, follows; it is taken then.
+  bool is_end_and(std::string_view word) {
+    if (!word.starts_with("end") || !is_word(in_.last_word(), "end")) return false;
+    return in_.next_content() && is_word(in_.take_word(), word.substr(3));
   }
 
   bool solid() {
@@ -116,7 +185,7 @@ class StlTextReader {
     in_.skip_line();  // the name
     for (;;) {
       if (!take("facet or endsolid")) return false;
-      if (is_word(in_.last_word(), "endsolid")) break;
+      if (is_word(in_.last_word(), "endsolid") || is_end_and("endsolid")) break;
       if (!is_word(in_.last_word(), "facet")) {
         return in_.fail(in_.last_place(),
                         "expected facet or endsolid, found " + in_quotes(in_.last_word()));
@@ -128,24 +197,22 @@ class StlTextReader {
   }
 
   bool facet() {
+    const int line = in_.last_place().line;
     if (!expect("normal")) return false;
     // Not used, and often wrong or nan: the corners tell the orientation.
     for (int k = 0; k < 3; ++k) {
       if (!take("a component of the normal")) return false;
     }
     if (!expect("outer") || !expect("loop")) return false;
-    for (int k = 0; k < 3; ++k) {
-      Point3 p;
+    Point3 corners[3];
+    for (Point3& p : corners) {
       if (!expect("vertex") || !number(p.x, "the x coordinate") ||
           !number(p.y, "the y coordinate") || !number(p.z, "the z coordinate")) {
         return false;
       }
-      if (mesh_.corners.size() == kMaxCorners) {
-        return in_.fail(in_.last_place(), "more than 2^31 - 1 corners");
-      }
-      mesh_.corners.push_back(merger_.index_of(p));
     }
-    mesh_.face_begin.push_back(static_cast<Index>(mesh_.corners.size()));
+    if (facets_.full()) return in_.fail(in_.last_place(), "2^31 - 1 corners or more");
+    facets_.add(corners[0], corners[1], corners[2], line);
     return expect("endloop") && expect("endfacet");
   }
 
@@ -155,13 +222,14 @@ class StlTextReader {
   }
 
   TextScanner in_;
-  Polygons mesh_;
-  Merger merger_{mesh_};
+  MeshFile& file_;
+  Facets facets_;
 };
 
-Result<Polygons> parse_binary(std::string_view content, const std::string& path) {
-  const auto fail = [&path](std::string message, std::size_t byte) {
-    return Error{std::move(message) + " at byte " + std::to_string(byte), "", path, 0, 0};
+Status parse_binary(std::string_view content, MeshFile& file) {
+  const auto fail = [&file](std::string message, std::size_t byte) {
+    return Error{std::move(message) + " at byte " + std::to_string(byte), "", file.source.file, 0,
+                 0};
   };
   if (content.size() < kHeadSize) {
     return fail("expected the 84 bytes of a binary STL head, found the end of the file",
@@ -169,43 +237,43 @@ Result<Polygons> parse_binary(std::string_view content, const std::string& path)
   }
   const auto count = load_little<std::uint32_t>(content.data() + kHeadSize - 4);
   const std::uint64_t expected = size_for(count);
-  if (content.size() != expected) {
+  const bool longer = content.size() > expected;
+  if (content.size() < expected ||
+      (longer && !is_padding(content.substr(static_cast<std::size_t>(expected))))) {
     return fail("a binary STL file of " + count_of(count, "triangle", "triangles") + " has " +
                     std::to_string(expected) + " bytes, this one " +
                     std::to_string(content.size()) + "; the count is",
                 kHeadSize - 4);
   }
   if (count == 0) return fail("the mesh has no faces: the count is 0", kHeadSize - 4);
-  if (count > kMaxCorners / 3) return fail("more than 2^31 - 1 corners", kHeadSize - 4);
+  if (count > kMaxCorners / 3) return fail("2^31 - 1 corners or more", kHeadSize - 4);
 
-  Polygons mesh;
-  Merger merger(mesh);
-  mesh.face_begin.reserve(std::size_t{count} + 1);
-  mesh.corners.reserve(3 * std::size_t{count});
+  Facets facets(file);
+  facets.reserve(count);
+  std::size_t attributes = 0;
   for (std::size_t triangle = 0; triangle < count; ++triangle) {
-    const std::size_t corners = kHeadSize + kTriangleSize * triangle + 12;
-    for (std::size_t k = 0; k < 3; ++k) {
-      double xyz[3];
-      for (std::size_t axis = 0; axis < 3; ++axis) {
-        const std::size_t at = corners + 12 * k + 4 * axis;
-        xyz[axis] = double{load_little<float>(content.data() + at)};
-        if (!std::isfinite(xyz[axis])) return fail("a coordinate is not finite", at);
+    const std::size_t begin = kHeadSize + kTriangleSize * triangle + 12;
+    Point3 corners[3];
+    std::size_t at = begin;
+    for (Point3& p : corners) {
+      for (double* x : {&p.x, &p.y, &p.z}) {
+        *x = double{load_little<float>(content.data() + at)};
+        if (!std::isfinite(*x)) return fail("a coordinate is not finite", at);
+        at += 4;
       }
-      mesh.corners.push_back(merger.index_of({xyz[0], xyz[1], xyz[2]}));
     }
-    mesh.face_begin.push_back(static_cast<Index>(mesh.corners.size()));
+    if (load_little<std::uint16_t>(content.data() + at) != 0) ++attributes;
+    facets.add(corners[0], corners[1], corners[2], 0);
   }
-  return mesh;
-}
-
-/// Binary files may begin with "solid" too, so the size decides first; a binary file of the wrong
-/// size still has a NUL near its head, as the attributes of its triangles are 0 as a rule.
-bool is_binary(std::string_view content) {
-  if (content.size() >= kHeadSize) {
-    const auto count = load_little<std::uint32_t>(content.data() + kHeadSize - 4);
-    if (content.size() == size_for(count)) return true;
+  if (const std::string fault = emptiness(file.polygons); !fault.empty())
+    return Error{fault + ": no facet has three different corners", "", file.source.file, 0, 0};
+  facets.finish();
+  if (longer) {
+    Remarks(file).warn({}, padding_remark(content.size() - static_cast<std::size_t>(expected)) +
+                               " at byte " + std::to_string(expected));
   }
-  return content.substr(0, 1024).find('\0') != std::string_view::npos;
+  if (attributes > 0) Remarks(file).left_out({}, "attributes (colours)", "facets", attributes);
+  return Done{};
 }
 
 /// Of length 1, or zero where the triangle has no area.
@@ -223,15 +291,28 @@ Point3 rounded(Point3 p) {
 }
 
 char* store(char* to, Point3 p) {
-  to = store_little(to, static_cast<float>(p.x));
-  to = store_little(to, static_cast<float>(p.y));
-  return store_little(to, static_cast<float>(p.z));
+  for (const double x : {p.x, p.y, p.z}) {
+    to = store_little(to, static_cast<float>(without_sign_of_zero(x)));
+  }
+  return to;
 }
 
 }  // namespace
 
-Result<Polygons> parse_stl(std::string_view content, const std::string& path, Warnings*) {
-  return is_binary(content) ? parse_binary(content, path) : StlTextReader(content, path).read();
+bool has_size_of_binary_stl(std::string_view content) {
+  return content.size() >= kHeadSize &&
+         content.size() == size_for(load_little<std::uint32_t>(content.data() + kHeadSize - 4));
+}
+
+/// Binary files may begin with "solid" too, so the size decides first; a binary file of the wrong
+/// size still has a NUL near its head, as the attributes of its triangles are 0 as a rule.
+bool is_binary_stl(std::string_view content) {
+  return has_size_of_binary_stl(content) ||
+         content.substr(0, 1024).find('\0') != std::string_view::npos;
+}
+
+Status parse_stl(std::string_view content, MeshFile& mesh) {
+  return is_binary_stl(content) ? parse_binary(content, mesh) : StlTextReader(content, mesh).read();
 }
 
 void format_stl(const Polygons& mesh, const WriteOptions&, const Sink& sink) {

@@ -10,8 +10,6 @@
 namespace limn::io {
 namespace {
 
-bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\v' || c == '\f'; }
-
 int clamp_to_int(std::int64_t value) {
   return static_cast<int>(std::min<std::int64_t>(value, std::numeric_limits<int>::max()));
 }
@@ -47,14 +45,18 @@ void TextScanner::pass_line_end() {
   line_begin_ = cursor_;
 }
 
+void TextScanner::join_next_line() {
+  cursor_ = behind_blanks(cursor_ + 1);
+  pass_line_end();
+}
+
 bool TextScanner::line_has_more() {
   for (;;) {
-    while (cursor_ < end_ && is_blank(*cursor_)) ++cursor_;
+    cursor_ = behind_blanks(cursor_);
     if (cursor_ == end_ || is_line_end(cursor_)) return false;
     if (style_.comments && *cursor_ == '#') return false;
     if (!continues(cursor_)) return true;
-    ++cursor_;
-    pass_line_end();
+    join_next_line();
   }
 }
 
@@ -66,15 +68,28 @@ bool TextScanner::next_content() {
   return true;
 }
 
-void TextScanner::skip_line() {
+std::string_view TextScanner::first_word_after(const char* p) const {
+  p = behind_blanks(p);
+  if (p < end_ && *p == '\r') ++p;
+  if (p < end_ && *p == '\n') ++p;
+  const char* const word = behind_blanks(p);
+  const char* word_end = word;
+  while (!ends_word(word_end)) ++word_end;
+  return {word, static_cast<std::size_t>(word_end - word)};
+}
+
+void TextScanner::skip_line(bool (*begins_statement)(std::string_view word)) {
   // A comment does not continue: "# C:\models\" must not swallow the line after it.
   bool comment = false;
   while (cursor_ < end_) {
     if (is_line_end(cursor_)) return pass_line_end();
     comment = comment || (style_.comments && *cursor_ == '#');
-    const bool joined = !comment && continues(cursor_);
-    ++cursor_;
-    if (joined) pass_line_end();
+    if (!comment && continues(cursor_) &&
+        (begins_statement == nullptr || !begins_statement(first_word_after(cursor_ + 1)))) {
+      join_next_line();
+    } else {
+      ++cursor_;
+    }
   }
 }
 

@@ -17,7 +17,7 @@ struct Place {
 
 struct TextStyle {
   bool comments = false;      ///< '#' to the end of the line is no content
-  bool continuation = false;  ///< a backslash at the end of a line joins it to the next
+  bool continuation = false;  ///< a backslash joins its line to the next; blanks may follow it
 };
 
 /// Lines end with LF, CR LF or CR. A UTF-8 byte order mark at the head is skipped.
@@ -30,8 +30,11 @@ class TextScanner {
   bool line_has_more();
   /// Moves to the next word of the text, over line ends; false at the end of the text.
   bool next_content();
-  /// Moves behind the end of this line (and of the lines it continues on).
-  void skip_line();
+  /// Moves behind the end of this line (and of the lines it continues on). A line whose first word
+  /// `begins_statement` is no continuation: the backslash before it ends a name.
+  void skip_line(bool (*begins_statement)(std::string_view word) = nullptr);
+  /// Moves back into the word that was read last, behind its first `size` bytes.
+  void keep_of_last(std::size_t size) { cursor_ = last_ + size; }
 
   /// The word at the cursor; empty at the end of a line.
   std::string_view take_word();
@@ -50,6 +53,7 @@ class TextScanner {
   [[nodiscard]] Place last_place() const { return place_of(last_, last_line_begin_, last_line_); }
   [[nodiscard]] std::size_t offset() const { return static_cast<std::size_t>(cursor_ - begin_); }
   [[nodiscard]] std::size_t remaining() const { return static_cast<std::size_t>(end_ - cursor_); }
+  [[nodiscard]] std::string_view rest() const { return {cursor_, remaining()}; }
   [[nodiscard]] const std::string& path() const { return path_; }
 
   /// Records a fault and returns false.
@@ -58,15 +62,24 @@ class TextScanner {
   [[nodiscard]] Error error() const { return error_; }
 
  private:
+  static bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\v' || c == '\f'; }
   static Place place_of(const char* position, const char* line_begin, std::int64_t line);
   [[nodiscard]] bool is_line_end(const char* p) const {
     return p < end_ && (*p == '\n' || *p == '\r');
   }
+  [[nodiscard]] const char* behind_blanks(const char* p) const {
+    while (p < end_ && is_blank(*p)) ++p;
+    return p;
+  }
   [[nodiscard]] bool continues(const char* p) const {
-    return style_.continuation && *p == '\\' && is_line_end(p + 1);
+    return style_.continuation && *p == '\\' && is_line_end(behind_blanks(p + 1));
   }
   [[nodiscard]] bool ends_word(const char* p) const;
   void pass_line_end();
+  /// Moves from a backslash that continues its line to the beginning of the next.
+  void join_next_line();
+  /// The first word of the line after the one that ends behind `p`.
+  [[nodiscard]] std::string_view first_word_after(const char* p) const;
   bool bad_number(double value, bool parsed, const char* what);
 
   const char* begin_;

@@ -1,0 +1,26 @@
+#pragma once
+/// Where the vertices and faces of a mesh come from, so that a message speaks in the numbers and
+/// lines of the file that a user has, not in limn's own.
+
+#include <string>
+#include <vector>
+
+#include "limn/mesh/polygons.h"
+
+namespace limn {
+
+struct MeshSource {
+  std::string file;               ///< as the user named it; empty: no file
+  Index first = 0;                ///< the number of the first vertex and face: 1 in OBJ, else 0
+  std::vector<int> vertex_lines;  ///< line of each vertex, from 1; empty: binary, or no file
+  std::vector<int> face_lines;    ///< line of each face that the file has
+  /// The place of each face among those of the file, from 0, where that is not the face's own
+  /// index: facets were dropped, or polygons cut into triangles. Empty: its own index.
+  std::vector<Index> file_faces;
+
+  [[nodiscard]] Index file_face(Index face) const {
+    return file_faces.empty() ? face : file_faces[static_cast<std::size_t>(face)];
+  }
+};
+
+}  // namespace limn
