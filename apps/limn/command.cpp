@@ -35,6 +35,8 @@ void be_quiet() {
   ProgressLine::show_none();
 }
 
+bool is_quiet() { return quiet; }
+
 void set_step(const std::string& step) { current_step = step; }
 const std::string& step() { return current_step; }
 
@@ -94,11 +96,30 @@ Status check_scheme_path(const std::string& path) {
   return Error{fmt::format("'{}' is no scheme file's name", path), "it ends in .toml", {}, 0, 0};
 }
 
-std::string extends_name(const std::string& scheme, const std::string& path) {
+Result<std::string> extends_name(const std::string& scheme, const std::string& path) {
   namespace fs = std::filesystem;
   const std::vector<std::string> shipped = shipped_schemes();
   if (std::find(shipped.begin(), shipped.end(), scheme) != shipped.end()) return scheme;
-  return fs::proximate(scheme, fs::absolute(path).parent_path()).string();
+  if (scheme == kStandardStream)
+    return Error{"a scheme on standard input has no name that a file could extend",
+                 "write it to a file first",
+                 {},
+                 0,
+                 0};
+  const std::string name = fs::proximate(scheme, fs::absolute(path).parent_path()).string();
+  using Handler = nlohmann::json::error_handler_t;
+  const nlohmann::json text = name;
+  if (text.dump(-1, ' ', false, Handler::replace) != text.dump(-1, ' ', false, Handler::ignore))
+    return Error{fmt::format("no scheme file can extend '{}': its name is not UTF-8", name),
+                 "give it another name",
+                 {},
+                 0,
+                 0};
+  return name;
+}
+
+std::string whole_path(const std::string& path) {
+  return std::filesystem::absolute(path).lexically_normal().string();
 }
 
 }  // namespace limn::app

@@ -38,6 +38,8 @@ void declare_prescribe(CLI::App& parser, Action& action);
 void declare_tune(CLI::App& parser, Action& action);
 void declare_fairness(CLI::App& parser, Action& action);
 void declare_papers(CLI::App& parser, Action& action);
+void declare_man(CLI::App& parser, Action& action);
+void declare_completion(CLI::App& parser, Action& action);
 
 /// Prints "limn: …" on standard error; returns kBadInput.
 int report(const Error& error);
@@ -46,6 +48,7 @@ void report_warnings(const Warnings& warnings);
 
 /// From now on no progress and no warnings, only errors.
 void be_quiet();
+[[nodiscard]] bool is_quiet();
 
 /// What is being done, for the message of a failure that has no better place, as that of memory.
 void set_step(const std::string& step);
@@ -79,7 +82,11 @@ struct SchemeOptions {
 [[nodiscard]] Status check_scheme_path(const std::string& path);
 
 /// What a scheme file at `path` says after "extends" to mean the SCHEME of a command line: a
-/// shipped name, or a path from its folder.
-[[nodiscard]] std::string extends_name(const std::string& scheme, const std::string& path);
+/// shipped name, or a path from its folder. Fails where a scheme file cannot say it: TOML is UTF-8,
+/// and standard input has no name.
+[[nodiscard]] Result<std::string> extends_name(const std::string& scheme, const std::string& path);
+
+/// `path` such that a chain of scheme files that leads back to it shows.
+[[nodiscard]] std::string whole_path(const std::string& path);
 
 }  // namespace limn::app

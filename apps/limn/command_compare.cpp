@@ -6,7 +6,6 @@
 #include "command.h"
 #include "control_mesh.h"
 #include "limn/base/progress.h"
-#include "limn/mesh/io/mesh_file.h"
 #include "limn/report/compare_report.h"
 #include "limn/report/figure/visibility.h"
 #include "scheme_argument.h"
@@ -43,7 +42,7 @@ Status check(const CompareOptions& options) {
                  0,
                  0};
   if (!options.mesh.empty())
-    if (Status status = check_readable(options.mesh); !status) return status;
+    if (Status status = check_mesh_path(options.mesh); !status) return status;
   if (options.output.empty()) return Done{};
   if (!figures_available() || !rays_available())
     return Error{"this limn draws no surfaces", "build it with cairo and Embree", {}, 0, 0};

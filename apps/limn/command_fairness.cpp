@@ -8,7 +8,6 @@
 #include "command.h"
 #include "control_mesh.h"
 #include "limn/base/progress.h"
-#include "limn/mesh/io/mesh_file.h"
 #include "limn/report/fairness_report.h"
 #include "limn/report/spectrum_report.h"
 #include "scheme_argument.h"
@@ -107,7 +106,7 @@ Status draw_figures(const FairnessCommand& options, const std::vector<NamedSchem
 
 int print_fairness(const FairnessCommand& options) {
   // what can be refused at once is refused before any work
-  if (Status status = check_readable(options.mesh); !status) return report(status.error());
+  if (Status status = check_mesh_path(options.mesh); !status) return report(status.error());
   if (Status status = check_figures(options); !status) return report(status.error());
   const Result<std::vector<NamedScheme>> schemes =
       scheme_arguments(options.schemes, options.common.parameters);
@@ -139,7 +138,7 @@ void declare_fairness(CLI::App& parser, Action& action) {
   CLI::App* command = parser.add_subcommand(
       "fairness", "energies of a mesh's limit surfaces under several schemes");
   const auto options = std::make_shared<FairnessCommand>();
-  command->add_option("MESH", options->mesh, "control mesh: .obj, .off, .ply or .stl")->required();
+  command->add_option("MESH", options->mesh, kMeshArgumentHelp)->required();
   command->add_option("-s,--scheme", options->schemes, kSchemeArgumentHelp)
       ->required()
       ->type_name("SCHEME")

@@ -43,6 +43,8 @@ int make_papers(const PapersOptions& options) {
   const Result<std::vector<const Paper*>> list = chosen(options);
   if (!list) return report(list.error());
   const bool alone = options.papers.size() == 1;  // it has the folder to itself
+  if (options.output == kStandardStream)
+    return report({"the pages are a folder, which cannot go to standard output", {}, {}, 0, 0});
   if (Status status = make_folder(options.output); !status) return report(status.error());
   nlohmann::ordered_json made = nlohmann::ordered_json::array();
   ProgressLine line;

@@ -28,10 +28,11 @@ int prescribe(const PrescribeOptions& options) {
   const Prescription prescription{options.valence,
                                   options.eigenvalues.front(),
                                   {options.eigenvalues.begin() + 1, options.eigenvalues.end()}};
-  const Result<std::string> text = prescribed_scheme(
-      *base, extends_name(options.scheme, options.output), options.output, prescription);
+  const Result<std::string> name = extends_name(options.scheme, options.output);
+  if (!name) return report(name.error());
+  const Result<std::string> text = prescribed_scheme(*base, *name, options.output, prescription);
   if (!text) return report(text.error());
-  const Result<Scheme> made = parse_scheme(*text, options.output);
+  const Result<Scheme> made = parse_scheme(*text, whole_path(options.output));
   if (!made) return report(made.error());
   const Result<FrequencyBlocks> blocks = FrequencyAnalysis(*made).blocks(options.valence);
   if (!blocks) return report(blocks.error());

@@ -85,10 +85,13 @@ nlohmann::ordered_json heading_json(const Task& task, const nlohmann::ordered_js
 /// Writes the solutions as a scheme file, if it reads back.
 Status write_tuned(const Task& task, const std::vector<ValenceSolutions>& solutions,
                    const TuneOptions& options) {
-  const Result<std::string> text = tuned_scheme_text(
-      task.freed, task.requirement, solutions, extends_name(options.scheme.name, options.output));
+  const Result<std::string> base = extends_name(options.scheme.name, options.output);
+  if (!base) return base.error();
+  const Result<std::string> text =
+      tuned_scheme_text(task.freed, task.requirement, solutions, *base);
   if (!text) return text.error();
-  if (const Result<Scheme> back = parse_scheme(*text, options.output); !back) return back.error();
+  const Result<Scheme> back = parse_scheme(*text, whole_path(options.output));
+  if (!back) return back.error();
   return write_file(options.output, *text);
 }
 

@@ -93,7 +93,6 @@ Error no_standard_output(int code) {
 }
 
 Status check_standard_output() {
-  std::cout.flush();
   errno = 0;
   bool failed = std::fflush(stdout) != 0 || std::ferror(stdout) != 0 || !std::cout;
   if (!failed) {  // some file systems report a full disk at the close only
