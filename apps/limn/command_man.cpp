@@ -62,9 +62,10 @@ std::string footer_entry(const std::string& footer) {
 std::string command_entry(const CommandText& command) {
   std::string usage = fmt::format("\\fBlimn {}\\fR", roff(command.name));
   for (const OptionText& option : command.options)
-    if (option.positional)
-      usage += fmt::format(option.required ? " \\fI{}\\fR" : " [\\fI{}\\fR]",
-                           roff(option.names.front()));
+    if (option.positional) {
+      const std::string name = fmt::format("\\fI{}\\fR", roff(option.names.front()));
+      usage += option.required ? " " + name : " [" + name + "]";
+    }
   std::string text = fmt::format(".SS {}\n{} [\\fIOPTIONS\\fR]\n.PP\n{}.\n", roff(command.name),
                                  usage, roff(command.description));
   for (const OptionText& option : command.options) text += option_entry(option);

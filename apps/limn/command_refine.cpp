@@ -183,8 +183,10 @@ int refine_mesh(const RefineOptions& options) {
   WriteOptions extras;
   double seconds = 0;
   set_step(fmt::format("refining {} by {} levels", options.mesh, options.levels));
-  if (Status status = announce(options, *scheme, control->mesh, line); !status)
+  if (Status status = announce(options, *scheme, control->mesh, line); !status) {
+    status.error().file = options.mesh;
     return report(status.error());
+  }
   const Result<Polygons> result =
       refined_polygons(options, *scheme, *control, extras, line, seconds);
   if (!result) {
@@ -194,7 +196,10 @@ int refine_mesh(const RefineOptions& options) {
   }
   line.show("writing " + options.output.path);
   set_step("writing " + options.output.path);
-  if (Status status = options.output.write(*result, extras); !status) return report(status.error());
+  if (Status status = options.output.write(*result, extras); !status) {
+    if (status.error().file.empty()) status.error().file = options.mesh;
+    return report(status.error());
+  }
   print_result(options, *scheme, *result, seconds);
   return kDone;
 }

@@ -54,7 +54,7 @@ TEST(Streams, AreNotUsedTwice) {
       {"standard input", "twice"});
   expect_refused(folder.limn("refine " + kBracket + " -s loop -o - --json"),
                  {"standard output", "--json"});
-  expect_refused(folder.limn("refine - -s loop -o a.obj"), {"standard input", "empty"});
+  expect_refused(folder.limn("refine - -s loop -o a.obj"), {"standard input: "});
   EXPECT_EQ(folder.count(), 0);
 }
 
@@ -86,6 +86,12 @@ TEST(Streams, CoordinatesThatAFormatCannotHoldAreNamed) {
   for (const std::string format : {"stl", "glb"})
     expect_refused(folder.limn("refine large.obj -s loop -n 0 -o a." + format),
                    {"vertex 0", "x = 1e+39", format + " holds floats", "obj"});
+  // numbers that the refinement itself brings beyond all bounds are the mesh's fault
+  const std::string huge = "1.7e308";
+  folder.write("huge.obj", "v " + huge + " 1 1\nv -" + huge + " -1 1\nv -1 " + huge + " -1\nv " +
+                               huge + " -1 -1\n" + faces);
+  const Outcome beyond = folder.limn("refine huge.obj -s butterfly -n 3 -o huge.ply");
+  expect_refused(beyond, {"huge.obj: ", "inf", "scale"});
   for (const std::string format : {"obj", "off", "ply"})
     EXPECT_EQ(folder.limn("refine large.obj -s loop -n 0 -o a." + format).code, 0) << format;
 }

@@ -92,6 +92,7 @@ std::string beyond(const Point3& p, double largest) {
 
 struct Fault {
   std::string message, hint;
+  bool of_numbers = false;  ///< whatever the file: they are not finite
 };
 
 /// Says what a writer could not write so that it reads back, or nothing.
@@ -105,7 +106,7 @@ Fault unwritable(const Format& format, const Polygons& mesh, const WriteOptions&
     const std::string vertex = "vertex " + std::to_string(v) + " has " + what;
     if (!beyond(mesh.positions[v], kLargestDouble).empty())
       return {vertex + ": the coordinates are beyond what numbers can hold",
-              "scale the control mesh down, its numbers are too large to calculate with"};
+              "scale the control mesh down, its numbers are too large to calculate with", true};
     return {
         vertex + ", but " + std::string(format.extension) + " holds floats, up to 3.4e38 in size",
         "write obj, off or ply, which hold doubles, or scale the mesh down"};
@@ -114,7 +115,8 @@ Fault unwritable(const Format& format, const Polygons& mesh, const WriteOptions&
     const std::string what = beyond(options.normals[v], kLargestFloat);
     if (!what.empty())
       return {"the normal of vertex " + std::to_string(v) + " has " + what,
-              "scale the control mesh, its numbers are too large or too small to calculate with"};
+              "scale the control mesh, its numbers are too large or too small to calculate with",
+              true};
   }
   // No format needs 64 bytes a triangle; this can only happen where addresses have 32 bits.
   if (triangle_count(mesh) > std::numeric_limits<std::size_t>::max() / 64) {
@@ -147,7 +149,8 @@ Result<const Format*> format_for(std::string_view extension, const std::string& 
   assert(is_consistent(mesh, options));
   Fault fault = unwritable(*format, mesh, options);
   if (!fault.message.empty())
-    return Error{"cannot write the mesh: " + fault.message, std::move(fault.hint), path, 0, 0};
+    return Error{"cannot write the mesh: " + fault.message, std::move(fault.hint),
+                 fault.of_numbers ? "" : path, 0, 0};
   return format;
 }
 

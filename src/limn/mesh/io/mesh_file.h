@@ -71,7 +71,8 @@ struct WriteOptions {
 };
 
 /// Writes a mesh, whole or not at all (`write_file`). Fails where the format cannot hold a
-/// coordinate: the error names the vertex, the value and a remedy.
+/// coordinate: the error names the vertex, the value and a remedy, and no file where the value is
+/// not finite, which is no fault of the file.
 [[nodiscard]] Status write_mesh(const std::string& path, const Polygons& mesh,
                                 const WriteOptions& options = {});
 
