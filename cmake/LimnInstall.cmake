@@ -13,6 +13,22 @@ install(FILES ${PROJECT_BINARY_DIR}/limnConfig.cmake ${PROJECT_BINARY_DIR}/limnC
   DESTINATION ${limn_package_dir})
 if(TARGET limn_command)
   install(TARGETS limn_command)
+  # The manual page and the completions are printed by the command itself: its declarations are
+  # their one source. Where it cannot run here (another processor's), they are left out.
+  if(NOT CMAKE_CROSSCOMPILING)
+    set(printed ${PROJECT_BINARY_DIR}/generated/command)
+    file(MAKE_DIRECTORY ${printed})
+    add_custom_command(TARGET limn_command POST_BUILD
+      COMMAND limn_command man > ${printed}/limn.1
+      COMMAND limn_command completion bash > ${printed}/limn
+      COMMAND limn_command completion zsh > ${printed}/_limn
+      COMMAND limn_command completion fish > ${printed}/limn.fish
+      VERBATIM)
+    install(FILES ${printed}/limn.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
+    install(FILES ${printed}/limn DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions)
+    install(FILES ${printed}/_limn DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/site-functions)
+    install(FILES ${printed}/limn.fish DESTINATION ${CMAKE_INSTALL_DATADIR}/fish/vendor_completions.d)
+  endif()
 endif()
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/schemes DESTINATION ${CMAKE_INSTALL_DATADIR}/limn
   FILES_MATCHING PATTERN *.toml)

@@ -5,8 +5,19 @@
 #include <filesystem>
 
 #include <fmt/core.h>
+#include <nlohmann/json.hpp>
+
+#include "limn/base/file.h"
+#include "limn/base/progress.h"
+#include "limn/scheme/scheme_size.h"
 
 namespace limn::app {
+namespace {
+
+bool quiet = false;
+std::string current_step = "limn";
+
+}  // namespace
 
 int report(const Error& error) {
   std::fprintf(stderr, "limn: %s\n", error.text().c_str());
@@ -14,8 +25,55 @@ int report(const Error& error) {
 }
 
 void report_warnings(const Warnings& warnings) {
+  if (quiet) return;
   for (const Error& warning : warnings)
     std::fprintf(stderr, "limn: warning: %s\n", warning.text().c_str());
+}
+
+void be_quiet() {
+  quiet = true;
+  ProgressLine::show_none();
+}
+
+bool is_quiet() { return quiet; }
+
+void set_step(const std::string& step) { current_step = step; }
+const std::string& step() { return current_step; }
+
+void print_json(const nlohmann::ordered_json& json) {
+  using Handler = nlohmann::ordered_json::error_handler_t;
+  fmt::print("{}\n", json.dump(-1, ' ', false, Handler::replace));
+}
+
+Status check_outputs(std::initializer_list<std::string> paths) {
+  for (auto path = paths.begin(); path != paths.end(); ++path) {
+    if (path->empty()) continue;
+    if (Status status = check_can_write(*path); !status) return status;
+    for (auto other = paths.begin(); other != path; ++other)
+      if (!other->empty() && is_same_output(*other, *path))
+        return Error{fmt::format("{} and {} are the same file", *other, *path),
+                     "give each output a name of its own",
+                     {},
+                     0,
+                     0};
+  }
+  return Done{};
+}
+
+Result<std::string> take_standard_input(std::uint64_t most_bytes) {
+  static bool taken = false;
+  if (taken)
+    return Error{"standard input is asked for twice", "one input alone can be -", {}, 0, 0};
+  taken = true;
+  return read_standard_input(most_bytes);
+}
+
+Result<Scheme> load_scheme(const std::string& name_or_path) {
+  set_step("reading scheme '" + name_or_path + "'");
+  if (name_or_path != kStandardStream) return find_scheme(name_or_path);
+  const Result<std::string> text = take_standard_input(kMostSchemeBytes);
+  if (!text) return text.error();
+  return parse_scheme(*text, "standard input");
 }
 
 void SchemeOptions::declare_parameters(CLI::App& command) {
@@ -27,7 +85,7 @@ void SchemeOptions::declare_parameters(CLI::App& command) {
 }
 
 Result<Scheme> SchemeOptions::load() const {
-  Result<Scheme> scheme = find_scheme(name);
+  Result<Scheme> scheme = load_scheme(name);
   if (!scheme) return scheme;
   if (Status status = set_parameters(*scheme, parameters); !status) return status.error();
   return scheme;
@@ -38,11 +96,30 @@ Status check_scheme_path(const std::string& path) {
   return Error{fmt::format("'{}' is no scheme file's name", path), "it ends in .toml", {}, 0, 0};
 }
 
-std::string extends_name(const std::string& scheme, const std::string& path) {
+Result<std::string> extends_name(const std::string& scheme, const std::string& path) {
   namespace fs = std::filesystem;
   const std::vector<std::string> shipped = shipped_schemes();
   if (std::find(shipped.begin(), shipped.end(), scheme) != shipped.end()) return scheme;
-  return fs::proximate(scheme, fs::absolute(path).parent_path()).string();
+  if (scheme == kStandardStream)
+    return Error{"a scheme on standard input has no name that a file could extend",
+                 "write it to a file first",
+                 {},
+                 0,
+                 0};
+  const std::string name = fs::proximate(scheme, fs::absolute(path).parent_path()).string();
+  using Handler = nlohmann::json::error_handler_t;
+  const nlohmann::json text = name;
+  if (text.dump(-1, ' ', false, Handler::replace) != text.dump(-1, ' ', false, Handler::ignore))
+    return Error{fmt::format("no scheme file can extend '{}': its name is not UTF-8", name),
+                 "give it another name",
+                 {},
+                 0,
+                 0};
+  return name;
+}
+
+std::string whole_path(const std::string& path) {
+  return std::filesystem::absolute(path).lexically_normal().string();
 }
 
 }  // namespace limn::app

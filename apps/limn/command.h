@@ -3,7 +3,10 @@
 /// parser and hands over what to run. It parses, calls the library and prints; no mathematics.
 
 #include <CLI/CLI.hpp>
+#include <cstdint>
 #include <functional>
+#include <initializer_list>
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <vector>
 
@@ -35,10 +38,36 @@ void declare_prescribe(CLI::App& parser, Action& action);
 void declare_tune(CLI::App& parser, Action& action);
 void declare_fairness(CLI::App& parser, Action& action);
 void declare_papers(CLI::App& parser, Action& action);
+void declare_man(CLI::App& parser, Action& action);
+void declare_completion(CLI::App& parser, Action& action);
 
 /// Prints "limn: …" on standard error; returns kBadInput.
 int report(const Error& error);
+/// Prints "limn: warning: …" on standard error, unless quiet.
 void report_warnings(const Warnings& warnings);
+
+/// From now on no progress and no warnings, only errors.
+void be_quiet();
+[[nodiscard]] bool is_quiet();
+
+/// What is being done, for the message of a failure that has no better place, as that of memory.
+void set_step(const std::string& step);
+[[nodiscard]] const std::string& step();
+
+/// Prints one object, on a line. What is not UTF-8 in it, as a file's name may be, becomes U+FFFD:
+/// JSON has no other way.
+void print_json(const nlohmann::ordered_json& json);
+
+/// Whether the files of a command line can be written, and are different files, so that it is
+/// refused before the work. Empty paths are outputs that nobody wants.
+[[nodiscard]] Status check_outputs(std::initializer_list<std::string> paths);
+
+/// What comes on standard input. It can be taken once in a run: who asks again is told so.
+[[nodiscard]] Result<std::string> take_standard_input(std::uint64_t most_bytes = 0);
+
+/// A shipped scheme, a scheme file, or with "-" the scheme on standard input. For what fails while
+/// it is read, `step` names it.
+[[nodiscard]] Result<Scheme> load_scheme(const std::string& name_or_path);
 
 /// SCHEME and its parameters, as several commands take them.
 struct SchemeOptions {
@@ -53,7 +82,11 @@ struct SchemeOptions {
 [[nodiscard]] Status check_scheme_path(const std::string& path);
 
 /// What a scheme file at `path` says after "extends" to mean the SCHEME of a command line: a
-/// shipped name, or a path from its folder.
-[[nodiscard]] std::string extends_name(const std::string& scheme, const std::string& path);
+/// shipped name, or a path from its folder. Fails where a scheme file cannot say it: TOML is UTF-8,
+/// and standard input has no name.
+[[nodiscard]] Result<std::string> extends_name(const std::string& scheme, const std::string& path);
+
+/// `path` such that a chain of scheme files that leads back to it shows.
+[[nodiscard]] std::string whole_path(const std::string& path);
 
 }  // namespace limn::app

@@ -93,7 +93,7 @@ Result<std::vector<NamedAnalysis>> load(const ArtifactOptions& options) {
 
 /// One scheme's object, or {"schemes": […]} of several.
 template <class Make>
-int print_json(const std::vector<NamedAnalysis>& schemes, Make make) {
+int print_all(const std::vector<NamedAnalysis>& schemes, Make make) {
   nlohmann::ordered_json list = nlohmann::ordered_json::array();
   for (const NamedAnalysis& scheme : schemes) {
     const Result<nlohmann::ordered_json> json = make(scheme);
@@ -101,9 +101,9 @@ int print_json(const std::vector<NamedAnalysis>& schemes, Make make) {
     list.push_back(*json);
   }
   if (list.size() == 1)
-    fmt::print("{}\n", list.front().dump());
+    print_json(list.front());
   else
-    fmt::print("{}\n", nlohmann::ordered_json{{"schemes", list}}.dump());
+    print_json({{"schemes", list}});
   return kDone;
 }
 
@@ -116,7 +116,7 @@ Status check_map(const ArtifactOptions& options) {
     const Result<FigureFormat> format = figure_format(*options.map);
     if (!format) return format.error();
   }
-  return Done{};
+  return check_outputs({*options.map});
 }
 
 Result<nlohmann::ordered_json> analysis_json(const NamedAnalysis& scheme,
@@ -171,7 +171,7 @@ int analyse(const ArtifactOptions& options) {
         !status)
       return report(status.error());
   if (!options.json) return print_text(*schemes, options, *f, *tolerance);
-  return print_json(*schemes, [&](const NamedAnalysis& scheme) {
+  return print_all(*schemes, [&](const NamedAnalysis& scheme) {
     return analysis_json(scheme, options, *f, *tolerance);
   });
 }

@@ -6,7 +6,6 @@
 #include "command.h"
 #include "control_mesh.h"
 #include "limn/base/progress.h"
-#include "limn/mesh/io/mesh_file.h"
 #include "limn/report/compare_report.h"
 #include "limn/report/figure/visibility.h"
 #include "scheme_argument.h"
@@ -43,13 +42,13 @@ Status check(const CompareOptions& options) {
                  0,
                  0};
   if (!options.mesh.empty())
-    if (Status status = check_readable(options.mesh); !status) return status;
+    if (Status status = check_mesh_path(options.mesh); !status) return status;
   if (options.output.empty()) return Done{};
   if (!figures_available() || !rays_available())
     return Error{"this limn draws no surfaces", "build it with cairo and Embree", {}, 0, 0};
   const Result<FigureFormat> format = figure_format(options.output);
   if (!format) return format.error();
-  return Done{};
+  return check_outputs({options.output});
 }
 
 Result<MeshComparison> compare_surfaces(const CompareOptions& options,
@@ -100,7 +99,7 @@ int compare(const CompareOptions& options) {
   for (const auto& [label, scheme] : schemes)
     comparison.schemes.push_back(approx_record(label, scheme, record));
   if (options.json)
-    fmt::print("{}\n", compare_json(comparison).dump());
+    print_json(compare_json(comparison));
   else
     fmt::print("{}", compare_text(comparison, options.differences));
   return kDone;

@@ -6,7 +6,6 @@
 #include "command.h"
 #include "control_mesh.h"
 #include "limn/base/progress.h"
-#include "limn/mesh/io/mesh_file.h"
 #include "limn/report/figure/figure.h"
 #include "limn/report/figure/visibility.h"
 #include "limn/report/surface_scenes.h"
@@ -32,6 +31,7 @@ struct DrawOptions {
 Result<SurfaceScene> scene_of(const DrawOptions& options, const Scheme& scheme) {
   const Result<ControlMesh> control = load_control_mesh(options.mesh, options.triangulate);
   if (!control) return control.error();
+  set_step("finding limit points of " + options.mesh);
   Result<SmoothSurface> surface =
       limit_surface(scheme, control->mesh, control->points, options.levels);
   if (!surface) {
@@ -49,9 +49,10 @@ Result<SurfaceScene> scene_of(const DrawOptions& options, const Scheme& scheme) 
 int draw(const DrawOptions& options) {
   if (!figures_available() || !rays_available())
     return report({"this limn draws no surfaces", "build it with cairo and Embree", {}, 0, 0});
-  if (Status status = check_readable(options.mesh); !status) return report(status.error());
+  if (Status status = check_mesh_path(options.mesh); !status) return report(status.error());
   if (const Result<FigureFormat> format = figure_format(options.output); !format)
     return report(format.error());
+  if (Status status = check_outputs({options.output}); !status) return report(status.error());
   const Result<Scheme> scheme = options.scheme.load();
   if (!scheme) return report(scheme.error());
   ProgressLine line;
@@ -59,6 +60,7 @@ int draw(const DrawOptions& options) {
   const Result<SurfaceScene> scene = scene_of(options, *scheme);
   if (!scene) return report(scene.error());
   line.show("drawing " + options.output);
+  set_step("drawing " + options.output);
   const LightLines lights{.count = options.lights};
   Figure figure(1);
   if (options.lines)
@@ -70,11 +72,10 @@ int draw(const DrawOptions& options) {
   if (Status status = figure.write(options.output); !status) return report(status.error());
   const std::size_t vertices = scene->surfaces.front().vertices.size();
   if (options.json)
-    fmt::print("{}\n", nlohmann::ordered_json{{"output", options.output},
-                                              {"scheme", scheme->name},
-                                              {"levels", options.levels},
-                                              {"vertices", vertices}}
-                           .dump());
+    print_json({{"output", options.output},
+                {"scheme", scheme->name},
+                {"levels", options.levels},
+                {"vertices", vertices}});
   else
     fmt::print("{}: the limit surface of {} at {} points\n", options.output, scheme->name,
                vertices);
@@ -99,7 +100,7 @@ void declare_draw(CLI::App& parser, Action& action) {
   CLI::App* command = parser.add_subcommand(
       "draw", "a picture of a mesh's limit surface: shaded, or with reflection lines");
   const auto options = std::make_shared<DrawOptions>();
-  command->add_option("MESH", options->mesh, "control mesh: .obj, .off, .ply or .stl")->required();
+  command->add_option("MESH", options->mesh, kMeshArgumentHelp)->required();
   command->add_option("-s,--scheme", options->scheme.name, "a shipped scheme, or a scheme file")
       ->required();
   command->add_option("-n,--levels", options->levels, "refinement steps before the limit is taken")

@@ -58,8 +58,7 @@ class Output {
           !status)
         return status;
     if (options_.json)
-      fmt::print("{}\n",
-                 nlohmann::ordered_json{{"scheme", scheme_.name}, {"valences", list_}}.dump());
+      print_json({{"scheme", scheme_.name}, {"valences", list_}});
     else
       fmt::print("{}", text_);
     return Done{};
@@ -86,7 +85,7 @@ int print_formulas(const EigenOptions& options) {
   const Result<EigenFormulas> formulas = eigen_formulas(*scheme, given, options.rings);
   if (!formulas) return report(formulas.error());
   if (options.json)
-    fmt::print("{}\n", eigen_formulas_json(scheme->name, *formulas).dump());
+    print_json(eigen_formulas_json(scheme->name, *formulas));
   else
     fmt::print("{}", eigen_formulas_text(scheme->name, *formulas,
                                          options.latex ? Notation::latex : Notation::text));
@@ -99,6 +98,7 @@ int analyse(const EigenOptions& options) {
   if (!options.map.empty())
     if (const Result<FigureFormat> format = figure_format(options.map); !format)
       return report(format.error());
+  if (Status status = check_outputs({options.map}); !status) return report(status.error());
   const Result<Scheme> scheme = options.scheme.load();
   if (!scheme) return report(scheme.error());
   FrequencyAnalysis analysis(*scheme, options.rings);

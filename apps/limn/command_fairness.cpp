@@ -8,7 +8,6 @@
 #include "command.h"
 #include "control_mesh.h"
 #include "limn/base/progress.h"
-#include "limn/mesh/io/mesh_file.h"
 #include "limn/report/fairness_report.h"
 #include "limn/report/spectrum_report.h"
 #include "scheme_argument.h"
@@ -63,15 +62,16 @@ int frequency_count(const std::string& text) {
 }
 
 /// What can be refused before any work.
-Status check_outputs(const FairnessCommand& options) {
+Status check_figures(const FairnessCommand& options) {
+  const bool draws_spectrum = frequency_count(options.spectrum) == 0;
+
   if (!options.chart.empty())
     if (const Result<FigureFormat> format = figure_format(options.chart); !format)
       return format.error();
-  if (options.spectrum.empty() || frequency_count(options.spectrum) > 0) {
-    if (frequency_count(options.spectrum) <= kMostFrequencies) return Done{};
-  } else if (figure_format(options.spectrum).ok()) {
-    return Done{};
-  }
+  const std::string drawn = draws_spectrum ? options.spectrum : "";
+  if (drawn.empty() ? frequency_count(options.spectrum) <= kMostFrequencies
+                    : figure_format(drawn).ok())
+    return check_outputs({options.chart, drawn});
   return Error{
       fmt::format("--spectrum: '{}' is neither a figure nor a count", options.spectrum),
       fmt::format("it ends in .pdf, .svg or .png, or is a number from 1 to {}", kMostFrequencies),
@@ -106,8 +106,8 @@ Status draw_figures(const FairnessCommand& options, const std::vector<NamedSchem
 
 int print_fairness(const FairnessCommand& options) {
   // what can be refused at once is refused before any work
-  if (Status status = check_readable(options.mesh); !status) return report(status.error());
-  if (Status status = check_outputs(options); !status) return report(status.error());
+  if (Status status = check_mesh_path(options.mesh); !status) return report(status.error());
+  if (Status status = check_figures(options); !status) return report(status.error());
   const Result<std::vector<NamedScheme>> schemes =
       scheme_arguments(options.schemes, options.common.parameters);
   if (!schemes) return report(schemes.error());
@@ -124,7 +124,7 @@ int print_fairness(const FairnessCommand& options) {
   if (options.json) {
     nlohmann::ordered_json json = fairness_json(options.mesh, *records);
     if (frequencies > 0) json["spectrum"] = spectrum_json(*ends);
-    fmt::print("{}\n", json.dump());
+    print_json(json);
     return kDone;
   }
   fmt::print("{}", fairness_text(options.mesh, *records));
@@ -138,7 +138,7 @@ void declare_fairness(CLI::App& parser, Action& action) {
   CLI::App* command = parser.add_subcommand(
       "fairness", "energies of a mesh's limit surfaces under several schemes");
   const auto options = std::make_shared<FairnessCommand>();
-  command->add_option("MESH", options->mesh, "control mesh: .obj, .off, .ply or .stl")->required();
+  command->add_option("MESH", options->mesh, kMeshArgumentHelp)->required();
   command->add_option("-s,--scheme", options->schemes, kSchemeArgumentHelp)
       ->required()
       ->type_name("SCHEME")

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "command.h"
+#include "limn/base/file.h"
 #include "limn/base/progress.h"
 #include "limn/report/papers/papers.h"
 
@@ -42,9 +43,13 @@ int make_papers(const PapersOptions& options) {
   const Result<std::vector<const Paper*>> list = chosen(options);
   if (!list) return report(list.error());
   const bool alone = options.papers.size() == 1;  // it has the folder to itself
+  if (options.output == kStandardStream)
+    return report({"the pages are a folder, which cannot go to standard output", {}, {}, 0, 0});
+  if (Status status = make_folder(options.output); !status) return report(status.error());
   nlohmann::ordered_json made = nlohmann::ordered_json::array();
   ProgressLine line;
   for (const Paper* paper : *list) {
+    set_step("making " + paper->name + " anew");
     const std::string directory = alone ? options.output : options.output + "/" + paper->name;
     const Status status = paper->write(
         directory, [&](const std::string& what) { line.show(paper->name + ": " + what); });
@@ -56,7 +61,7 @@ int make_papers(const PapersOptions& options) {
       return report(status.error());
   const std::string index = options.output + "/index.html";
   if (options.json)
-    fmt::print("{}\n", nlohmann::ordered_json{{"index", index}, {"papers", made}}.dump());
+    print_json({{"index", index}, {"papers", made}});
   else
     fmt::print("{}\n", index);
   return kDone;

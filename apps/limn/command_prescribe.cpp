@@ -21,26 +21,27 @@ struct PrescribeOptions {
 };
 
 int prescribe(const PrescribeOptions& options) {
-  const Result<Scheme> base = find_scheme(options.scheme);
+  const Result<Scheme> base = load_scheme(options.scheme);
   if (!base) return report(base.error());
   if (Status status = check_scheme_path(options.output); !status) return report(status.error());
+  if (Status status = check_outputs({options.output}); !status) return report(status.error());
   const Prescription prescription{options.valence,
                                   options.eigenvalues.front(),
                                   {options.eigenvalues.begin() + 1, options.eigenvalues.end()}};
-  const Result<std::string> text = prescribed_scheme(
-      *base, extends_name(options.scheme, options.output), options.output, prescription);
+  const Result<std::string> name = extends_name(options.scheme, options.output);
+  if (!name) return report(name.error());
+  const Result<std::string> text = prescribed_scheme(*base, *name, options.output, prescription);
   if (!text) return report(text.error());
-  const Result<Scheme> made = parse_scheme(*text, options.output);
+  const Result<Scheme> made = parse_scheme(*text, whole_path(options.output));
   if (!made) return report(made.error());
   const Result<FrequencyBlocks> blocks = FrequencyAnalysis(*made).blocks(options.valence);
   if (!blocks) return report(blocks.error());
   const Eigencomponents components = approx_eigencomponents(*blocks);
   if (Status status = write_file(options.output, *text); !status) return report(status.error());
   if (options.json)
-    fmt::print("{}\n", nlohmann::ordered_json{{"scheme", made->name},
-                                              {"file", options.output},
-                                              {"valences", {eigen_json(*blocks, components)}}}
-                           .dump());
+    print_json({{"scheme", made->name},
+                {"file", options.output},
+                {"valences", {eigen_json(*blocks, components)}}});
   else
     fmt::print("{}\n{}{}", options.output, eigen_heading(), eigen_text(components));
   return kDone;

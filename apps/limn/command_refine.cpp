@@ -9,11 +9,12 @@
 #include "control_mesh.h"
 #include "limn/base/progress.h"
 #include "limn/extraordinary/fast_limit.h"
+#include "limn/extraordinary/limit_estimate.h"
 #include "limn/extraordinary/limit_points.h"
-#include "limn/mesh/io/mesh_file.h"
 #include "limn/refine/fast/fast_refiner.h"
 #include "limn/refine/refine.h"
 #include "limn/report/data_table.h"
+#include "mesh_output.h"
 
 namespace limn::app {
 namespace {
@@ -24,7 +25,7 @@ struct RefineOptions {
   std::string mesh;
   SchemeOptions scheme;
   int levels = 3;
-  std::string output;
+  MeshOutput output;
   bool limit = false;
   bool normals = false;
   std::string curvatures;
@@ -47,13 +48,15 @@ void print_result(const RefineOptions& options, const Scheme& scheme, const Poly
                                 {"levels", options.levels},
                                 {"seconds", seconds},
                                 {"scheme", scheme.name},
-                                {"output", options.output}};
+                                {"output", options.output.path}};
     add_remarks(json, remarks);
-    fmt::print("{}\n", json.dump());
+    print_json(json);
     return;
   }
-  fmt::print("{}: {} vertices, {} faces, after {} level{} of {} in {:.3g} s\n", options.output,
-             result.vertex_count(), result.face_count(), options.levels,
+  std::FILE* const where = options.output.is_printed() ? stderr : stdout;
+  if (where == stderr && is_quiet()) return;
+  fmt::print(where, "{}: {} vertices, {} faces, after {} level{} of {} in {:.3g} s\n",
+             options.output.path, result.vertex_count(), result.face_count(), options.levels,
              options.levels == 1 ? "" : "s", scheme.name, seconds);
 }
 
@@ -79,6 +82,7 @@ std::optional<Refined<Point3>> with_connectivity(Polygons& polygons) {
 /// Moves the points to the limit surface and finds normals there, as the options ask.
 Status take_to_limit(const RefineOptions& options, const Scheme& scheme, Refined<Point3>& refined,
                      WriteOptions& extras, ProgressLine& line) {
+  set_step("finding limit points of " + options.mesh + ", refined");
   LimitOptions limit_options;
   limit_options.steps_made = options.levels;
   limit_options.curvatures = !options.curvatures.empty();
@@ -95,14 +99,16 @@ Status take_to_limit(const RefineOptions& options, const Scheme& scheme, Refined
   return Done{};
 }
 
-/// What is needed, in a word before the work begins, where it is much.
-void announce(const RefineOptions& options, const Scheme& scheme, const Mesh& mesh,
-              ProgressLine& line) {
-  const RefineEstimate needed =
-      options.wants_quick(scheme)
-          ? FastRefiner::estimate(*scheme.split, mesh, options.levels)
-          : estimate_refinement(*scheme.split, mesh, options.levels, sizeof(Point3));
+/// What is needed, in a word before the work begins, where it is much; refused, where it is more
+/// than there is.
+Status announce(const RefineOptions& options, const Scheme& scheme, const Mesh& mesh,
+                ProgressLine& line) {
+  const LimitWork work{.quick = options.wants_quick(scheme),
+                       .limit = options.limit || options.normals,
+                       .curvatures = !options.curvatures.empty()};
+  const RefineEstimate needed = estimate_with_limit(*scheme.split, mesh, options.levels, work);
   if (needed.peak_bytes > kMuchMemory) line.show_now(text_of(needed, options.levels));
+  return check_memory(needed, options.levels, available_memory());
 }
 
 /// Refinement and limit in one; nothing where the limit has no quick way.
@@ -159,14 +165,16 @@ Result<Polygons> refined_polygons(const RefineOptions& options, const Scheme& sc
 
 int refine_mesh(const RefineOptions& options) {
   // what can be refused at once is refused before any work
-  if (Status status = check_readable(options.mesh); !status) return report(status.error());
-  if (Status status = check_writable(options.output); !status) return report(status.error());
+  if (Status status = check_mesh_path(options.mesh); !status) return report(status.error());
+  if (Status status = options.output.check(options.json); !status) return report(status.error());
   if (!options.curvatures.empty() && !is_table_path(options.curvatures))
     return report({fmt::format("--curvatures: '{}' is no table", options.curvatures),
                    "it ends in .csv or .json",
                    {},
                    0,
                    0});
+  if (Status status = check_outputs({options.output.path, options.curvatures}); !status)
+    return report(status.error());
   const Result<Scheme> scheme = options.scheme.load();
   if (!scheme) return report(scheme.error());
   Result<ControlMesh> control = load_control_mesh(options.mesh, options.triangulate);
@@ -175,7 +183,11 @@ int refine_mesh(const RefineOptions& options) {
   ProgressLine line;
   WriteOptions extras;
   double seconds = 0;
-  announce(options, *scheme, control->mesh, line);
+  set_step(fmt::format("refining {} by {} levels", options.mesh, options.levels));
+  if (Status status = announce(options, *scheme, control->mesh, line); !status) {
+    status.error().file = options.mesh;
+    return report(status.error());
+  }
   const Result<Polygons> result =
       refined_polygons(options, *scheme, *control, extras, line, seconds);
   if (!result) {
@@ -183,9 +195,12 @@ int refine_mesh(const RefineOptions& options) {
     if (error.file.empty()) error.file = options.mesh;
     return report(error);
   }
-  line.show("writing " + options.output);
-  if (Status status = write_mesh(options.output, *result, extras); !status)
+  line.show("writing " + options.output.path);
+  set_step("writing " + options.output.path);
+  if (Status status = options.output.write(*result, extras); !status) {
+    if (status.error().file.empty()) status.error().file = options.mesh;
     return report(status.error());
+  }
   print_result(options, *scheme, *result, seconds, control->remarks);
   return kDone;
 }
@@ -195,16 +210,13 @@ int refine_mesh(const RefineOptions& options) {
 void declare_refine(CLI::App& parser, Action& action) {
   CLI::App* command = parser.add_subcommand("refine", "refine a mesh with a scheme");
   const auto options = std::make_shared<RefineOptions>();
-  command->add_option("MESH", options->mesh, "control mesh: .obj, .off, .ply or .stl")->required();
+  command->add_option("MESH", options->mesh, kMeshArgumentHelp)->required();
   command->add_option("-s,--scheme", options->scheme.name, "a shipped scheme, or a scheme file")
       ->required();
   command->add_option("-n,--levels", options->levels, "refinement steps")
       ->capture_default_str()
       ->check(CLI::Range(0, 64));
-  command
-      ->add_option("-o,--output", options->output,
-                   "where the refined mesh goes: .obj, .off, .ply, .stl or .glb")
-      ->required();
+  options->output.declare(*command);
   options->scheme.declare_parameters(*command);
   command->add_flag("--limit", options->limit, "move the refined vertices to the limit surface");
   command->add_flag("--normals", options->normals,
@@ -224,6 +236,7 @@ void declare_refine(CLI::App& parser, Action& action) {
   command->footer(
       "Example: limn refine mesh.obj -s catmull-clark -n 4 -o fine.ply\n"
       "         limn refine mesh.obj -s butterfly -p w=1/20 -n 5 -o fine.glb\n"
+      "         limn refine - -s loop -n 2 -o - --format ply < mesh.obj > fine.ply\n"
       "         limn refine mesh.obj -s loop -n 3 --limit --normals -o surface.ply");
   command->callback([&action, options] { action = [options] { return refine_mesh(*options); }; });
 }

@@ -33,7 +33,7 @@ int analyse(const RegularityCommand& command) {
     return report(regularity.error());
   }
   if (command.json)
-    fmt::print("{}\n", regularity_json(scheme->name, *regularity).dump());
+    print_json(regularity_json(scheme->name, *regularity));
   else
     fmt::print("{}", regularity_text(scheme->name, *regularity));
   return kDone;

@@ -28,7 +28,7 @@ int list_schemes(bool json) {
     fmt::print("{:<{}}  {:<15}  {}{}\n", name, widest, scheme->split->name, scheme->title,
                parameters);
   }
-  if (json) fmt::print("{}\n", nlohmann::ordered_json{{"schemes", list}}.dump());
+  if (json) print_json({{"schemes", list}});
   return kDone;
 }
 

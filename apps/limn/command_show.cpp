@@ -25,7 +25,7 @@ int show(const ShowOptions& options) {
     return kDone;
   }
   if (options.json)
-    fmt::print("{}\n", describe_json(*scheme).dump());
+    print_json(describe_json(*scheme));
   else
     fmt::print("{}", describe(*scheme));
   return kDone;

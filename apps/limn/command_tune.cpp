@@ -62,6 +62,7 @@ Result<Task> read_task(const TuneOptions& options) {
                  0};
   if (!options.output.empty())
     if (Status status = check_scheme_path(options.output); !status) return status.error();
+  if (Status status = check_outputs({options.output}); !status) return status.error();
   if (options.range && !options.output.empty())
     return Error{"-o writes solutions, not ranges", "leave out -o or --range", {}, 0, 0};
   std::optional<SearchRange> between;
@@ -84,10 +85,13 @@ nlohmann::ordered_json heading_json(const Task& task, const nlohmann::ordered_js
 /// Writes the solutions as a scheme file, if it reads back.
 Status write_tuned(const Task& task, const std::vector<ValenceSolutions>& solutions,
                    const TuneOptions& options) {
-  const Result<std::string> text = tuned_scheme_text(
-      task.freed, task.requirement, solutions, extends_name(options.scheme.name, options.output));
+  const Result<std::string> base = extends_name(options.scheme.name, options.output);
+  if (!base) return base.error();
+  const Result<std::string> text =
+      tuned_scheme_text(task.freed, task.requirement, solutions, *base);
   if (!text) return text.error();
-  if (const Result<Scheme> back = parse_scheme(*text, options.output); !back) return back.error();
+  const Result<Scheme> back = parse_scheme(*text, whole_path(options.output));
+  if (!back) return back.error();
   return write_file(options.output, *text);
 }
 
@@ -117,7 +121,10 @@ int solve(Task& task, const TuneOptions& options) {
   if (!any_value) return report(without_value);
   if (!options.output.empty())
     if (Status status = write_tuned(task, all, options); !status) return report(status.error());
-  fmt::print("{}", json ? heading_json(task, list).dump() + "\n" : text);
+  if (json)
+    print_json(heading_json(task, list));
+  else
+    fmt::print("{}", text);
   return undecided ? kUndecided : kDone;
 }
 
@@ -140,9 +147,10 @@ int find_ranges(Task& task, bool json) {
   if (json) {
     nlohmann::ordered_json object = heading_json(task, list);
     object["common"] = intervals_json(common);
-    text = object.dump() + "\n";
+    print_json(object);
+  } else {
+    fmt::print("{}", text);
   }
-  fmt::print("{}", text);
   return kDone;
 }
 

@@ -5,20 +5,36 @@
 #include <utility>
 
 #include "command.h"
+#include "limn/base/file.h"
+#include "limn/mesh/io/mesh_file.h"
 #include "limn/mesh/mesh_faults.h"
 #include "limn/mesh/triangulate.h"
 
 namespace limn::app {
 namespace {
 
+Result<MeshFile> read_named(const std::string& path) {
+  set_step("reading " + path);
+  if (path != kStandardStream) return read_mesh_file(path);
+  const Result<std::string> content = take_standard_input();
+  if (!content) return content.error();
+  return parse_mesh_file(*content, "", "standard input");
+}
+
 void report_notes(const Warnings& notes) {
+  if (is_quiet()) return;
   for (const Error& note : notes) std::fprintf(stderr, "limn: note: %s\n", note.text().c_str());
 }
 
 }  // namespace
 
+Status check_mesh_path(const std::string& path) {
+  if (path == kStandardStream) return Done{};
+  return check_readable(path);
+}
+
 Result<ControlMesh> load_control_mesh(const std::string& path, bool triangulate) {
-  Result<MeshFile> file = read_mesh_file(path);
+  Result<MeshFile> file = read_named(path);
   if (!file) return file.error();
   Warnings& warnings = file->warnings;
   const MeshSource source = file->source;

@@ -23,12 +23,20 @@ struct ControlMesh {
   MeshRemarks remarks;
 };
 
+/// What the help of an option says of MESH.
+inline constexpr const char* kMeshArgumentHelp =
+    "control mesh: .obj, .off, .ply or .stl; - is standard input, in any of these formats";
+
+/// Whether the name of a mesh tells its format; "-" is standard input, whose content tells.
+[[nodiscard]] Status check_mesh_path(const std::string& path);
+
 /// Adds "warnings", a list of message and line, and "left_out", a list of what, count, unit and
 /// line; line 0: none is known.
 void add_remarks(nlohmann::ordered_json& json, const MeshRemarks& remarks);
 
-/// Reads a mesh file, cuts its polygons into triangles if asked to, and builds the mesh. Warnings
-/// and notes go to standard error; errors speak in the numbers and lines of the file.
+/// Reads a mesh file or standard input, cuts its polygons into triangles if asked to, and builds
+/// the mesh. Warnings and notes go to standard error; errors speak in the numbers and lines of the
+/// file.
 [[nodiscard]] Result<ControlMesh> load_control_mesh(const std::string& path, bool triangulate);
 
 }  // namespace limn::app

@@ -1,27 +1,22 @@
-#include <csignal>
 #include <cstdio>
 #include <exception>
 #include <new>
-
-#include <unistd.h>
+#include <stdexcept>
+#include <system_error>
 
 #include "command.h"
-#include "limn/base/file.h"
+#include "limn/base/file_transaction.h"
 #include "limn/base/parallel.h"
+#include "process.h"
 
 namespace limn::app {
 namespace {
 
 // One line for each command, in the order of the help.
-constexpr Declare kCommands[] = {declare_schemes,    declare_show,      declare_refine,
-                                 declare_draw,       declare_artifacts, declare_eigen,
-                                 declare_regularity, declare_prescribe, declare_tune,
-                                 declare_fairness,   declare_compare,   declare_papers};
-
-extern "C" void leave_nothing_half_written(int signal) {
-  remove_unfinished_files();
-  _exit(128 + signal);
-}
+constexpr Declare kCommands[] = {
+    declare_schemes, declare_show,       declare_refine,    declare_draw,      declare_artifacts,
+    declare_eigen,   declare_regularity, declare_prescribe, declare_tune,      declare_fairness,
+    declare_compare, declare_papers,     declare_man,       declare_completion};
 
 /// CLI11 would only say that a command is missing.
 Status check_command(const CLI::App& parser, const std::string& word) {
@@ -41,6 +36,9 @@ int run(int argc, char** argv) {
   int threads = 0;
   parser.add_option("--threads", threads, "use at most this many threads; 0 means all")
       ->check(CLI::Range(0, 4096));
+  parser.add_flag_function(
+      "--quiet", [](std::int64_t) { be_quiet(); },
+      "no progress, remarks and warnings on standard error, only errors");
   parser.fallthrough();
   parser.footer(
       "Example: limn refine mesh.obj -s loop -n 4 -o fine.ply\n"
@@ -58,27 +56,45 @@ int run(int argc, char** argv) {
         {error.what(), "`limn --help` and `limn COMMAND --help` explain the use", {}, 0, 0});
   }
   set_thread_limit(threads);
+  set_step("limn " + parser.get_subcommands().front()->get_name());
   return action();
+}
+
+/// The outputs of a command are all or none: they take their names once it is done and all that it
+/// prints has arrived.
+int run_whole(int argc, char** argv) {
+  FileTransaction outputs;
+  const int code = run(argc, argv);
+  if (code == kBadInput) return code;
+  if (Status status = check_standard_output(); !status) return report(status.error());
+  if (Status status = outputs.commit(); !status) return report(status.error());
+  return code;
+}
+
+int report_out_of_memory() {
+  std::fprintf(stderr, "limn: out of memory: %s (%s)\n", step().c_str(),
+               "a smaller input or fewer levels need less");
+  return kBadInput;
 }
 
 }  // namespace
 }  // namespace limn::app
 
 int main(int argc, char** argv) {
-  for (const int signal : {SIGINT, SIGTERM, SIGHUP})
-    std::signal(signal, limn::app::leave_nothing_half_written);
+  using namespace limn::app;
+  keep_standard_streams();
+  handle_signals();
   try {
-    const int code = limn::app::run(argc, argv);
-    // a full disk or a closed pipe must not pass for success
-    if (std::fflush(stdout) != 0 && code == limn::app::kDone)
-      return limn::app::report({"cannot write to standard output", {}, {}, 0, 0});
-    return code;
+    return run_whole(argc, argv);
   } catch (const std::bad_alloc&) {
-    limn::remove_unfinished_files();
-    std::fputs("limn: out of memory (refine fewer levels or a smaller mesh)\n", stderr);
-  } catch (const std::exception& failure) {  // printing failed: a full disk, a closed pipe
-    limn::remove_unfinished_files();
-    std::fprintf(stderr, "limn: %s\n", failure.what());
+    return report_out_of_memory();
+  } catch (const std::length_error&) {  // more than a container can hold
+    return report_out_of_memory();
+  } catch (const std::system_error& failure) {
+    if (std::ferror(stdout) != 0) return report(no_standard_output(failure.code().value()));
+    std::fprintf(stderr, "limn: %s: %s\n", step().c_str(), failure.what());
+  } catch (const std::exception& failure) {
+    std::fprintf(stderr, "limn: %s: %s\n", step().c_str(), failure.what());
   }
-  return limn::app::kBadInput;
+  return kBadInput;
 }

@@ -5,6 +5,8 @@
 
 #include <fmt/core.h>
 
+#include "command.h"
+
 namespace limn::app {
 namespace {
 
@@ -37,7 +39,7 @@ Result<Scheme> load(const std::string& text, std::vector<std::string> parameters
                  0,
                  0};
   parameters.insert(parameters.end(), parts.parameters.begin(), parts.parameters.end());
-  Result<Scheme> scheme = find_scheme(parts.scheme);
+  Result<Scheme> scheme = load_scheme(parts.scheme);
   if (!scheme) return scheme;
   if (Status status = set_parameters(*scheme, parameters); !status) return status.error();
   return scheme;

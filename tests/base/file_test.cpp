@@ -132,6 +132,72 @@ TEST_F(FileTest, PipesAreWrittenAndReadDirectly) {
   EXPECT_TRUE(fs::is_fifo(path("pipe")));
 }
 
+TEST_F(FileTest, OnlyFilesAndPipesAreRead) {
+  ASSERT_EQ(::mkfifo(path("pipe").c_str(), 0600), 0);
+  fs::create_symlink("/dev/zero", path("zero"));
+  const ReadBound files_only{.bytes = 0, .pipes = false};
+  for (const std::string& bad :
+       {std::string("/dev/zero"), path("zero"), std::string("/dev/tty"), folder_.string()}) {
+    const Result<std::string> content = read_file(bad);
+    ASSERT_FALSE(content.ok()) << bad;
+    EXPECT_EQ(content.error().file, bad);
+  }
+  const Result<std::string> pipe = read_file(path("pipe"), files_only);  // and does not wait
+  ASSERT_FALSE(pipe.ok());
+  EXPECT_NE(pipe.error().message.find("a pipe"), std::string::npos) << pipe.error().text();
+}
+
+TEST_F(FileTest, NoMoreIsReadThanTheBound) {
+  const ReadBound hundred{.bytes = 100};
+  ASSERT_TRUE(write_file(path("a"), std::string(100, 'x')).ok());
+  EXPECT_EQ(read_file(path("a"), hundred)->size(), 100u);
+  ASSERT_TRUE(write_file(path("a"), std::string(101, 'x')).ok());
+  const Result<std::string> content = read_file(path("a"), hundred);
+  ASSERT_FALSE(content.ok());
+  EXPECT_NE(content.error().message.find("larger than"), std::string::npos);
+  // sizes that nothing tells before reading
+  ASSERT_EQ(::mkfifo(path("pipe").c_str(), 0600), 0);
+  for (const std::size_t size : {std::size_t{100}, std::size_t{101}, std::size_t{300000}}) {
+    std::thread writer([&] {
+      ::signal(SIGPIPE, SIG_IGN);
+      (void)write_file(path("pipe"), std::string(size, 'y'));
+    });
+    EXPECT_EQ(read_file(path("pipe"), hundred).ok(), size == 100) << size;
+    writer.join();
+  }
+  ::truncate(path("a").c_str(), off_t{1} << 50);  // a petabyte, by its name
+  EXPECT_FALSE(read_file(path("a")).ok());
+}
+
+TEST_F(FileTest, WhatCannotBeWrittenIsKnownBefore) {
+  ASSERT_EQ(::mkfifo(path("pipe").c_str(), 0600), 0);
+  fs::create_symlink("new", path("link"));
+  fs::create_symlink("loop", path("loop"));
+  for (const std::string& good : {path("a"), path("link"), path("pipe"), std::string("/dev/null"),
+                                  std::string("-"), std::string("/dev/stdout")})
+    EXPECT_TRUE(check_can_write(good).ok()) << good;
+  for (const std::string& bad : {std::string(), folder_.string(), path("none/a"), path("a/"),
+                                 path("loop"), std::string("/dev/fd/987")}) {
+    const Status status = check_can_write(bad);
+    ASSERT_FALSE(status.ok()) << bad;
+    EXPECT_EQ(status.error().file, bad);
+  }
+  EXPECT_EQ(entries(), 3);
+}
+
+TEST_F(FileTest, OutputsIntoOnePlace) {
+  ASSERT_TRUE(write_file(path("a"), "x").ok());
+  fs::create_hard_link(path("a"), path("b"));
+  fs::create_symlink("new", path("link"));
+  fs::create_symlink(".", path("here"));
+  EXPECT_TRUE(is_same_output(path("a"), path("b")));
+  EXPECT_TRUE(is_same_output(path("link"), path("here/new")));
+  EXPECT_TRUE(is_same_output("-", "/dev/stdout"));
+  EXPECT_FALSE(is_same_output("-", "./-"));
+  EXPECT_FALSE(is_same_output(path("a"), path("new")));
+  EXPECT_FALSE(is_same_output("/dev/null", "/dev/null"));
+}
+
 TEST_F(FileTest, ConcurrentWritesAreWhole) {
   std::vector<std::thread> threads;
   for (char c = 'a'; c < 'a' + 24; ++c) {

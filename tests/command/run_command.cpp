@@ -41,14 +41,17 @@ int Folder::count() const {
   return static_cast<int>(std::distance(fs::directory_iterator(path_), fs::directory_iterator()));
 }
 
-Outcome Folder::limn(const std::string& arguments, const std::string& prefix) const {
+Outcome Folder::shell(const std::string& script) const {
   const Folder streams;
-  const std::string line = "cd '" + path_ + "' && " + prefix + " '" LIMN_COMMAND "' " + arguments +
-                           " >'" + streams.file("out") + "' 2>'" + streams.file("err") +
-                           "' </dev/null";
+  const std::string line = "cd '" + path_ + "' && ( LIMN='" LIMN_COMMAND "'; " + script + "\n) >'" +
+                           streams.file("out") + "' 2>'" + streams.file("err") + "' </dev/null";
   const int status = std::system(line.c_str());
   return {WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status), streams.read("out"),
           streams.read("err")};
+}
+
+Outcome Folder::limn(const std::string& arguments, const std::string& prefix) const {
+  return shell(prefix + " \"$LIMN\" " + arguments);
 }
 
 void expect_refused(const Outcome& outcome, const std::vector<std::string>& parts) {

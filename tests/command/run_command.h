@@ -29,6 +29,8 @@ class Folder {
 
   /// `limn ARGUMENTS`, run by a shell in this folder; `prefix` goes before the command.
   [[nodiscard]] Outcome limn(const std::string& arguments, const std::string& prefix = {}) const;
+  /// Lines of a shell in this folder, where $LIMN is the command; standard input is empty.
+  [[nodiscard]] Outcome shell(const std::string& script) const;
 
  private:
   std::string path_;

@@ -2,9 +2,15 @@
 
 #include <unistd.h>
 
+#include <atomic>
 #include <cstdio>
 
 namespace limn {
+namespace {
+
+std::atomic<bool> none{false};
+
+}  // namespace
 
 ProgressLine::ProgressLine(bool wanted)
     : start_(std::chrono::steady_clock::now()), enabled_(wanted && isatty(STDERR_FILENO) == 1) {}
@@ -18,8 +24,10 @@ void ProgressLine::show(const std::string& text) {
   if (std::chrono::steady_clock::now() - start_ >= kQuiet) show_now(text);
 }
 
+void ProgressLine::show_none() { none = true; }
+
 void ProgressLine::show_now(const std::string& text) {
-  if (!enabled_) return;
+  if (!enabled_ || none) return;
   std::fprintf(stderr, "\r\033[K%s", text.c_str());
   std::fflush(stderr);
   shown_ = true;

@@ -19,6 +19,9 @@ class ProgressLine {
   /// The same, however early.
   void show_now(const std::string& text);
 
+  /// From now on no line shows anything.
+  static void show_none();
+
  private:
   std::chrono::steady_clock::time_point start_;
   bool enabled_;

@@ -1,8 +1,6 @@
 #include "limn/refine/refine.h"
 
 #include <cmath>
-#include <fstream>
-#include <limits>
 #include <string>
 
 #include <fmt/core.h>
@@ -52,12 +50,6 @@ double bytes_of(const Counts& c, std::size_t bytes_per_value) {
   return mesh + static_cast<double>(bytes_per_value) * c.vertices;
 }
 
-std::string bytes_text(double bytes) {
-  constexpr double kGiB = 1024.0 * 1024.0 * 1024.0;
-  if (bytes >= 0.1 * kGiB) return fmt::format("{:.1f} GiB", bytes / kGiB);
-  return fmt::format("{:.1f} MiB", bytes / (1024.0 * 1024.0));
-}
-
 std::string size_text(double vertices, double faces, int levels) {
   return fmt::format("{} levels would make about {:.3g} vertices and {:.3g} faces", levels,
                      vertices, faces);
@@ -105,16 +97,6 @@ Status check_memory(const RefineEstimate& estimate, int levels, double memory_li
                {},
                0,
                0};
-}
-
-double available_memory() {
-  std::ifstream meminfo("/proc/meminfo");
-  std::string word;
-  while (meminfo >> word) {
-    double kilobytes = 0;
-    if (word == "MemAvailable:" && meminfo >> kilobytes) return kilobytes * 1024;
-  }
-  return std::numeric_limits<double>::infinity();
 }
 
 Status check_refinable(const Scheme& scheme, const Mesh& mesh, int levels,

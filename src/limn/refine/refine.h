@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <functional>
 
+#include "limn/base/memory.h"
 #include "limn/refine/refine_values.h"
 
 namespace limn {
@@ -15,9 +16,6 @@ struct RefineEstimate {
 };
 [[nodiscard]] RefineEstimate estimate_refinement(const Split& split, const Mesh& mesh, int levels,
                                                  std::size_t bytes_per_value);
-
-/// Memory that this machine can give us now, in bytes; infinity where it cannot be told.
-[[nodiscard]] double available_memory();
 
 /// In words: "5 levels make about 3e+06 vertices and 6e+06 faces, in about 0.2 GiB of memory".
 [[nodiscard]] std::string text_of(const RefineEstimate& estimate, int levels);

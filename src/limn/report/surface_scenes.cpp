@@ -1,10 +1,15 @@
 #include "limn/report/surface_scenes.h"
 
+#include "limn/extraordinary/limit_estimate.h"
 #include "limn/extraordinary/limit_points.h"
 #include "limn/refine/refine.h"
 
 namespace limn {
 namespace {
+
+/// For each vertex: the surface, a panel's copy of it, and the tree that rays are cast into
+/// (measured for pictures of triangles).
+constexpr double kSurfaceBytes = 300;
 
 SpaceVector vector_of(const Point3& p) { return {p.x, p.y, p.z}; }
 
@@ -12,6 +17,10 @@ SpaceVector vector_of(const Point3& p) { return {p.x, p.y, p.z}; }
 
 Result<SmoothSurface> limit_surface(const Scheme& scheme, const Mesh& control,
                                     const std::vector<Point3>& points, int steps) {
+  RefineEstimate needed = estimate_with_limit(*scheme.split, control, steps, {.limit = true});
+  needed.peak_bytes += needed.vertices * kSurfaceBytes;
+  if (Status status = check_memory(needed, steps, available_memory()); !status)
+    return status.error();
   const Result<Refined<Point3>> fine = refine(scheme, control, points, steps);
   if (!fine) return fine.error();
   LimitOptions options;

@@ -10,7 +10,8 @@
 namespace limn {
 
 /// The limit surface of a control mesh, sampled after so many steps, with limit normals; faces are
-/// cut into triangles by fans. Fails as `refine` and `approx_limit_points` do.
+/// cut into triangles by fans. Fails as `refine` and `approx_limit_points` do, and before the work
+/// where that and a picture of it need more memory than there is.
 [[nodiscard]] Result<SmoothSurface> limit_surface(const Scheme& scheme, const Mesh& control,
                                                   const std::vector<Point3>& points, int steps);
 

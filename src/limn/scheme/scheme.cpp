@@ -9,6 +9,7 @@
 #include "limn/scheme/mask.h"
 #include "limn/scheme/names.h"
 #include "limn/scheme/scheme_reader.h"
+#include "limn/scheme/scheme_size.h"
 #include "limn/scheme/shipped_files.h"
 
 namespace limn {
@@ -123,13 +124,9 @@ Error unknown_scheme(const std::string& name) {
           0};
 }
 
-/// What a file extends must be a file: no device or pipe, which may never end.
-Result<std::string> read_extended(const std::string& path) {
-  std::error_code ignored;
-  const auto status = std::filesystem::status(path, ignored);
-  if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status))
-    return Error{"cannot read: not a regular file", {}, path, 0, 0};
-  return read_file(path);
+/// A scheme file is small, and a file: a device or a pipe may never end.
+Result<std::string> read_scheme_file(const std::string& path) {
+  return read_file(path, {.bytes = kMostSchemeBytes, .pipes = false});
 }
 
 /// A shipped name, or a path: relative to the folder of the file that extends it, if one does.
@@ -144,8 +141,7 @@ Result<Scheme> read_any(const std::string& name_or_path, const Chain& chain) {
     path = (fs::path(chain.back()).parent_path() / path).lexically_normal();
   std::error_code ignored;
   if (!looks_like_path && !fs::exists(path, ignored)) return unknown_scheme(name_or_path);
-  Result<std::string> text =
-      chain.empty() ? read_file(path.string()) : read_extended(path.string());
+  Result<std::string> text = read_scheme_file(path.string());
   if (!text) return text.error();
   return parse_next(*text, path.string(), path.string(), chain);
 }
@@ -199,7 +195,7 @@ Result<Scheme> parse_scheme(std::string_view text, const std::string& path) {
 }
 
 Result<Scheme> read_scheme(const std::string& path) {
-  Result<std::string> text = read_file(path);
+  Result<std::string> text = read_scheme_file(path);
   if (!text) return text.error();
   return parse_scheme(*text, path);
 }

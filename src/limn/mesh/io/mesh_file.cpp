@@ -4,14 +4,23 @@
 #include <array>
 #include <cassert>
 #include <cmath>
+#include <cstdio>
 #include <istream>
 #include <iterator>
 #include <limits>
+#include <utility>
 
 #include "limn/base/file.h"
 #include "limn/mesh/io/formats.h"
 
 namespace limn {
+
+std::string extension_of(const std::string& path) {
+  const std::size_t name = path.rfind('/') == std::string::npos ? 0 : path.rfind('/') + 1;
+  const std::size_t dot = path.rfind('.');
+  return dot == std::string::npos || dot < name ? std::string() : path.substr(dot + 1);
+}
+
 namespace io {
 namespace {
 
@@ -37,12 +46,6 @@ std::string lower_case(std::string_view text) {
     if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
   }
   return lower;
-}
-
-std::string extension_of(const std::string& path) {
-  const std::size_t name = path.rfind('/') == std::string::npos ? 0 : path.rfind('/') + 1;
-  const std::size_t dot = path.rfind('.');
-  return dot == std::string::npos || dot < name ? std::string() : path.substr(dot + 1);
 }
 
 /// "obj, off, ply, stl": those that are read, or all.
@@ -76,36 +79,56 @@ const Format* find_format(std::string_view extension, bool for_reading) {
   return nullptr;
 }
 
-bool fits(Point3 p, double limit) {
-  // Not `<= limit` on each: NaN must fail, and one test per vector is enough.
-  return std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)}) <= limit && !std::isnan(p.x) &&
-         !std::isnan(p.y) && !std::isnan(p.z);
+/// A vector that a format cannot hold, in words; empty where `largest` and NaN do not occur.
+std::string beyond(const Point3& p, double largest) {
+  for (const auto& [name, value] : {std::pair{"x", p.x}, {"y", p.y}, {"z", p.z}})
+    if (!(std::abs(value) <= largest)) {  // NaN too
+      std::array<char, 64> text{};
+      std::snprintf(text.data(), text.size(), "%s = %.6g", name, value);
+      return text.data();
+    }
+  return {};
 }
 
+struct Fault {
+  std::string message, hint;
+  bool of_numbers = false;  ///< whatever the file: they are not finite
+};
+
 /// Says what a writer could not write so that it reads back, or nothing.
-std::string unwritable(const Format& format, const Polygons& mesh, const WriteOptions& options) {
-  const double largest = format.keeps_floats ? double{std::numeric_limits<float>::max()}
-                                             : std::numeric_limits<double>::max();
-  const char* const kind = format.keeps_floats ? "a finite float" : "a finite number";
+Fault unwritable(const Format& format, const Polygons& mesh, const WriteOptions& options) {
+  constexpr double kLargestDouble = std::numeric_limits<double>::max();
+  constexpr double kLargestFloat = std::numeric_limits<float>::max();
+  const double largest = format.keeps_floats ? kLargestFloat : kLargestDouble;
   for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
-    if (fits(mesh.positions[v], largest)) continue;
-    return "vertex " + std::to_string(v) + " has a coordinate that is not " + kind;
+    const std::string what = beyond(mesh.positions[v], largest);
+    if (what.empty()) continue;
+    const std::string vertex = "vertex " + std::to_string(v) + " has " + what;
+    if (!beyond(mesh.positions[v], kLargestDouble).empty())
+      return {vertex + ": the coordinates are beyond what numbers can hold",
+              "scale the control mesh down, its numbers are too large to calculate with", true};
+    return {
+        vertex + ", but " + std::string(format.extension) + " holds floats, up to 3.4e38 in size",
+        "write obj, off or ply, which hold doubles, or scale the mesh down"};
   }
   for (std::size_t v = 0; v < options.normals.size(); ++v) {
-    if (fits(options.normals[v], largest)) continue;
-    return "the normal of vertex " + std::to_string(v) + " is not finite";
+    const std::string what = beyond(options.normals[v], kLargestFloat);
+    if (!what.empty())
+      return {"the normal of vertex " + std::to_string(v) + " has " + what,
+              "scale the control mesh, its numbers are too large or too small to calculate with",
+              true};
   }
   // No format needs 64 bytes a triangle; this can only happen where addresses have 32 bits.
   if (triangle_count(mesh) > std::numeric_limits<std::size_t>::max() / 64) {
-    return "the file would be too large for this machine";
+    return {"the file would be too large for this machine", ""};
   }
   if (!format.is_gltf) return {};
   // The size of the file is a 32-bit field; 64 KiB are more than its JSON needs.
   const std::size_t bytes = 24 * mesh.positions.size() + 12 * triangle_count(mesh);
   if (bytes > std::numeric_limits<std::uint32_t>::max() - 65536u) {
-    return "the mesh needs more than the 4 GiB of a glb file";
+    return {"the mesh needs more than the 4 GiB of a glb file", ""};
   }
-  return emptiness(mesh);  // glTF has no empty accessors
+  return {emptiness(mesh), ""};  // glTF has no empty accessors
 }
 
 [[maybe_unused]] bool is_consistent(const Polygons& mesh, const WriteOptions& options) {
@@ -124,8 +147,10 @@ Result<const Format*> format_for(std::string_view extension, const std::string& 
   const Format* format = find_format(extension, false);
   if (format == nullptr) return unknown_extension(extension, path, false);
   assert(is_consistent(mesh, options));
-  std::string fault = unwritable(*format, mesh, options);
-  if (!fault.empty()) return Error{std::move(fault), "", path, 0, 0};
+  Fault fault = unwritable(*format, mesh, options);
+  if (!fault.message.empty())
+    return Error{"cannot write the mesh: " + fault.message, std::move(fault.hint),
+                 fault.of_numbers ? "" : path, 0, 0};
   return format;
 }
 
@@ -214,7 +239,7 @@ Result<MeshFile> read_mesh_file(const std::string& path) {
   if (Status known = check_readable(path); !known) return known.error();
   const Result<std::string> content = read_file(path);
   if (!content) return content.error();
-  return parse_mesh_file(*content, io::extension_of(path), path);
+  return parse_mesh_file(*content, extension_of(path), path);
 }
 
 Result<MeshFile> read_mesh_file(std::istream& in, const std::string& name) {
@@ -243,19 +268,24 @@ Result<std::string> format_mesh(std::string_view extension, const Polygons& mesh
 }
 
 Status write_mesh(const std::string& path, const Polygons& mesh, const WriteOptions& options) {
-  Result<const io::Format*> format = io::format_for(io::extension_of(path), path, mesh, options);
+  return write_mesh(path, extension_of(path), mesh, options);
+}
+
+Status write_mesh(const std::string& path, std::string_view extension, const Polygons& mesh,
+                  const WriteOptions& options) {
+  Result<const io::Format*> format = io::format_for(extension, path, mesh, options);
   if (!format) return format.error();
   return write_file(path, [&](const Sink& sink) { (*format)->format(mesh, options, sink); });
 }
 
 Status check_readable(const std::string& path) {
-  const std::string extension = io::extension_of(path);
+  const std::string extension = extension_of(path);
   if (io::find_format(extension, true) != nullptr) return Done{};
   return io::unknown_extension(extension, path, true);
 }
 
 Status check_writable(const std::string& path) {
-  const std::string extension = io::extension_of(path);
+  const std::string extension = extension_of(path);
   if (io::find_format(extension, false) != nullptr) return Done{};
   return io::unknown_extension(extension, path, false);
 }

@@ -70,9 +70,15 @@ struct WriteOptions {
   std::vector<Point3> normals;
 };
 
-/// Writes a mesh, whole or not at all: to a temporary file beside the target, then a rename.
+/// Writes a mesh, whole or not at all (`write_file`). Fails where the format cannot hold a
+/// coordinate: the error names the vertex, the value and a remedy, and no file where the value is
+/// not finite, which is no fault of the file.
 [[nodiscard]] Status write_mesh(const std::string& path, const Polygons& mesh,
                                 const WriteOptions& options = {});
+
+/// The same in a format that is named, whatever the path's extension.
+[[nodiscard]] Status write_mesh(const std::string& path, std::string_view extension,
+                                const Polygons& mesh, const WriteOptions& options);
 
 /// The same into memory.
 [[nodiscard]] Result<std::string> format_mesh(std::string_view extension, const Polygons& mesh,
@@ -82,5 +88,8 @@ struct WriteOptions {
 /// refused before an hour of work; the error lists the known ones.
 [[nodiscard]] Status check_readable(const std::string& path);
 [[nodiscard]] Status check_writable(const std::string& path);
+
+/// What follows the last dot of a path's name, as it is; empty where there is none.
+[[nodiscard]] std::string extension_of(const std::string& path);
 
 }  // namespace limn

@@ -1,7 +1,6 @@
 #include "limn/report/papers/paper_page.h"
 
 #include <filesystem>
-#include <system_error>
 
 #include <fmt/core.h>
 
@@ -44,8 +43,7 @@ PaperPage::PaperPage(std::string directory, std::string title, std::string citat
       title_(std::move(title)),
       citation_(std::move(citation)),
       progress_(std::move(progress)) {
-  std::error_code ignored;  // the first write says what is wrong
-  std::filesystem::create_directories(directory_, ignored);
+  (void)make_folder(directory_);  // the first write says what is wrong
 }
 
 std::string PaperPage::path(const std::string& name) const {

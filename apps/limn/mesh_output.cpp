@@ -1,0 +1,53 @@
+#include "mesh_output.h"
+
+#include <cstdio>
+
+#include "limn/base/file.h"
+
+namespace limn::app {
+
+void MeshOutput::declare(CLI::App& command) {
+  command
+      .add_option("-o,--output", path,
+                  "where the refined mesh goes: .obj, .off, .ply, .stl or .glb; - is standard "
+                  "output")
+      ->required();
+  command
+      .add_option("--format", format,
+                  "obj, off, ply, stl or glb, whatever the output is called (default: its "
+                  "extension, or obj on standard output)")
+      ->type_name("FORMAT");
+}
+
+bool MeshOutput::is_printed() const { return is_standard_output(path); }
+
+std::string MeshOutput::extension() const {
+  if (!format.empty()) return format;
+  return is_printed() && !check_writable(path) ? "obj" : extension_of(path);
+}
+
+Status MeshOutput::check(bool json) const {
+  if (is_printed() && json)
+    return Error{"the mesh and the JSON object cannot both go to standard output",
+                 "leave out --json, or name a file after -o",
+                 {},
+                 0,
+                 0};
+  if (!format.empty()) {
+    Status known = check_writable("mesh." + format);
+    if (!known) {
+      known.error().file.clear();
+      known.error().message = "--format: " + known.error().message;
+    }
+    return known;
+  }
+  Status known = is_printed() ? Status(Done{}) : check_writable(path);
+  if (!known && extension_of(path).empty()) known.error().hint += "; or name it by --format";
+  return known;
+}
+
+Status MeshOutput::write(const Polygons& mesh, const WriteOptions& options) const {
+  return write_mesh(path, extension(), mesh, options);
+}
+
+}  // namespace limn::app

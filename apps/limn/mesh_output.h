@@ -1,0 +1,31 @@
+#pragma once
+/// Where a mesh goes, as commands that write one take it.
+
+#include <CLI/CLI.hpp>
+#include <string>
+
+#include "limn/base/error.h"
+#include "limn/mesh/io/mesh_file.h"
+
+namespace limn::app {
+
+struct MeshOutput {
+  std::string path;
+  std::string format;  ///< an extension; empty: that of `path`, or OBJ on standard output
+
+  /// -o and --format.
+  void declare(CLI::App& command);
+
+  /// Whether the mesh itself is what standard output gets, so that a report must go elsewhere.
+  [[nodiscard]] bool is_printed() const;
+
+  /// Whether its format is known; `check_outputs` says whether it can be written.
+  [[nodiscard]] Status check(bool json) const;
+
+  [[nodiscard]] Status write(const Polygons& mesh, const WriteOptions& options) const;
+
+ private:
+  [[nodiscard]] std::string extension() const;
+};
+
+}  // namespace limn::app

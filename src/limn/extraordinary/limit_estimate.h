@@ -1,0 +1,20 @@
+#pragma once
+/// The memory that refinement takes together with what is asked of the limit surface.
+
+#include "limn/refine/refine.h"
+
+namespace limn {
+
+struct LimitWork {
+  bool quick = false;       ///< by the quick engine, where it can
+  bool limit = false;       ///< limit points or normals
+  bool curvatures = false;  ///< and a table of curvatures, written as text
+};
+
+/// What `levels` steps and the work on their result take at most, from counts alone: an upper bound
+/// within about half of what was measured for loop, butterfly, sqrt3, catmull-clark and doo-sabin
+/// (tests/command/memory_test.cpp). Small fixed costs are left out. Cost O(levels).
+[[nodiscard]] RefineEstimate estimate_with_limit(const Split& split, const Mesh& control,
+                                                 int levels, const LimitWork& work);
+
+}  // namespace limn

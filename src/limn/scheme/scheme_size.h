@@ -1,0 +1,10 @@
+#pragma once
+/// How large a scheme file may be. The largest that is shipped has a few thousand bytes.
+
+#include <cstdint>
+
+namespace limn {
+
+inline constexpr std::uint64_t kMostSchemeBytes = std::uint64_t{1} << 20;
+
+}  // namespace limn

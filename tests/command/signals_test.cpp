@@ -1,0 +1,96 @@
+/// Signals: they leave nothing behind, and end the process as a shell expects.
+
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <csignal>
+#include <filesystem>
+
+#include "run_command.h"
+
+namespace limn::test {
+namespace {
+
+const std::string kBracket = LIMN_EXAMPLES "/bracket.obj";
+
+/// Starts limn with a signal in the state `handler`, sends the signal after so long, and returns
+/// the status that wait gives.
+int status_after(const Folder& folder, int signal, useconds_t microseconds, int levels,
+                 sighandler_t handler = SIG_DFL) {
+  const pid_t child = ::fork();
+  if (child == 0) {
+    ::signal(signal, handler);
+    if (::chdir(folder.path().c_str()) != 0) ::_exit(99);
+    const std::string count = std::to_string(levels);
+    // not into the test's own streams
+    if (std::freopen("/dev/null", "w", stdout) == nullptr) ::_exit(99);
+    ::execl(LIMN_COMMAND, LIMN_COMMAND, "refine", kBracket.c_str(), "-s", "loop", "-n",
+            count.c_str(), "-o", "fine.obj", "--curvatures", "fine.csv", nullptr);
+    ::_exit(99);
+  }
+  ::usleep(microseconds);
+  ::kill(child, signal);
+  int status = 0;
+  ::waitpid(child, &status, 0);
+  return status;
+}
+
+/// Both outputs or none, and nothing else.
+void expect_whole(const Folder& folder, bool done) {
+  const bool mesh = std::filesystem::exists(folder.file("fine.obj"));
+  const bool table = std::filesystem::exists(folder.file("fine.csv"));
+  EXPECT_EQ(mesh, table);
+  EXPECT_EQ(folder.count(), mesh ? 2 : 0);
+  if (done) EXPECT_TRUE(mesh);
+}
+
+class Signals : public testing::TestWithParam<int> {};
+
+TEST_P(Signals, EndTheProcessAndLeaveNothing) {
+  const int signal = GetParam();
+  for (const useconds_t after : {30'000U, 90'000U, 200'000U, 400'000U}) {
+    const Folder folder;
+    const int status = status_after(folder, signal, after, 5);
+    // a fast machine may have been done
+    const bool done = WIFEXITED(status) && WEXITSTATUS(status) == 0;
+    EXPECT_TRUE(done || (WIFSIGNALED(status) && WTERMSIG(status) == signal)) << status;
+    expect_whole(folder, done);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(All, Signals,
+                         testing::Values(SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGXCPU, SIGALRM,
+                                         SIGUSR1, SIGUSR2, SIGVTALRM, SIGPIPE, SIGSEGV, SIGABRT,
+                                         SIGRTMIN));
+
+TEST(Signal, ThatWasIgnoredStaysIgnored) {  // nohup, and background jobs of a shell
+  for (const int signal : {SIGHUP, SIGINT, SIGQUIT, SIGTERM, SIGUSR1}) {
+    const Folder folder;
+    const int status = status_after(folder, signal, 50'000, 3, SIG_IGN);
+    EXPECT_TRUE(WIFEXITED(status) && WEXITSTATUS(status) == 0) << signal << " " << status;
+    expect_whole(folder, true);
+  }
+}
+
+TEST(Signal, InterruptsTheLoopOfAShellToo) {
+  const Folder folder;
+  // bash goes on after a command that exits by itself; here the command dies of the interrupt
+  folder.write("loop.sh", "for i in 1 2 3; do '" LIMN_COMMAND "' refine '" + kBracket +
+                              "' -s loop -n 7 -o x.obj --curvatures x.csv; echo after; done\n");
+  if (std::system("command -v bash setsid timeout >/dev/null") != 0) GTEST_SKIP() << "no bash";
+  const Outcome outcome = folder.shell("timeout --signal=INT 0.4 bash loop.sh");
+  EXPECT_EQ(outcome.out.find("after"), std::string::npos) << outcome.out;
+  EXPECT_EQ(folder.count(), 1);
+}
+
+TEST(Signal, OfAFileThatIsTooLargeIsAnErrorOfWriting) {
+  const Folder folder;
+  const std::string job = "\"$LIMN\" refine '" + kBracket + "' -s loop -n 4 -o fine.obj";
+  expect_refused(folder.shell("ulimit -f 8; " + job), {"fine.obj", "cannot write", "ulimit -f"});
+  EXPECT_EQ(folder.count(), 0);
+  EXPECT_EQ(folder.shell(job).code, 0);
+}
+
+}  // namespace
+}  // namespace limn::test
