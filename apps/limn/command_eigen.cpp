@@ -6,6 +6,7 @@
 
 #include "command.h"
 #include "limn/extraordinary/eigencomponents.h"
+#include "limn/regular/second_differences.h"
 #include "limn/report/eigen_figures.h"
 #include "limn/report/eigen_formula_report.h"
 #include "limn/report/eigen_report.h"
@@ -32,10 +33,13 @@ struct EigenOptions {
 class Output {
  public:
   Output(const EigenOptions& options, const Scheme& scheme)
-      : options_(options), scheme_(scheme), text_(scheme.name + "\n" + eigen_heading()) {}
+      : options_(options),
+        scheme_(scheme),
+        regular_(find_regular_part(scheme)),
+        text_(scheme.name + "\n" + regular_part_text(regular_) + eigen_heading()) {}
 
   void add(const FrequencyBlocks& blocks) {
-    const Eigencomponents components = approx_eigencomponents(blocks);
+    const Eigencomponents components = approx_eigencomponents(blocks, regular_);
     nlohmann::ordered_json json;
     if (options_.json) json = eigen_json(blocks, components);
     text_ += eigen_text(components);
@@ -58,16 +62,19 @@ class Output {
           !status)
         return status;
     if (options_.json)
-      fmt::print("{}\n",
-                 nlohmann::ordered_json{{"scheme", scheme_.name}, {"valences", list_}}.dump());
+      fmt::print("{}\n", nlohmann::ordered_json{{"scheme", scheme_.name},
+                                                {"regular_part", regular_part_json(regular_)},
+                                                {"valences", list_}}
+                             .dump());
     else
-      fmt::print("{}", text_);
+      fmt::print("{}{}", text_, eigen_legend());
     return Done{};
   }
 
  private:
   const EigenOptions& options_;
   const Scheme& scheme_;
+  RegularPart regular_;
   nlohmann::ordered_json list_ = nlohmann::ordered_json::array();
   std::string text_;
   std::vector<CharacteristicMap> maps_;

@@ -6,6 +6,7 @@
 #include <fmt/core.h>
 #include <fmt/ranges.h>
 
+#include "limn/regular/second_differences.h"
 #include "limn/scheme/check.h"
 
 namespace limn {
@@ -209,6 +210,16 @@ Result<FrequencyBlocks> FreedScheme::blocks(int n, double x) {
   const Result<Instance*> instance = everywhere(n) ? fixed_at(n, x) : named_at(n, x);
   if (!instance) return instance.error();
   return (*instance)->analysis->blocks(n);
+}
+
+RegularPart FreedScheme::regular_part(int n, double x) {
+  if (!everywhere(n)) {
+    if (!own_regular_part_) own_regular_part_ = find_regular_part(*original_);
+    return *own_regular_part_;
+  }
+  const Result<Instance*> instance = fixed_at(n, x);
+  if (!instance) return {Truth::undecided, instance.error().message};
+  return find_regular_part((*instance)->scheme);
 }
 
 Result<double> FreedScheme::evaluate(

@@ -8,6 +8,7 @@
 #include <fmt/core.h>
 
 #include "limn/regular/regular_mask.h"
+#include "limn/regular/second_differences.h"
 
 namespace limn::ks {
 namespace {
@@ -77,12 +78,13 @@ Status add_range_table(PaperPage& page, const std::vector<ValenceRange>& ranges,
 
 /// At the valences kFirstValence … last.
 Result<std::vector<Eigencomponents>> components_of(const Scheme& scheme, int last) {
+  const RegularPart regular = find_regular_part(scheme);
   FrequencyAnalysis analysis(scheme);
   std::vector<Eigencomponents> valences;
   for (int n = kFirstValence; n <= last; ++n) {
     const Result<FrequencyBlocks> blocks = analysis.blocks(n);
     if (!blocks) return blocks.error();
-    valences.push_back(approx_eigencomponents(*blocks));
+    valences.push_back(approx_eigencomponents(*blocks, regular));
   }
   return valences;
 }
