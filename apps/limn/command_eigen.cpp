@@ -47,10 +47,12 @@ class Output {
     if (options_.vectors) text_ += vectors_text(blocks, components);
     if (!options_.map.empty()) {
       Result<CharacteristicMap> map = approx_characteristic_map(scheme_, blocks.valence);
-      const std::string regular = map ? std::string(to_string(map->regular)) : "no";
+      const std::string regular(to_string(map ? map->regular : Truth::undecided));
       const std::string reason = map ? map->reason : map.error().message;
       json["characteristic_map"] = {{"regular", regular}, {"reason", reason}};
-      text_ += fmt::format("           characteristic map: {} ({})\n", regular, reason);
+      if (map) json["characteristic_map"]["turned_over"] = map->turned_over;
+      text_ += fmt::format("           characteristic map regular, by samples: {} ({})\n", regular,
+                           reason);
       if (map) maps_.push_back(std::move(*map));
     }
     list_.push_back(std::move(json));

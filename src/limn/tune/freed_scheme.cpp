@@ -6,6 +6,8 @@
 #include <fmt/core.h>
 #include <fmt/ranges.h>
 
+#include "limn/regular/polynomial_orders.h"
+#include "limn/regular/regular_mask.h"
 #include "limn/regular/second_differences.h"
 #include "limn/scheme/check.h"
 
@@ -219,7 +221,13 @@ RegularPart FreedScheme::regular_part(int n, double x) {
   }
   const Result<Instance*> instance = fixed_at(n, x);
   if (!instance) return {Truth::undecided, instance.error().message};
-  return find_regular_part((*instance)->scheme);
+  const Result<Mask> mask = regular_mask((*instance)->scheme);
+  if (!mask) return {Truth::undecided, mask.error().message};
+  const int order = polynomial_orders(*mask).sum_rules;
+  if (order > 2) return find_regular_part(*mask);
+  const auto known = low_order_parts_.find(order);
+  if (known != low_order_parts_.end()) return known->second;
+  return low_order_parts_.emplace(order, find_regular_part(*mask)).first->second;
 }
 
 Result<double> FreedScheme::evaluate(

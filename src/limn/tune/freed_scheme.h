@@ -62,7 +62,9 @@ class FreedScheme {
   [[nodiscard]] Result<FrequencyBlocks> blocks(int n, double x);
 
   /// What the regular lattice allows where the name is x (regular/second_differences.h): the
-  /// scheme's own where x changes no neighbour, else found for each x, of rational weights.
+  /// scheme's own where x changes no neighbour. Else, where the mask at x has sum rules of order 3
+  /// or more, found for each x; below, where curvature is unbounded unless shifts are dependent,
+  /// what was found at the first such x is taken to hold at all of that order.
   [[nodiscard]] RegularPart regular_part(int n, double x);
 
   /// An expression in n, the scheme's names (the freed one is x) and the given ones beside them.
@@ -89,6 +91,7 @@ class FreedScheme {
   /// By valence; x is put in at each use. Refined only where x changes no neighbour.
   std::map<int, std::unique_ptr<Instance>> named_;
   std::optional<RegularPart> own_regular_part_;
+  std::map<int, RegularPart> low_order_parts_;  // by the order of the sum rules
   /// By x, which the neighbours have as well; the same for all valences.
   std::map<double, std::unique_ptr<Instance>> fixed_;
 };

@@ -147,13 +147,21 @@ class RangeSearch {
     return beside.margin > kEqualBelow ? beside : samples_[end];
   }
 
+  /// Whether the lattice allows it at this x and not beside it, as it does where sum rules hold.
+  bool is_isolated(const Sample& inside, const Sample& outside) {
+    if (requirement_.relation != Relation::bounded_curvature) return false;
+    if (!scheme_.everywhere(result_.valence)) return false;
+    return !allowed_at(inside.x + (outside.x - inside.x) / 1024);
+  }
+
   RangeEnd end_between(const Sample& inside, const Sample& outside) {
     // where the two sides are not all along equal, 0 itself can be found
     const bool plain = inside.margin > kEqualBelow;
-    const double x = last_holding(inside.x, outside.x, [&](double t) {
-      if (!(plain ? margin_at(t) > 0 : enough(margin_at(t)))) return false;
-      return allowed_at(t);
-    });
+    const double x =
+        is_isolated(inside, outside) ? inside.x : last_holding(inside.x, outside.x, [&](double t) {
+          if (!(plain ? margin_at(t) > 0 : enough(margin_at(t)))) return false;
+          return allowed_at(t);
+        });
     // far enough on that nothing is undecided, near enough that nothing else has changed
     const double beyond = std::clamp(x + std::copysign(1e-5, outside.x - inside.x),
                                      result_.searched.low, result_.searched.high);

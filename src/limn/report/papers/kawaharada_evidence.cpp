@@ -37,9 +37,12 @@ Status add_smoothness_table(PaperPage& page, const std::vector<const Evidence*>&
   }
   return page.add_table(
       {"Smoothness", "smoothness"}, rows, numbers,
-      fmt::format("What an analysis of the 1-ring cannot see: `limn regularity` on the regular "
-                  "lattice, and `limn eigen` on the whole neighbourhood at the valences {} … {}.",
-                  kFirstValence, kLastValence));
+      fmt::format(
+          "What an analysis of the 1-ring cannot see: `limn regularity` on the regular "
+          "lattice, and `limn eigen` on the whole neighbourhood at the valences {} … {}. C1 not "
+          "being ruled out by the eigenvalues proves nothing; curvature is unbounded by the "
+          "eigenvalues or by the regular surface round the vertex.",
+          kFirstValence, kLastValence));
 }
 
 /// [KS §3.3]: −μ1 − μ1² < a < μ1 − μ1².
