@@ -227,7 +227,9 @@ RegularPart FreedScheme::regular_part(int n, double x) {
   if (order > 2) return find_regular_part(*mask);
   const auto known = low_order_parts_.find(order);
   if (known != low_order_parts_.end()) return known->second;
-  return low_order_parts_.emplace(order, find_regular_part(*mask)).first->second;
+  RegularPart part = find_regular_part(*mask);
+  if (part.bounded == Truth::no) low_order_parts_.emplace(order, part);
+  return part;
 }
 
 Result<double> FreedScheme::evaluate(

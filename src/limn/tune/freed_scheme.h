@@ -64,7 +64,7 @@ class FreedScheme {
   /// What the regular lattice allows where the name is x (regular/second_differences.h): the
   /// scheme's own where x changes no neighbour. Else, where the mask at x has sum rules of order 3
   /// or more, found for each x; below, where curvature is unbounded unless shifts are dependent,
-  /// what was found at the first such x is taken to hold at all of that order.
+  /// that it is unbounded at one such x is taken to hold at all of that order.
   [[nodiscard]] RegularPart regular_part(int n, double x);
 
   /// An expression in n, the scheme's names (the freed one is x) and the given ones beside them.

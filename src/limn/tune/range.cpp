@@ -40,6 +40,7 @@ class RangeSearch {
     bool holds;
     double margin;           // -infinity where there is none
     bool forbidden = false;  // by the lattice; the eigenvalues would do
+    bool unknown = false;    // forbidden because what the lattice allows is undecided
   };
 
   Result<double> margin_in(const Result<FrequencyBlocks>& blocks, double x) {
@@ -61,11 +62,10 @@ class RangeSearch {
     return true;
   }
   /// Whether the regular lattice allows it at x; asked only where the eigenvalues do.
-  bool allowed_at(double x) {
-    const RegularPart part = allowed_by_lattice(requirement_, scheme_, result_.valence, x);
-    result_.undecided = result_.undecided || part.bounded == Truth::undecided;
-    return part.bounded == Truth::yes;
+  Truth lattice_at(double x) {
+    return allowed_by_lattice(requirement_, scheme_, result_.valence, x).bounded;
   }
+  bool allowed_at(double x) { return lattice_at(x) == Truth::yes; }
   double margin_at(double x) {
     const Result<double> value = margin_in(curve_(x), x);
     return value ? *value : -HUGE_VAL;
@@ -75,8 +75,9 @@ class RangeSearch {
   }
   Sample sample_at(double x) {
     const double value = margin_at(x);
-    if (!enough(value) || allowed_at(x)) return {x, enough(value), value};
-    return {x, false, -kForbidden, true};
+    const Truth lattice = enough(value) ? lattice_at(x) : Truth::yes;
+    if (lattice == Truth::yes) return {x, enough(value), value};
+    return {x, false, -kForbidden, true, lattice == Truth::undecided};
   }
 
   Status take_samples() {
@@ -86,6 +87,8 @@ class RangeSearch {
       const double share = static_cast<double>(k) / (result_.samples - 1);
       samples_.push_back(sample_at(low * (1 - share) + high * share));
       any = any || std::isfinite(samples_.back().margin);
+      if (k > 0 && samples_.back().unknown && samples_[samples_.size() - 2].unknown)
+        result_.undecided = true;
     }
     if (any) return Done{};
     const double middle = low / 2 + high / 2;

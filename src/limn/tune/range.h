@@ -28,8 +28,8 @@ struct ValenceRange {
   int samples = 0;
   bool closed = false;           ///< ends belong to it; those of the search always do
   std::vector<RangePart> parts;  ///< ascending, apart
-  /// Whether some of it is undecided: what the regular lattice allows is not known at an x where
-  /// the eigenvalues would do. Such x are in no part.
+  /// Whether some of it is undecided: what the regular lattice allows is not known at two samples
+  /// in a row where the eigenvalues would do. Such x are in no part.
   bool undecided = false;
   std::string reason;  ///< why there is no part; nothing where there is one
 };
