@@ -89,6 +89,8 @@ void orient(CharacteristicMap& map) {
 void judge(CharacteristicMap& map) {
   const Signs signs = signs_of(map.image);
   const auto points = map.image.normals.size();
+  map.regular = Truth::undecided;
+  map.smallest_area = 0;
   if (signs.positive == 0) {
     map.reason = "it is degenerate: the Jacobian cannot be told from 0 at any point";
     return;
