@@ -6,6 +6,7 @@
 
 #include "command.h"
 #include "limn/extraordinary/eigencomponents.h"
+#include "limn/regular/second_differences.h"
 #include "limn/report/eigen_figures.h"
 #include "limn/report/eigen_formula_report.h"
 #include "limn/report/eigen_report.h"
@@ -32,10 +33,13 @@ struct EigenOptions {
 class Output {
  public:
   Output(const EigenOptions& options, const Scheme& scheme)
-      : options_(options), scheme_(scheme), text_(scheme.name + "\n" + eigen_heading()) {}
+      : options_(options),
+        scheme_(scheme),
+        regular_(find_regular_part(scheme)),
+        text_(scheme.name + "\n" + regular_part_text(regular_) + eigen_heading()) {}
 
   void add(const FrequencyBlocks& blocks) {
-    const Eigencomponents components = approx_eigencomponents(blocks);
+    const Eigencomponents components = approx_eigencomponents(blocks, regular_);
     nlohmann::ordered_json json;
     if (options_.json) json = eigen_json(blocks, components);
     text_ += eigen_text(components);
@@ -43,10 +47,12 @@ class Output {
     if (options_.vectors) text_ += vectors_text(blocks, components);
     if (!options_.map.empty()) {
       Result<CharacteristicMap> map = approx_characteristic_map(scheme_, blocks.valence);
-      const std::string regular = map ? std::string(to_string(map->regular)) : "no";
+      const std::string regular(to_string(map ? map->regular : Truth::undecided));
       const std::string reason = map ? map->reason : map.error().message;
       json["characteristic_map"] = {{"regular", regular}, {"reason", reason}};
-      text_ += fmt::format("           characteristic map: {} ({})\n", regular, reason);
+      if (map) json["characteristic_map"]["turned_over"] = map->turned_over;
+      text_ += fmt::format("           characteristic map regular, by samples: {} ({})\n", regular,
+                           reason);
       if (map) maps_.push_back(std::move(*map));
     }
     list_.push_back(std::move(json));
@@ -58,15 +64,18 @@ class Output {
           !status)
         return status;
     if (options_.json)
-      print_json({{"scheme", scheme_.name}, {"valences", list_}});
+      print_json({{"scheme", scheme_.name},
+                  {"regular_part", regular_part_json(regular_)},
+                  {"valences", list_}});
     else
-      fmt::print("{}", text_);
+      fmt::print("{}{}", text_, eigen_legend());
     return Done{};
   }
 
  private:
   const EigenOptions& options_;
   const Scheme& scheme_;
+  RegularPart regular_;
   nlohmann::ordered_json list_ = nlohmann::ordered_json::array();
   std::string text_;
   std::vector<CharacteristicMap> maps_;

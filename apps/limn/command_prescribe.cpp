@@ -6,6 +6,7 @@
 #include "command.h"
 #include "limn/base/file.h"
 #include "limn/extraordinary/eigencomponents.h"
+#include "limn/regular/second_differences.h"
 #include "limn/report/eigen_report.h"
 #include "limn/tune/prescribe.h"
 
@@ -36,14 +37,17 @@ int prescribe(const PrescribeOptions& options) {
   if (!made) return report(made.error());
   const Result<FrequencyBlocks> blocks = FrequencyAnalysis(*made).blocks(options.valence);
   if (!blocks) return report(blocks.error());
-  const Eigencomponents components = approx_eigencomponents(*blocks);
+  const RegularPart regular = find_regular_part(*made);
+  const Eigencomponents components = approx_eigencomponents(*blocks, regular);
   if (Status status = write_file(options.output, *text); !status) return report(status.error());
   if (options.json)
     print_json({{"scheme", made->name},
                 {"file", options.output},
+                {"regular_part", regular_part_json(regular)},
                 {"valences", {eigen_json(*blocks, components)}}});
   else
-    fmt::print("{}\n{}{}", options.output, eigen_heading(), eigen_text(components));
+    fmt::print("{}\n{}{}{}{}", options.output, regular_part_text(regular), eigen_heading(),
+               eigen_text(components), eigen_legend());
   return kDone;
 }
 

@@ -13,6 +13,7 @@
 #include "limn/extraordinary/limit_points.h"
 #include "limn/refine/fast/fast_refiner.h"
 #include "limn/refine/refine.h"
+#include "limn/regular/second_differences.h"
 #include "limn/report/data_table.h"
 #include "mesh_output.h"
 
@@ -86,6 +87,17 @@ Status take_to_limit(const RefineOptions& options, const Scheme& scheme, Refined
   LimitOptions limit_options;
   limit_options.steps_made = options.levels;
   limit_options.curvatures = !options.curvatures.empty();
+  if (limit_options.curvatures) {
+    limit_options.regular = find_regular_part(scheme);
+    if (limit_options.regular.bounded == Truth::no)
+      report_warnings({{fmt::format("{} has unbounded curvature wherever the mesh is regular, so "
+                                    "'{}' holds none: {}",
+                                    scheme.name, options.curvatures, limit_options.regular.reason),
+                        {},
+                        {},
+                        0,
+                        0}});
+  }
   limit_options.progress = [&](int left) {
     line.show(fmt::format("limit points: {} vertices left, near irregular ones", left));
   };

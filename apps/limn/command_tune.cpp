@@ -133,6 +133,7 @@ int find_ranges(Task& task, bool json) {
   std::string text = fmt::format("{}: {} such that {}\n", task.scheme.name, task.freed.name(),
                                  task.requirement.text);
   std::vector<ValenceRange> ranges;
+  bool undecided = false;
   for (int n = task.valences.first; n <= task.valences.last; ++n) {
     Result<ValenceRange> found = range_at(task.freed, task.requirement, n, task.searched());
     if (!found) return report(found.error());
@@ -140,6 +141,7 @@ int find_ranges(Task& task, bool json) {
       list.push_back(tune_json(*found));
     else
       text += tune_text(task.freed.name(), *found);
+    undecided = undecided || found->undecided;
     ranges.push_back(std::move(*found));
   }
   const std::vector<Interval> common = common_range(ranges);
@@ -151,7 +153,7 @@ int find_ranges(Task& task, bool json) {
   } else {
     fmt::print("{}", text);
   }
-  return kDone;
+  return undecided ? kUndecided : kDone;
 }
 
 int tune(const TuneOptions& options) {
@@ -175,7 +177,8 @@ void declare_tune(CLI::App& parser, Action& action) {
   command
       ->add_option("--require", options->require,
                    "an equation in position, tangent, cup, saddle, n and the scheme's names; with "
-                   "--range an inequality, c1, convergent or bounded-curvature")
+                   "--range an inequality, c1 (what it needs of the eigenvalues), convergent or "
+                   "bounded-curvature (by the eigenvalues and the regular lattice)")
       ->type_name("TEXT")
       ->required()
       ->allow_extra_args(false);

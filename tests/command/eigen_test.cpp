@@ -33,6 +33,28 @@ TEST(EigenCommand, GivesTheContractsJson) {
   EXPECT_FALSE(seven.at("verdict").at("reasons").empty());
 }
 
+TEST(EigenCommand, TakesTheRegularSurfaceIntoBoundedCurvature) {
+  const Folder folder;
+  const auto valences = [&](const std::string& arguments) {
+    const Outcome outcome = folder.limn("eigen " + arguments + " --json");
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    return nlohmann::json::parse(outcome.out);
+  };
+  const nlohmann::json low = valences("laplacian-loop -p a=-1/8 --valence 3..8");
+  EXPECT_EQ(low.at("regular_part").at("bounded"), "no");
+  for (const nlohmann::json& one : low.at("valences")) {
+    EXPECT_EQ(one.at("verdict").at("bounded_curvature"), "no");
+    EXPECT_NE(one.at("verdict").at("reasons").dump().find("regular surface"), std::string::npos);
+  }
+  const nlohmann::json loop = valences("loop --valence 3..6");
+  EXPECT_EQ(loop.at("regular_part").at("bounded"), "yes");
+  for (const nlohmann::json& one : loop.at("valences"))
+    EXPECT_EQ(one.at("verdict").at("bounded_curvature"), one.at("valence") == 3 ? "no" : "yes");
+  const Outcome compared = folder.limn("compare laplacian-loop:a=-1/8 loop --valence 4..6");
+  EXPECT_NE(compared.out.find("curvature is bounded, if C1         none "), std::string::npos)
+      << compared.out;
+}
+
 TEST(EigenCommand, GivesVectorsAndStencils) {
   const Folder folder;
   const Outcome outcome = folder.limn("eigen catmull-clark --valence 5 --vectors --json");

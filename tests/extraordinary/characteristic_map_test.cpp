@@ -6,6 +6,7 @@
 
 #include <cmath>
 
+#include "limn/extraordinary/eigenvectors.h"
 #include "limn/extraordinary/star_surface.h"
 #include "limn/tune/prescribe.h"
 #include "support/shipped.h"
@@ -61,6 +62,67 @@ TEST(CharacteristicMap, ThatFoldsIsFound) {
   const CharacteristicMap map = approx_characteristic_map(scheme, 8).value();
   EXPECT_EQ(map.regular, Truth::no);
   EXPECT_NE(map.reason.find("folds"), std::string::npos);
+}
+
+/// Every corner half itself and a quarter its neighbours. At n = 7 a null vector of 16 rows was
+/// once wrong, which looked like a map turned over.
+Scheme half_and_quarters() {
+  return parse_scheme(
+             "split = \"quad-dual\"\n[corner]\nself = \"1/2\"\n"
+             "round = \"(k == 1 or k == n-1)/4\"\n",
+             "half.toml")
+      .value();
+}
+
+TEST(CharacteristicMap, OfADualSchemeIsRegularAtAllValences) {
+  const Scheme scheme = half_and_quarters();
+  for (int n = 4; n <= 12; ++n) {  // at 3 frequency 1 has a tie
+    const CharacteristicMap map = approx_characteristic_map(scheme, n, 2).value();
+    EXPECT_NEAR(map.eigenvalue, (1 + std::cos(2 * M_PI / n)) / 2, 1e-14) << n;
+    EXPECT_EQ(map.regular, Truth::yes) << n << ": " << map.reason;
+    EXPECT_FALSE(map.turned_over) << n;
+    // ring 1 of the net is the regular n-gon, as the circulant matrix has it
+    EXPECT_NEAR(map.net_points[1].x, std::cos(2 * M_PI / n), 1e-9) << n;
+  }
+}
+
+TEST(CharacteristicMap, HasNetsThatAStepMultiplies) {
+  const Scheme scheme = half_and_quarters();
+  for (int rings = 2; rings <= 4; ++rings)
+    for (int n = 3; n <= 12; ++n) {
+      const FrequencyBlocks blocks = FrequencyAnalysis(scheme, rings).blocks(n).value();
+      for (const BlockSpectrum& spectrum : approx_spectra(blocks)) {
+        const Eigenvalue& leader = spectrum.eigenvalues.front();
+        const Eigenvectors vectors = approx_eigenvectors(blocks, leader);
+        const Eigen::MatrixXcd& block = blocks.blocks[static_cast<std::size_t>(leader.frequency)];
+        const double off =
+            (block * vectors.right - leader.value * vectors.right).cwiseAbs().maxCoeff();
+        EXPECT_LT(off, 1e-9 * vectors.right.cwiseAbs().maxCoeff()) << n << ' ' << leader.frequency;
+      }
+    }
+}
+
+TEST(CharacteristicMap, ThatIsTurnedOverIsTurnedBackAndIsNoFold) {
+  const CharacteristicMap upright = approx_characteristic_map(shipped("loop"), 7, 2).value();
+  CharacteristicMap over = approx_characteristic_map(shipped("loop"), 7, 2).value();
+  for (Point3& p : over.image.positions) p.y = -p.y;
+  for (Point3& p : over.net_points) p.y = -p.y;
+  for (Point3& normal : over.image.normals) normal.z = -normal.z;
+  judge_characteristic_map(over);
+  EXPECT_TRUE(over.turned_over);
+  EXPECT_EQ(over.regular, Truth::yes) << over.reason;
+  EXPECT_NEAR(over.smallest_area, upright.smallest_area, 1e-12);
+  for (std::size_t v = 0; v < over.net_points.size(); ++v)
+    EXPECT_EQ(over.net_points[v].y, upright.net_points[v].y);
+}
+
+TEST(CharacteristicMap, WithoutAnyJacobianIsUndecided) {
+  CharacteristicMap map = approx_characteristic_map(shipped("loop"), 5, 2).value();
+  for (Point3& p : map.image.positions) p.y = 0;
+  for (Point3& normal : map.image.normals) normal = {};
+  judge_characteristic_map(map);
+  EXPECT_EQ(map.regular, Truth::undecided);
+  EXPECT_NE(map.reason.find("degenerate"), std::string::npos) << map.reason;
 }
 
 TEST(CharacteristicMap, IsRefusedWithoutATangentPair) {

@@ -57,19 +57,25 @@ TEST(Range, OfInequalitiesEndsWhereTheSidesAreEqual) {
   EXPECT_NEAR(at_most.parts.front().high.value, 0, 1e-15);
 }
 
-/// Curvature is bounded while |tangent² + a| ≤ tangent² and the outer rings' 1/8 ≤ tangent², and
-/// the saddle forbids it from 7 on.
+/// Round Loop's vertices the regular surface is C2, and curvature is bounded while |5/8 - n beta| ≤
+/// tangent² and the outer rings' 1/8 ≤ tangent²; the saddle forbids it from 7 on. The high pass has
+/// the same eigenvalues, but its regular surface has no bounded curvature.
 TEST(Range, OfBoundedCurvatureClosesAtItsEnds) {
   for (const int n : {4, 5}) {
     const double square = std::pow(tangent_of_loop(n), 2);
-    const ValenceRange range = ranged(shipped("laplacian-loop"), "a", "bounded-curvature", n);
+    const ValenceRange range = ranged(shipped("loop"), "beta", "bounded-curvature", n);
     ASSERT_EQ(range.parts.size(), 1U) << n;
-    EXPECT_NEAR(range.parts.front().low.value, -2 * square, 1e-14);
-    EXPECT_NEAR(range.parts.front().high.value, 0, 1e-14);
+    EXPECT_NEAR(range.parts.front().low.value, (5 / 8. - square) / n, 1e-14);
+    EXPECT_NEAR(range.parts.front().high.value, (5 / 8. + square) / n, 1e-14);
+    EXPECT_FALSE(range.undecided);
+    const ValenceRange high = ranged(shipped("laplacian-loop"), "a", "bounded-curvature", n);
+    EXPECT_TRUE(high.parts.empty());
+    EXPECT_FALSE(high.undecided);
+    EXPECT_NE(high.reason.find("regular surface"), std::string::npos) << high.reason;
   }
-  const ValenceRange none = ranged(shipped("laplacian-loop"), "a", "bounded-curvature", 7);
+  const ValenceRange none = ranged(shipped("loop"), "beta", "bounded-curvature", 7);
   EXPECT_TRUE(none.parts.empty());
-  EXPECT_NE(none.reason.find("nowhere in [-1, 1]"), std::string::npos) << none.reason;
+  EXPECT_NE(none.reason.find("nowhere in [-4, 4]"), std::string::npos) << none.reason;
   EXPECT_NE(none.reason.find("of frequency 2"), std::string::npos) << none.reason;
 }
 

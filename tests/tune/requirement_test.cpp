@@ -74,7 +74,7 @@ void expect_margins_agree(FreedScheme& freed, const Scheme& scheme, int n, doubl
   const std::array<std::pair<const char*, Truth>, 3> verdicts{
       {{"convergent", found.verdict.convergent},
        {"c1", found.verdict.c1_necessary},
-       {"bounded-curvature", found.verdict.bounded_curvature}}};
+       {"bounded-curvature", found.verdict.curvature_necessary}}};
   for (const auto& [name, verdict] : verdicts) {
     const Requirement requirement = Requirement::parse(name, scheme).value();
     const double distance = margin(requirement, freed, x, found).value();

@@ -45,7 +45,7 @@ double smallest_relative_area(const StarSurface& surface) {
   for (Index f = 0; f < surface.mesh.face_count(); ++f) {
     const double area = relative_area(surface, f);
     if (!(std::abs(area) < 1e6)) continue;
-    sum += area;
+    sum += std::abs(area);
     count += 1;
     smallest = std::min(smallest, area);
   }
@@ -65,32 +65,63 @@ double winding_number(const StarSurface& surface) {
   return angle / (2 * std::numbers::pi);
 }
 
+struct Signs {
+  Index positive = 0, negative = 0, unsure = 0;  ///< Jacobians; the normal looks up, down, nowhere
+};
+
+Signs signs_of(const StarSurface& surface) {
+  Signs signs;
+  for (const Point3& normal : surface.normals)
+    ++(normal.z > 0 ? signs.positive : normal.z < 0 ? signs.negative : signs.unsure);
+  return signs;
+}
+
+/// Eigenvectors have no sign: a map that is turned over in most places is turned back.
+void orient(CharacteristicMap& map) {
+  const Signs signs = signs_of(map.image);
+  map.turned_over = signs.negative > signs.positive;
+  if (!map.turned_over) return;
+  for (Point3& p : map.net_points) p.y = -p.y;
+  for (Point3& p : map.image.positions) p.y = -p.y;
+  for (Point3& normal : map.image.normals) normal = {-normal.x, normal.y, -normal.z};
+}
+
 void judge(CharacteristicMap& map) {
+  const Signs signs = signs_of(map.image);
+  const auto points = map.image.normals.size();
+  map.regular = Truth::undecided;
+  map.smallest_area = 0;
+  if (signs.positive == 0) {
+    map.reason = "it is degenerate: the Jacobian cannot be told from 0 at any point";
+    return;
+  }
   map.smallest_area = smallest_relative_area(map.image);
   const double winding = winding_number(map.image);
-  Index turned = 0;  // points of negative Jacobian: the normal looks down
-  Index unsure = 0;
-  for (const Point3& normal : map.image.normals) {
-    turned += normal.z < 0 ? 1 : 0;
-    unsure += normal.z == 0 ? 1 : 0;
-  }
-  const auto points = map.image.normals.size();
-  if (turned > 0 || map.smallest_area < -1e-9) {
+  if (signs.negative > 0) {
     map.regular = Truth::no;
-    map.reason =
-        fmt::format("it folds: the Jacobian is negative at {} of {} points", turned, points);
+    map.reason = fmt::format("it folds: the Jacobian changes its sign, at {} of {} points",
+                             signs.negative, points);
+  } else if (map.smallest_area < -1e-9) {
+    map.regular = Truth::no;
+    map.reason = "it folds: a face of the image is turned over";
   } else if (std::abs(winding - 1) > 1e-6) {
     map.regular = Truth::no;
     map.reason = fmt::format("the image goes round the centre {:.3g} times", winding);
-  } else if (unsure > 0 || map.smallest_area < 1e-9) {
+  } else if (signs.unsure > 0 || map.smallest_area < 1e-9) {
     map.reason = "a Jacobian or the area of a face could not be told from 0";
   } else {
     map.regular = Truth::yes;
-    map.reason = fmt::format("the Jacobian is positive at {} points", points);
+    map.reason =
+        fmt::format("no fold found: the Jacobian has one sign at {} sampled points", points);
   }
 }
 
 }  // namespace
+
+void judge_characteristic_map(CharacteristicMap& map) {
+  orient(map);
+  judge(map);
+}
 
 Result<CharacteristicMap> approx_characteristic_map(const Scheme& scheme, int n, int steps) {
   const Result<FrequencyBlocks> near = FrequencyAnalysis(scheme).blocks(n);
@@ -117,7 +148,7 @@ Result<CharacteristicMap> approx_characteristic_map(const Scheme& scheme, int n,
       scheme, n, rings, plane_points(*wide, approx_eigenvectors(*wide, leader)), steps);
   if (!image) return image.error();
   map.image = std::move(*image);
-  judge(map);
+  judge_characteristic_map(map);
   return map;
 }
 

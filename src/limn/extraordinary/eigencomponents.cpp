@@ -31,7 +31,8 @@ class Judge {
   void judge() {
     convergence();
     if (!found_.tangent || !(*found_.tangent > 0)) {
-      verdict_.c1_necessary = verdict_.bounded_curvature = Truth::no;
+      verdict_.c1_necessary = verdict_.curvature_necessary = Truth::no;
+      verdict_.bounded_curvature = Truth::no;
       reasons().push_back("not C1: frequency 1 is not led by a positive eigenvalue");
       return;
     }
@@ -86,19 +87,33 @@ class Judge {
         });
   }
 
+  /// Whether it is of the tangent's own Jordan chain, or less than the chain's k λ^k.
+  [[nodiscard]] bool is_drowned(const Eigenvalue& other, const Eigenvalue& leader) const {
+    if (leader.jordan == 1) return false;
+    return other.jordan < leader.jordan || (other.frequency == leader.frequency &&
+                                            compare(std::abs(other.value - leader.value), 0) == 0);
+  }
+
   void tangent_plane() {
     const Eigenvalue& leader = found_.spectra[1].eigenvalues.front();
     Truth truth = over_others(
-        1, 1, [&](const Eigenvalue& other) { return is_less(other.modulus(), tangent()); },
+        1, 1,
+        [&](const Eigenvalue& other) {
+          if (compare(other.modulus(), tangent()) == 0 && is_drowned(other, leader))
+            return Truth::yes;
+          return is_less(other.modulus(), tangent());
+        },
         [&](const Eigenvalue& other) {
           const bool ties = compare(other.modulus(), tangent()) == 0;
           return fmt::format("not C1: {} {} the tangent's {:.6g}", described(other),
                              ties ? "ties with" : "leads", tangent());
         });
     if (leader.jordan > 1) {
-      truth = Truth::no;
-      reasons().push_back(fmt::format("not C1: the tangent's {:.6g} has a Jordan block of size {}",
-                                      tangent(), leader.jordan));
+      truth = truth && Truth::undecided;
+      reasons().push_back(
+          fmt::format("undecided C1: the tangent's {:.6g} has a Jordan block of size {}, which the "
+                      "standard theorem leaves out; the map of the chain's eigenvector decides",
+                      tangent(), leader.jordan));
     }
     verdict_.c1_necessary = truth && verdict_.convergent;
   }
@@ -108,7 +123,7 @@ class Judge {
     const auto ties = [&](const Eigenvalue& other) {
       return compare(other.modulus(), square) == 0;
     };
-    verdict_.bounded_curvature = over_others(
+    const Truth others = over_others(
         1, 1,
         [&](const Eigenvalue& other) {
           if (ties(other)) return other.jordan == 1 ? Truth::yes : Truth::no;
@@ -121,7 +136,17 @@ class Judge {
           return fmt::format("unbounded curvature: {} exceeds tangent² = {:.6g}", described(other),
                              square);
         });
-    verdict_.bounded_curvature = verdict_.bounded_curvature && verdict_.c1_necessary;
+    verdict_.curvature_necessary = others && verdict_.c1_necessary;
+    verdict_.bounded_curvature = verdict_.curvature_necessary && verdict_.regular_part.bounded;
+    say_regular_part();
+  }
+
+  void say_regular_part() {
+    const auto& [bounded, reason] = verdict_.regular_part;
+    if (bounded == Truth::no)
+      reasons().push_back("unbounded curvature of the regular surface round it: " + reason);
+    else if (bounded == Truth::undecided && verdict_.curvature_necessary != Truth::no)
+      reasons().push_back("undecided curvature of the regular surface round it: " + reason);
   }
 
   void shape(const char* name, const char* lost, const std::vector<Eigenvalue>& list,
@@ -162,8 +187,9 @@ std::optional<double> labelled(const Component& component, const BlockSpectrum& 
   return value.real();
 }
 
-Eigencomponents approx_eigencomponents(const FrequencyBlocks& blocks) {
+Eigencomponents approx_eigencomponents(const FrequencyBlocks& blocks, const RegularPart& regular) {
   Eigencomponents result;
+  result.verdict.regular_part = regular;
   result.valence = blocks.valence;
   result.rings = blocks.rings;
   result.spectra = approx_spectra(blocks);

@@ -10,6 +10,7 @@
 
 #include "limn/base/truth.h"
 #include "limn/extraordinary/block_spectrum.h"
+#include "limn/scheme/regular_part.h"
 
 namespace limn {
 
@@ -29,17 +30,30 @@ inline constexpr std::array<Component, 4> kComponents{
 [[nodiscard]] std::optional<double> labelled(const Component& component,
                                              const BlockSpectrum& spectrum);
 
-/// How the curvature of a shape (cup or saddle) comes out at the vertex, by its eigenvalue against
-/// the square of the tangent's.
+/// A shape's eigenvalue (the cup's or the saddle's) against the square of the tangent's: less,
+/// equal, greater. A comparison of two numbers: curvature is what `Verdict::bounded_curvature`
+/// says.
 enum class Curvature { flat, bounded, unbounded, undecided };
 [[nodiscard]] std::string_view to_string(Curvature curvature);
 
+/// What the eigenvalues say, and the regular surface round the vertex. `convergent`: of the vertex
+/// alone. A C1 surface needs more than `c1_necessary`: a characteristic map that is regular and
+/// injective, and C1 regular surfaces; none of that is looked at here.
 struct Verdict {
   Truth convergent = Truth::undecided;  ///< 1 is simple, all others are smaller
-  Truth c1_necessary =
-      Truth::undecided;  ///< the tangent pair leads all others but 1, in every block
-  Truth bounded_curvature = Truth::undecided;  ///< all others are at most tangent²
-  std::optional<Curvature> cup, saddle;        ///< nothing where the valence has no such shape
+  /// The tangent pair leads all others but 1, in every block. no: not C1. Undecided where the
+  /// tangent's eigenvalue has a Jordan block that drowns all that ties with it: then the map of the
+  /// chain's eigenvector decides, of which the standard theorem does not speak.
+  Truth c1_necessary = Truth::undecided;
+  /// What bounded curvature needs of the eigenvalues: c1_necessary, and all others are at most
+  /// tangent², those that are equal to it without Jordan blocks.
+  Truth curvature_necessary = Truth::undecided;
+  /// What the lattice allows, as it was given.
+  RegularPart regular_part;
+  /// curvature_necessary and regular_part together: whether curvature is bounded at the vertex, if
+  /// the surface is C1 there.
+  Truth bounded_curvature = Truth::undecided;
+  std::optional<Curvature> cup, saddle;  ///< nothing where the valence has no such shape
   std::vector<std::string> reasons;
 };
 
@@ -53,8 +67,10 @@ struct Eigencomponents {
   Verdict verdict;
 };
 
-/// In double precision: an "approximate" reading; certificates are another matter. Cost: one small
+/// In double precision: an "approximate" reading; certificates are another matter. `regular`: of
+/// the scheme's regular lattice; without it bounded curvature is refuted at most. Cost: one small
 /// eigenvalue problem for each frequency.
-[[nodiscard]] Eigencomponents approx_eigencomponents(const FrequencyBlocks& blocks);
+[[nodiscard]] Eigencomponents approx_eigencomponents(const FrequencyBlocks& blocks,
+                                                     const RegularPart& regular = {});
 
 }  // namespace limn

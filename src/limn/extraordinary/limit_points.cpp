@@ -97,7 +97,7 @@ Result<LimitPoints> approx_limit_points(const Scheme& scheme, const Mesh& mesh,
   }
   for (const Index v : vertices)
     if (mesh.is_isolated(v)) out.positions[v] = values[v];
-  LimitKinds kinds(scheme, options.curvatures);
+  LimitKinds kinds(scheme, options.curvatures && options.regular.bounded != Truth::no);
   const bool dual = scheme.split->births_corners;
   const Status status =
       for_each_limit(scheme, kinds, mesh, values, vertices, options,

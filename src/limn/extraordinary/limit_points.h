@@ -18,7 +18,8 @@ struct LimitPoints {
   std::vector<Point3> normals;
   /// Principal curvatures, the larger first, of the quadratic surface that the tangents, the cup
   /// and the saddles make (limit_curvature.h); positive where the surface bends towards its normal.
-  /// NaN at the boundary and where curvature is not bounded.
+  /// NaN at the boundary and where curvature is not bounded: by the eigenvalues of the vertex, and
+  /// everywhere where LimitOptions says so of the regular surface.
   struct Curvatures {
     double largest, smallest;
   };
@@ -28,6 +29,7 @@ struct LimitPoints {
 struct LimitOptions {
   int steps_made = 0;  ///< that led to the mesh: the boundary of sqrt3 moves in every second one
   bool curvatures = false;
+  RegularPart regular = {};  ///< of the scheme; where its curvature is unbounded none is given
   std::vector<Index> vertices = {};  ///< only these; empty: all. The results of others are zero
   /// False where the mesh was cut out of a larger one: what hangs on its boundary then has no
   /// meaning, and no boundary rules are needed.

@@ -11,7 +11,8 @@ namespace limn {
 template <class Matrix>
 [[nodiscard]] Matrix null_space(const Matrix& matrix, Eigen::Index least = 0) {
   constexpr double kVanishes = 1e-9;
-  const Eigen::BDCSVD<Matrix> svd(matrix, Eigen::ComputeFullV);
+  // not BDCSVD: of some blocks of 16 rows and more it gives vectors that are none of theirs
+  const Eigen::JacobiSVD<Matrix> svd(matrix, Eigen::ComputeFullV);
   const Eigen::Index nullity = (svd.singularValues().array() < kVanishes).count();
   return svd.matrixV().rightCols(std::max(nullity, least));
 }

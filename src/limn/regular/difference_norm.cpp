@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "limn/base/parallel.h"
+#include "limn/regular/echelon.h"
 #include "limn/regular/rounding.h"
 #include "limn/regular/symmetric_hull.h"
 #include "limn/regular/transition_operators.h"
@@ -15,7 +16,9 @@ namespace limn {
 namespace {
 
 constexpr double kMostWork = 4e7;  // sequences times the square of their size
+constexpr double kMostExactWork = 2e6;
 constexpr std::ptrdiff_t kGrain = 8;
+constexpr double kNearly = 1e-9;  // by which a norm in double precision may miss an exact bound
 
 /// A sequence moved so that its least coordinates are 0, and signed so that its first value is
 /// positive: neither changes the norm.
@@ -51,6 +54,35 @@ class Box {
     return inflated(found.norm + hull_.residual_bound(u, slack, found).dot(axis_norms_));
   }
 
+  /// Whether the norm is at most `bound`: proved in rationals, of the differences that the linear
+  /// program in double precision takes.
+  [[nodiscard]] bool is_within(const Laurent& v, const Rational& bound) const {
+    if (!hull_.spans()) return false;
+    const SymmetricHull::Combination found =
+        hull_.least_combination(coordinates(v, {0, 0}), hull_.first_basis(), 0);
+    if (found.norm > to_double(bound) * (1 + kNearly)) return false;
+    const FieldVector<Rational> u = exact_coordinates(v);
+    const std::size_t size = u.size();
+    // the row (v_i, i) for each difference: what reduces u to 0 tells the coefficients
+    Echelon<Rational> span(2 * size);
+    for (std::size_t i = 0; i < size; ++i) {
+      FieldVector<Rational> row(2 * size, Rational(0));
+      for (std::size_t j = 0; j < size; ++j)  // integers, exact in double precision
+        row[j] = Rational(hull_.points()(static_cast<Eigen::Index>(j), found.points[i]));
+      row[size + i] = 1;
+      span.insert(row);
+    }
+    FieldVector<Rational> labelled = u;
+    labelled.resize(2 * size, Rational(0));
+    const FieldVector<Rational> rest = span.reduced(std::move(labelled));
+    Rational sum = 0;
+    for (std::size_t j = 0; j < size; ++j) {
+      if (rest[j] != 0) return false;
+      sum += abs(rest[size + j]);
+    }
+    return sum <= bound;
+  }
+
  private:
   [[nodiscard]] Eigen::Index rows() const {
     return size_[0] * size_[1] - order_ * (order_ + 1) / 2;
@@ -60,15 +92,26 @@ class Box {
       if (k[0] + at[0] >= size_[0] || k[1] + at[1] >= size_[1]) return;
     hull_.add(coordinates(atom, at));
   }
-  [[nodiscard]] Eigen::VectorXd coordinates(const Laurent& v, LatticeVector at) const {
-    Eigen::VectorXd result(rows());
-    Eigen::Index row = 0;
+  /// Calls each(value) for the coordinates of v, moved to `at`.
+  template <class Each>
+  void for_coordinates(const Laurent& v, LatticeVector at, Each each) const {
+    const Rational zero = 0;
     for (int x = 0; x < size_[0]; ++x)
       for (int y = 0; y < size_[1]; ++y) {
         if (x + y < order_) continue;
         const auto entry = v.find({x - at[0], y - at[1]});
-        result(row++) = entry == v.end() ? 0 : to_double(entry->second);
+        each(entry == v.end() ? zero : entry->second);
       }
+  }
+  [[nodiscard]] Eigen::VectorXd coordinates(const Laurent& v, LatticeVector at) const {
+    Eigen::VectorXd result(rows());
+    Eigen::Index row = 0;
+    for_coordinates(v, at, [&](const Rational& value) { result(row++) = to_double(value); });
+    return result;
+  }
+  [[nodiscard]] FieldVector<Rational> exact_coordinates(const Laurent& v) const {
+    FieldVector<Rational> result;
+    for_coordinates(v, {0, 0}, [&](const Rational& value) { result.push_back(value); });
     return result;
   }
 
@@ -86,38 +129,81 @@ LatticeVector size_of(const std::set<Laurent>& sequences, int order) {
   return size;
 }
 
-}  // namespace
+/// What differences of the unit impulse become in k = 1, 2, … steps.
+class RefinedDifferences {
+ public:
+  RefinedDifferences(const Mask& mask, int order)
+      : mask_(mask), order_(order), a_(integer_offsets(mask)), digits_(cosets(mask.dilation)) {
+    for (const Laurent& v : unit_differences(edge_directions(mask.lattice), order))
+      sequences_.insert(standard(v));
+  }
 
-std::vector<double> difference_norms(const Mask& mask, int order, int most_steps, double enough) {
-  const Laurent a = integer_offsets(mask);
-  const std::vector<LatticeVector> digits = cosets(mask.dilation);
-  std::set<Laurent> sequences;
-  for (const Laurent& v : unit_differences(edge_directions(mask.lattice), order))
-    sequences.insert(standard(v));
-  std::vector<double> norms;
-  for (int k = 1; k <= most_steps; ++k) {
+  void step() {
     std::set<Laurent> next;
-    for (const Laurent& v : sequences)
-      for (const LatticeVector digit : digits)
-        next.insert(standard(transition(a, mask.dilation, digit, v)));
+    for (const Laurent& v : sequences_)
+      for (const LatticeVector digit : digits_)
+        next.insert(standard(transition(a_, mask_.dilation, digit, v)));
     next.erase(Laurent{});
-    sequences = std::move(next);
-    const LatticeVector size = size_of(sequences, order);
+    sequences_ = std::move(next);
+  }
+  /// Of measuring them all.
+  [[nodiscard]] double work() const {
+    const LatticeVector size = size_of(sequences_, order_);
     const double points = static_cast<double>(size[0]) * size[1];
-    if (static_cast<double>(sequences.size()) * points * points > kMostWork) break;
-    const Box box(mask.lattice, order, size);
-    const std::vector<Laurent> list(sequences.begin(), sequences.end());
-    std::vector<double> each(list.size(), 0);
+    return static_cast<double>(sequences_.size()) * points * points;
+  }
+  /// What `measure` says of each, in a box that holds them all.
+  template <class T, class Measure>
+  [[nodiscard]] std::vector<T> each(Measure measure) const {
+    const Box box(mask_.lattice, order_, size_of(sequences_, order_));
+    const std::vector<Laurent> list(sequences_.begin(), sequences_.end());
+    std::vector<T> results(list.size());
     parallel_for(
         std::size_t{0}, list.size(),
         [&](std::size_t first, std::size_t last) {
-          for (std::size_t i = first; i < last; ++i) each[i] = box.norm(list[i]);
+          for (std::size_t i = first; i < last; ++i) results[i] = measure(box, list[i]);
         },
         kGrain);
+    return results;
+  }
+
+ private:
+  const Mask& mask_;
+  int order_;
+  Laurent a_;
+  std::vector<LatticeVector> digits_;
+  std::set<Laurent> sequences_;
+};
+
+}  // namespace
+
+std::vector<double> difference_norms(const Mask& mask, int order, int most_steps, double enough) {
+  RefinedDifferences differences(mask, order);
+  std::vector<double> norms;
+  for (int k = 1; k <= most_steps; ++k) {
+    differences.step();
+    if (differences.work() > kMostWork) break;
+    const std::vector<double> each =
+        differences.each<double>([](const Box& box, const Laurent& v) { return box.norm(v); });
     norms.push_back(each.empty() ? 0 : *std::max_element(each.begin(), each.end()));
     if (norms.back() < std::pow(enough, k)) break;
   }
   return norms;
+}
+
+std::optional<int> steps_that_bound_second_differences(const Mask& mask, int most_steps) {
+  constexpr int kOrder = 2;
+  RefinedDifferences differences(mask, kOrder);
+  Rational bound = 1;
+  for (int k = 1; k <= most_steps; ++k) {
+    differences.step();
+    if (differences.work() > kMostExactWork) break;
+    bound /= mask.dilation.growth();
+    const std::vector<char> each = differences.each<char>(
+        [&](const Box& box, const Laurent& v) -> char { return box.is_within(v, bound) ? 1 : 0; });
+    if (std::find(each.begin(), each.end(), 0) == each.end()) return k;
+  }
+  return std::nullopt;
 }
 
 }  // namespace limn

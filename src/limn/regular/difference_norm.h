@@ -2,6 +2,7 @@
 /// Norms of difference schemes: how much, at most, k steps enlarge the differences of an order
 /// [DynLevin2002 §4].
 
+#include <optional>
 #include <vector>
 
 #include "limn/scheme/mask.h"
@@ -17,5 +18,12 @@ namespace limn {
 /// `enough`^k, and before a k that would cost more than some seconds.
 [[nodiscard]] std::vector<double> difference_norms(const Mask& mask, int order, int most_steps,
                                                    double enough);
+
+/// The least k ≤ most_steps for which k steps of the second differences have a norm, in the sense
+/// above, of at most |det M|^{-k}, in exact rationals: then second differences over h² are bounded
+/// at every level. Nothing where no such k was found, or would cost more than a second.
+/// Precondition: sum rules of order 2.
+[[nodiscard]] std::optional<int> steps_that_bound_second_differences(const Mask& mask,
+                                                                     int most_steps);
 
 }  // namespace limn

@@ -23,6 +23,8 @@ constexpr double kLevels[] = {3, 0.5, 0.1, 0.03, 0.007};
 constexpr double kRoot = 4e-15;  // what a root in double precision is off by, and more
 constexpr double kFine = 0.1;
 constexpr double kAtProduct = 1e-8;
+constexpr double kBelowTarget[] = {3e-2, 1e-3, 1e-5};  // how far below a target polytopes are tried
+constexpr double kNearTarget = 1e-6;
 constexpr int kJump = 12;  // the finest level takes so many times the vertices of kFine, or fewer
 
 /// A diagonal block of more than one row.
@@ -108,8 +110,35 @@ class Enclosure {
       return;
     }
     block.upper = norm_bound(work_[b].matrices);
-    refine_upper(work_[b], block);
+    if (options_.target)
+      bring_below_target(work_[b], block);
+    else
+      refine_upper(work_[b], block);
     if (block.upper > result_.lower || !result_.eigenvalue) raise_upper(block.upper);
+  }
+
+  /// Whether a polytope bounds the block's ρ by the level, or nearly.
+  bool polytope_reaches(const Work& work, JointSpectralRadius::Block& block, double level, int most,
+                        int& made) const {
+    if (options_.progress)
+      options_.progress(
+          fmt::format("joint spectral radius of {} rows: is it below {:.6f}?", block.size, level));
+    const PolytopeBound found = polytope_bound(work.matrices, level, work.best.leading, most);
+    made = found.vertices;
+    block.vertices = std::max(block.vertices, found.vertices);
+    block.upper = std::min(block.upper, found.upper);
+    return std::isfinite(found.upper);
+  }
+
+  void bring_below_target(const Work& work, JointSpectralRadius::Block& block) const {
+    if (result_.lower >= *options_.target * (1 - kNearTarget)) return;
+    int made = 0;
+    for (const double less : kBelowTarget) {
+      const double level = *options_.target * (1 - less);
+      if (block.upper < *options_.target * (1 - kNearTarget)) return;
+      if (level <= result_.lower) continue;
+      if (polytope_reaches(work, block, level, options_.budget, made)) return;
+    }
   }
 
   /// From coarse levels to fine ones, as long as the vertices that the next will need are likely to
@@ -119,14 +148,7 @@ class Enclosure {
     const auto reaches = [&](double more, int most) {
       const double level = result_.lower * (1 + more);
       if (level == 0 || level >= block.upper) return level > 0;
-      if (options_.progress)
-        options_.progress(fmt::format("joint spectral radius of {} rows: is it below {:.6f}?",
-                                      block.size, level));
-      const PolytopeBound found = polytope_bound(work.matrices, level, work.best.leading, most);
-      last = found.vertices;
-      block.vertices = std::max(block.vertices, found.vertices);
-      block.upper = std::min(block.upper, found.upper);
-      return std::isfinite(found.upper);
+      return polytope_reaches(work, block, level, most, last);
     };
     for (const double more : kLevels) {
       if (more <= options_.tolerance) break;

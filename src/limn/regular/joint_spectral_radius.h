@@ -17,7 +17,10 @@ struct JointSpectralRadiusOptions {
   int budget = 7000;        ///< vertices of one polytope
   double tolerance = 3e-3;  ///< upper/lower - 1 below which little more is sought
   /// Called with what is done next, if given.
-  std::function<void(const std::string&)> progress;
+  std::function<void(const std::string&)> progress = {};
+  /// If given, nothing is asked but whether ρ is below this: `upper` is brought below it or left
+  /// coarse, and left coarse at once where `lower` comes near it.
+  std::optional<double> target = {};
 };
 
 struct JointSpectralRadius {

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "limn/regular/regular_mask.h"
+#include "limn/regular/second_differences.h"
 #include "limn/report/artifact_report.h"
 #include "limn/report/eigen_report.h"
 #include "limn/report/regularity_report.h"
@@ -42,13 +43,14 @@ Result<ArtifactAnalysis> analysis_of(const Result<Mask>& mask) {
   return ArtifactAnalysis::of(*mask);
 }
 
-std::vector<ValenceRecord> valences_of(const Scheme& scheme, const RecordOptions& options) {
+std::vector<ValenceRecord> valences_of(const Scheme& scheme, const RegularPart& regular,
+                                       const RecordOptions& options) {
   FrequencyAnalysis analysis(scheme);
   std::vector<ValenceRecord> valences;
   for (int n = options.first_valence; n <= options.last_valence; ++n) {
     const Result<FrequencyBlocks> blocks = analysis.blocks(n);
     if (blocks)
-      valences.push_back({n, approx_eigencomponents(*blocks)});
+      valences.push_back({n, approx_eigencomponents(*blocks, regular)});
     else
       valences.push_back({n, blocks.error()});
   }
@@ -100,6 +102,7 @@ SchemeRecord approx_record(const std::string& label, const Scheme& scheme,
   regularity_options.progress = [&](const std::string& what) { begin("regularity, " + what); };
   Result<Regularity> regularity =
       mask ? enclose_regularity(*mask, regularity_options) : Result<Regularity>(mask.error());
+  RegularPart regular_part = find_regular_part(scheme);
   begin("artifacts");
   const Result<ArtifactAnalysis> analysis = analysis_of(mask);
   Result<std::vector<WaveArtifacts>> artifacts = artifacts_of(analysis);
@@ -113,10 +116,11 @@ SchemeRecord approx_record(const std::string& label, const Scheme& scheme,
           .split = std::string(scheme.split->name),
           .interpolating = mask ? Result<bool>(interpolates(*mask)) : mask.error(),
           .regularity = std::move(regularity),
+          .regular_part = regular_part,
           .artifacts = std::move(artifacts),
           .sampling = std::move(total),
           .mean_sampling = std::move(mean),
-          .valences = valences_of(scheme, options)};
+          .valences = valences_of(scheme, regular_part, options)};
 }
 
 nlohmann::ordered_json record_json(const SchemeRecord& record) {
@@ -125,6 +129,7 @@ nlohmann::ordered_json record_json(const SchemeRecord& record) {
   json["regularity"] = json_of(record.regularity, [&](const Regularity& regularity) {
     return regularity_json(record.label, regularity);
   });
+  json["regular_part"] = regular_part_json(record.regular_part);
   json["artifacts"] = json_of(record.artifacts, [](const std::vector<WaveArtifacts>& waves) {
     Json list = Json::array();
     for (const WaveArtifacts& wave : waves) list.push_back(wave_json(wave));

@@ -39,6 +39,7 @@ struct SchemeRecord {
   std::string split;
   Result<bool> interpolating;  ///< on the regular lattice: old points stay where they are
   Result<Regularity> regularity;
+  RegularPart regular_part;  ///< what the lattice lets the verdicts of `valences` say
   Result<std::vector<WaveArtifacts>> artifacts;
   /// By all artifacts of the limit surface, and by [ADS]'s mean energy.
   Result<SamplingDensity> sampling, mean_sampling;
@@ -56,7 +57,8 @@ struct RecordOptions {
 [[nodiscard]] SchemeRecord approx_record(const std::string& label, const Scheme& scheme,
                                          const RecordOptions& options = {});
 
-/// {"scheme", "split", "interpolating", "regularity": regularity_json's, "artifacts":
+/// {"scheme", "split", "interpolating", "regularity": regularity_json's,
+/// "regular_part": regular_part_json's, "artifacts":
 /// [{"edges_per_wavelength", "worst_percent", "worst_direction_degrees", "best_percent",
 /// "best_direction_degrees"}], "sampling": {"total_energy", "mean_energy"}, each as density_json,
 /// "valences": [eigen_json's without the blocks; "components" null where there are none],

@@ -62,6 +62,10 @@ TableSection regularity_rows(const Comparison& comparison) {
     add("C" + std::to_string(r),
         [r](const Regularity& one) { return truth_cell(one.smoothness[r].verdict); });
   add("Hölder exponent", holder_cell);
+  TableRow curvature{"bounded curvature", Better::more};
+  for (const SchemeRecord& scheme : comparison.schemes)
+    curvature.cells.push_back(truth_cell(scheme.regular_part.bounded));
+  section.rows.push_back(std::move(curvature));
   return section;
 }
 
@@ -141,12 +145,14 @@ TableCell verdict_cell(const SchemeRecord& scheme, Truth Verdict::*part) {
   return {text, Between{sure, sure + static_cast<double>(undecided.size())}};
 }
 
+/// Eigenvalues tell convergence, and of C1 what is necessary alone; bounded curvature takes in the
+/// regular surface and presupposes C1.
 TableSection verdict_rows(const Comparison& comparison) {
-  TableSection section{"valences n at which the surface", {}};
+  TableSection section{"valences n at which, by the eigenvalues,", {}};
   for (const auto& [name, part] :
-       {std::pair{"converges", &Verdict::convergent},
-        std::pair{"meets what C1 needs", &Verdict::c1_necessary},
-        std::pair{"has bounded curvature", &Verdict::bounded_curvature}}) {
+       {std::pair{"the scheme converges at the vertex", &Verdict::convergent},
+        std::pair{"C1 is not ruled out", &Verdict::c1_necessary},
+        std::pair{"curvature is bounded, if C1", &Verdict::bounded_curvature}}) {
     TableRow row{name, Better::more};
     for (const SchemeRecord& scheme : comparison.schemes)
       row.cells.push_back(verdict_cell(scheme, part));

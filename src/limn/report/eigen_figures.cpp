@@ -37,7 +37,7 @@ Figure characteristic_maps_figure(const std::string& scheme,
   for (const CharacteristicMap& map : maps)
     figure.add(characteristic_map_panel(map, fmt::format("/{{n}} = {}", map.valence)),
                fmt::format("λ = {:.6f}; {}", map.eigenvalue,
-                           map.regular == Truth::yes  ? "no fold found"
+                           map.regular == Truth::yes  ? "no fold in samples"
                            : map.regular == Truth::no ? "folds"
                                                       : "undecided"));
   return figure;

@@ -48,7 +48,13 @@ std::string shape_text(const std::optional<Curvature>& shape) {
   return shape ? std::string(to_string(*shape)) : "–";
 }
 
+constexpr char kLine[] = "{:>7}  {:>9} {:>9} {:>9}  {:<10} {:<12} {:<13} {:<12} {}\n";
+
 }  // namespace
+
+nlohmann::ordered_json regular_part_json(const RegularPart& part) {
+  return {{"bounded", to_string(part.bounded)}, {"reason", part.reason}};
+}
 
 nlohmann::ordered_json eigen_json(const Eigencomponents& components) {
   const Verdict& verdict = components.verdict;
@@ -62,6 +68,8 @@ nlohmann::ordered_json eigen_json(const Eigencomponents& components) {
           {"verdict",
            {{"convergent", to_string(verdict.convergent)},
             {"c1_necessary", to_string(verdict.c1_necessary)},
+            {"curvature_necessary", to_string(verdict.curvature_necessary)},
+            {"regular_part", regular_part_json(verdict.regular_part)},
             {"bounded_curvature", to_string(verdict.bounded_curvature)},
             {"cup", shape_json(verdict.cup)},
             {"saddle", shape_json(verdict.saddle)},
@@ -81,20 +89,34 @@ nlohmann::ordered_json eigen_json(const FrequencyBlocks& blocks,
 }
 
 std::string eigen_heading() {
-  return fmt::format("{:>7}  {:>9} {:>9} {:>9}  {:<10} {:<10} {:<18} {:<10} {:<10}\n", "valence",
-                     "tangent", "cup", "saddle", "convergent", "C1 needs", "bounded curvature",
-                     "cup", "saddle");
+  return fmt::format("{:>52} {:<12} {:<13} {}\n", "", "C1:", "curvature", "against tangent²") +
+         fmt::format(kLine, "valence", "tangent", "cup", "saddle", "convergent", "necessary",
+                     "bounded", "cup", "saddle");
 }
 
 std::string eigen_text(const Eigencomponents& components) {
   const Verdict& verdict = components.verdict;
-  std::string text = fmt::format(
-      "{:>7}  {} {} {}  {:<10} {:<10} {:<18} {:<10} {}\n", components.valence,
-      number_text(components.tangent), number_text(components.cup), number_text(components.saddle),
-      to_string(verdict.convergent), to_string(verdict.c1_necessary),
-      to_string(verdict.bounded_curvature), shape_text(verdict.cup), shape_text(verdict.saddle));
+  std::string text = fmt::format(kLine, components.valence, number_text(components.tangent),
+                                 number_text(components.cup), number_text(components.saddle),
+                                 to_string(verdict.convergent), to_string(verdict.c1_necessary),
+                                 to_string(verdict.bounded_curvature), shape_text(verdict.cup),
+                                 shape_text(verdict.saddle));
   for (const std::string& reason : verdict.reasons) text += "           " + reason + "\n";
   return text;
+}
+
+std::string regular_part_text(const RegularPart& part) {
+  return fmt::format("curvature bounded on the regular lattice: {} ({})\n", to_string(part.bounded),
+                     part.reason);
+}
+
+std::string eigen_legend() {
+  return "\nC1: necessary   what a C1 surface needs of the eigenvalues; more is needed (the\n"
+         "                characteristic map: --map draws it)\n"
+         "curvature       at the vertex, by the eigenvalues and the regular surface round it, if\n"
+         "                the surface is C1 there\n"
+         "cup, saddle     their eigenvalues against tangent²: flat <, bounded =, unbounded >\n"
+         "All of it in double precision, but for what is said of the regular lattice.\n";
 }
 
 }  // namespace limn

@@ -3,6 +3,8 @@
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
 
+#include "limn/report/eigen_report.h"
+
 namespace limn {
 namespace {
 
@@ -33,6 +35,7 @@ Json solution_json(const Solution& solution) {
             {"saddle", number_json(found.saddle)}}},
           {"verdict",
            {{"c1_necessary", to_string(found.verdict.c1_necessary)},
+            {"regular_part", regular_part_json(found.verdict.regular_part)},
             {"bounded_curvature", to_string(found.verdict.bounded_curvature)}}}};
 }
 
@@ -91,14 +94,15 @@ Json tune_json(const ValenceRange& range) {
   Json list = Json::array();
   for (const RangePart& part : range.parts)
     list.push_back({{"low", end_json(part.low)}, {"high", end_json(part.high)}});
-  return {{"valence", range.valence}, {"searched", interval_json(range.searched)},
-          {"samples", range.samples}, {"closed", range.closed},
-          {"parts", std::move(list)}, {"reason", range.reason}};
+  return {{"valence", range.valence},     {"searched", interval_json(range.searched)},
+          {"samples", range.samples},     {"closed", range.closed},
+          {"undecided", range.undecided}, {"parts", std::move(list)},
+          {"reason", range.reason}};
 }
 
 std::string solution_heading(const std::string& name) {
-  return fmt::format("{:>7}  {:>9} {:>9} {:>9}  {:<9} {:<8} {:<17} {}\n", "valence", "tangent",
-                     "cup", "saddle", "solves", "C1 needs", "bounded curvature", name);
+  return fmt::format("{:>7}  {:>9} {:>9} {:>9}  {:<9} {:<13} {:<17} {}\n", "valence", "tangent",
+                     "cup", "saddle", "solves", "C1: necessary", "curvature bounded", name);
 }
 
 std::string tune_text(const std::string& name, const ValenceSolutions& solutions) {
@@ -106,10 +110,11 @@ std::string tune_text(const std::string& name, const ValenceSolutions& solutions
   for (const Solution& solution : solutions.solutions) {
     const Eigencomponents& found = solution.found;
     text += fmt::format(
-        "{:>7}  {} {} {}  {:<9} {:<8} {:<17} {}{}\n", solutions.valence, column_text(found.tangent),
-        column_text(found.cup), column_text(found.saddle), to_string(solution.holds),
-        to_string(found.verdict.c1_necessary), to_string(found.verdict.bounded_curvature),
-        value_text(solution.value, solution.rational), solution.is_double ? " (double)" : "");
+        "{:>7}  {} {} {}  {:<9} {:<13} {:<17} {}{}\n", solutions.valence,
+        column_text(found.tangent), column_text(found.cup), column_text(found.saddle),
+        to_string(solution.holds), to_string(found.verdict.c1_necessary),
+        to_string(found.verdict.bounded_curvature), value_text(solution.value, solution.rational),
+        solution.is_double ? " (double)" : "");
     if (!solution.reason.empty()) text += remark(solution.reason);
   }
   for (const Interval part : solutions.throughout)

@@ -13,12 +13,12 @@ namespace limn {
 /// {"valence", "searched": [low, high], "samples", "solutions": [{"value", "residual", "exact":
 /// "p/q" or null, "double", "holds": true, false or null (undecided), "reason", "components",
 /// "verdict":
-/// {"c1_necessary", "bounded_curvature"}}], "throughout": [[low, high], …], "reason"}; components
-/// as in eigen_json.
+/// {"c1_necessary", "regular_part", "bounded_curvature"}}], "throughout": [[low, high], …],
+/// "reason"}; components and the verdict's words as in eigen_json.
 [[nodiscard]] nlohmann::ordered_json tune_json(const ValenceSolutions& solutions);
 
-/// {"valence", "searched", "samples", "closed", "parts": [{"low", "high": {"value", "exact",
-/// "end_of_search", "reason"}}], "reason"}.
+/// {"valence", "searched", "samples", "closed", "undecided": whether some of it is, "parts":
+/// [{"low", "high": {"value", "exact", "end_of_search", "reason"}}], "reason"}.
 [[nodiscard]] nlohmann::ordered_json tune_json(const ValenceRange& range);
 
 /// [[low, high], …]

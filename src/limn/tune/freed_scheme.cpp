@@ -6,6 +6,9 @@
 #include <fmt/core.h>
 #include <fmt/ranges.h>
 
+#include "limn/regular/polynomial_orders.h"
+#include "limn/regular/regular_mask.h"
+#include "limn/regular/second_differences.h"
 #include "limn/scheme/check.h"
 
 namespace limn {
@@ -209,6 +212,24 @@ Result<FrequencyBlocks> FreedScheme::blocks(int n, double x) {
   const Result<Instance*> instance = everywhere(n) ? fixed_at(n, x) : named_at(n, x);
   if (!instance) return instance.error();
   return (*instance)->analysis->blocks(n);
+}
+
+RegularPart FreedScheme::regular_part(int n, double x) {
+  if (!everywhere(n)) {
+    if (!own_regular_part_) own_regular_part_ = find_regular_part(*original_);
+    return *own_regular_part_;
+  }
+  const Result<Instance*> instance = fixed_at(n, x);
+  if (!instance) return {Truth::undecided, instance.error().message};
+  const Result<Mask> mask = regular_mask((*instance)->scheme);
+  if (!mask) return {Truth::undecided, mask.error().message};
+  const int order = polynomial_orders(*mask).sum_rules;
+  if (order > 2) return find_regular_part(*mask);
+  const auto known = low_order_parts_.find(order);
+  if (known != low_order_parts_.end()) return known->second;
+  RegularPart part = find_regular_part(*mask);
+  if (part.bounded == Truth::no) low_order_parts_.emplace(order, part);
+  return part;
 }
 
 Result<double> FreedScheme::evaluate(

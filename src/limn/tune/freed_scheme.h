@@ -10,12 +10,14 @@
 
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
 
 #include "limn/extraordinary/frequency_blocks.h"
+#include "limn/scheme/regular_part.h"
 #include "limn/scheme/scheme.h"
 
 namespace limn {
@@ -59,6 +61,12 @@ class FreedScheme {
   /// has the weights sum to something else than 1, divides by zero, …
   [[nodiscard]] Result<FrequencyBlocks> blocks(int n, double x);
 
+  /// What the regular lattice allows where the name is x (regular/second_differences.h): the
+  /// scheme's own where x changes no neighbour. Else, where the mask at x has sum rules of order 3
+  /// or more, found for each x; below, where curvature is unbounded unless shifts are dependent,
+  /// that it is unbounded at one such x is taken to hold at all of that order.
+  [[nodiscard]] RegularPart regular_part(int n, double x);
+
   /// An expression in n, the scheme's names (the freed one is x) and the given ones beside them.
   [[nodiscard]] Result<double> evaluate(
       const Expression& expression, int n, double x,
@@ -82,6 +90,8 @@ class FreedScheme {
   int regular_;
   /// By valence; x is put in at each use. Refined only where x changes no neighbour.
   std::map<int, std::unique_ptr<Instance>> named_;
+  std::optional<RegularPart> own_regular_part_;
+  std::map<int, RegularPart> low_order_parts_;  // by the order of the sum rules
   /// By x, which the neighbours have as well; the same for all valences.
   std::map<double, std::unique_ptr<Instance>> fixed_;
 };

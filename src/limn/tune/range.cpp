@@ -13,6 +13,7 @@ namespace {
 
 constexpr int kRangeSamples = 257;
 constexpr int kSlowRangeSamples = 65;
+constexpr double kForbidden = 2 * kEqualBelow;  // the margin's stand-in there: near, but not enough
 
 class RangeSearch {
  public:
@@ -25,6 +26,7 @@ class RangeSearch {
   }
 
   Result<ValenceRange> run() {
+    if (forbids_all()) return std::move(result_);
     if (Status status = take_samples(); !status) return status.error();
     look_between();
     collect_parts();
@@ -36,13 +38,34 @@ class RangeSearch {
   struct Sample {
     double x;
     bool holds;
-    double margin;  // -infinity where there is none
+    double margin;           // -infinity where there is none
+    bool forbidden = false;  // by the lattice; the eigenvalues would do
+    bool unknown = false;    // forbidden because what the lattice allows is undecided
   };
 
   Result<double> margin_in(const Result<FrequencyBlocks>& blocks, double x) {
     if (!blocks) return blocks.error();
     return margin(requirement_, scheme_, x, approx_eigencomponents(*blocks));
   }
+  /// Whether the regular lattice is the same for all x and does not allow it.
+  bool forbids_all() {
+    if (scheme_.everywhere(result_.valence)) return false;
+    const RegularPart part =
+        allowed_by_lattice(requirement_, scheme_, result_.valence, result_.searched.low);
+    if (part.bounded == Truth::yes) return false;
+    result_.undecided = part.bounded == Truth::undecided;
+    result_.samples = 0;
+    result_.reason =
+        fmt::format("{}, whatever {} is: {}curvature of the regular surface round it: {}",
+                    result_.undecided ? "undecided" : "nowhere", scheme_.name(),
+                    result_.undecided ? "" : "unbounded ", part.reason);
+    return true;
+  }
+  /// Whether the regular lattice allows it at x; asked only where the eigenvalues do.
+  Truth lattice_at(double x) {
+    return allowed_by_lattice(requirement_, scheme_, result_.valence, x).bounded;
+  }
+  bool allowed_at(double x) { return lattice_at(x) == Truth::yes; }
   double margin_at(double x) {
     const Result<double> value = margin_in(curve_(x), x);
     return value ? *value : -HUGE_VAL;
@@ -52,7 +75,9 @@ class RangeSearch {
   }
   Sample sample_at(double x) {
     const double value = margin_at(x);
-    return {x, enough(value), value};
+    const Truth lattice = enough(value) ? lattice_at(x) : Truth::yes;
+    if (lattice == Truth::yes) return {x, enough(value), value};
+    return {x, false, -kForbidden, true, lattice == Truth::undecided};
   }
 
   Status take_samples() {
@@ -62,6 +87,8 @@ class RangeSearch {
       const double share = static_cast<double>(k) / (result_.samples - 1);
       samples_.push_back(sample_at(low * (1 - share) + high * share));
       any = any || std::isfinite(samples_.back().margin);
+      if (k > 0 && samples_.back().unknown && samples_[samples_.size() - 2].unknown)
+        result_.undecided = true;
     }
     if (any) return Done{};
     const double middle = low / 2 + high / 2;
@@ -84,8 +111,9 @@ class RangeSearch {
       if (k + 1 < samples_.size()) {
         const Sample &a = samples_[k - 1], &m = samples_[k], &b = samples_[k + 1];
         const double sign = m.holds ? 1 : -1;
-        const bool turns = a.holds == m.holds && m.holds == b.holds && std::isfinite(m.margin) &&
-                           sign * m.margin <= sign * a.margin && sign * m.margin <= sign * b.margin;
+        const bool turns = !m.forbidden && a.holds == m.holds && m.holds == b.holds &&
+                           std::isfinite(m.margin) && sign * m.margin <= sign * a.margin &&
+                           sign * m.margin <= sign * b.margin;
         if (turns) {
           const double x = approx_minimum(a.x, b.x, [&](double t) { return sign * margin_at(t); });
           if (const Sample turning = sample_at(x); turning.holds != m.holds) all.push_back(turning);
@@ -122,12 +150,21 @@ class RangeSearch {
     return beside.margin > kEqualBelow ? beside : samples_[end];
   }
 
+  /// Whether the lattice allows it at this x and not beside it, as it does where sum rules hold.
+  bool is_isolated(const Sample& inside, const Sample& outside) {
+    if (requirement_.relation != Relation::bounded_curvature) return false;
+    if (!scheme_.everywhere(result_.valence)) return false;
+    return !allowed_at(inside.x + (outside.x - inside.x) / 1024);
+  }
+
   RangeEnd end_between(const Sample& inside, const Sample& outside) {
     // where the two sides are not all along equal, 0 itself can be found
     const bool plain = inside.margin > kEqualBelow;
-    const double x = last_holding(inside.x, outside.x, [&](double t) {
-      return plain ? margin_at(t) > 0 : enough(margin_at(t));
-    });
+    const double x =
+        is_isolated(inside, outside) ? inside.x : last_holding(inside.x, outside.x, [&](double t) {
+          if (!(plain ? margin_at(t) > 0 : enough(margin_at(t)))) return false;
+          return allowed_at(t);
+        });
     // far enough on that nothing is undecided, near enough that nothing else has changed
     const double beyond = std::clamp(x + std::copysign(1e-5, outside.x - inside.x),
                                      result_.searched.low, result_.searched.high);
@@ -138,13 +175,15 @@ class RangeSearch {
   std::string why_not(double x) {
     const Result<FrequencyBlocks> blocks = curve_(x);
     if (!blocks) return blocks.error().text();
-    const Eigencomponents found = approx_eigencomponents(*blocks);
+    const RegularPart regular = allowed_by_lattice(requirement_, scheme_, result_.valence, x);
+    const Eigencomponents found = approx_eigencomponents(*blocks, regular);
     if (requirement_.left) {
       const Result<double> value = margin(requirement_, scheme_, x, found);
       return value ? "the two sides are equal" : value.error().text();
     }
     for (const std::string& reason : found.verdict.reasons)
-      for (const char* kind : {"not convergent", "not C1", "unbounded curvature"})
+      for (const char* kind : {"not convergent", "not C1", "undecided C1", "unbounded curvature",
+                               "undecided curvature"})
         if (reason.rfind(kind, 0) == 0) return reason;
     return "undecided";
   }

@@ -28,7 +28,10 @@ struct ValenceRange {
   int samples = 0;
   bool closed = false;           ///< ends belong to it; those of the search always do
   std::vector<RangePart> parts;  ///< ascending, apart
-  std::string reason;            ///< why there is no part; nothing where there is one
+  /// Whether some of it is undecided: what the regular lattice allows is not known at two samples
+  /// in a row where the eigenvalues would do. Such x are in no part.
+  bool undecided = false;
+  std::string reason;  ///< why there is no part; nothing where there is one
 };
 
 /// At valence n: the range is sampled evenly, least failures are looked at closely, and ends are

@@ -208,6 +208,12 @@ Result<double> margin(const Requirement& requirement, FreedScheme& scheme, doubl
   return verdict_margin(requirement.relation, found);
 }
 
+RegularPart allowed_by_lattice(const Requirement& requirement, FreedScheme& scheme, int n,
+                               double x) {
+  if (requirement.relation != Relation::bounded_curvature) return {Truth::yes, {}};
+  return scheme.regular_part(n, x);
+}
+
 bool is_closed(Relation relation) {
   return relation == Relation::at_least || relation == Relation::bounded_curvature;
 }

@@ -44,9 +44,15 @@ struct Requirement {
 /// How far a requirement that has a range is from failing: it holds where the margin is positive
 /// (at_least, bounded_curvature: above -kEqualBelow). Continuous in the eigenvalues, also across
 /// the margin 0; that of a verdict is in moduli of eigenvalues [BGSK §2.3], and -1 where frequency
-/// 1 is not led by a positive eigenvalue.
+/// 1 is not led by a positive eigenvalue. Of bounded_curvature it presupposes that the regular
+/// lattice allows it (allowed_by_lattice). Fails where left or right has no value.
 [[nodiscard]] Result<double> margin(const Requirement& requirement, FreedScheme& scheme, double x,
                                     const Eigencomponents& found);
+
+/// Whether the regular lattice allows it where the freed name is x: yes of all but
+/// bounded_curvature, which needs a regular part whose curvature is bounded.
+[[nodiscard]] RegularPart allowed_by_lattice(const Requirement& requirement, FreedScheme& scheme,
+                                             int n, double x);
 
 /// Whether a margin of 0 will do.
 [[nodiscard]] bool is_closed(Relation relation);

@@ -166,7 +166,8 @@ class Solver {
   }
 
   void judge(Solution& solution) {
-    solution.found = approx_eigencomponents(curve_.exact(solution.value).value());
+    solution.found = approx_eigencomponents(curve_.exact(solution.value).value(),
+                                            scheme_.regular_part(n_, solution.value));
     const ComponentValues values = component_values(solution.found);
     const Result<double> own = difference(requirement_, scheme_, n_, solution.value, values);
     if (solution.residual > kSolved) {

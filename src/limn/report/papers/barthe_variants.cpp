@@ -6,6 +6,7 @@
 #include "limn/extraordinary/eigencomponents.h"
 #include "limn/mesh/lattice.h"
 #include "limn/refine/refine.h"
+#include "limn/regular/second_differences.h"
 #include "limn/report/papers/barthe_parts.h"
 #include "limn/report/surface_scenes.h"
 
@@ -65,8 +66,11 @@ std::vector<double> spectrum_row(const Eigencomponents& found) {
 std::string verdict_words(const Eigencomponents& found) {
   const Verdict& verdict = found.verdict;
   std::string words = fmt::format(
-      "C1 necessary: {}, bounded curvature: {}, cup {}, saddle {}", to_string(verdict.c1_necessary),
-      to_string(verdict.bounded_curvature), to_string(*verdict.cup), to_string(*verdict.saddle));
+      "necessary conditions of C1: {}, curvature bounded if C1: {}, against tangent² the cup is "
+      "{}, "
+      "the saddle {}",
+      to_string(verdict.c1_necessary), to_string(verdict.bounded_curvature),
+      to_string(*verdict.cup), to_string(*verdict.saddle));
   return words;
 }
 
@@ -87,7 +91,7 @@ Status add_variants(PaperPage& page) {
     if (!surface) return surface.error();
     const Result<FrequencyBlocks> blocks = FrequencyAnalysis(*scheme).blocks(kValence);
     if (!blocks) return blocks.error();
-    const Eigencomponents found = approx_eigencomponents(*blocks);
+    const Eigencomponents found = approx_eigencomponents(*blocks, find_regular_part(*scheme));
     SurfaceScene scene;
     scene.surfaces.push_back(std::move(*surface));
     scene.azimuth = -62;

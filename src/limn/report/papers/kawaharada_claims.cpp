@@ -77,7 +77,7 @@ std::string high_pass_range(const Findings& found) {
   };
   return fmt::format(
       "refined: {}, {}. The upper end is the paper's; the lower one, −μ1 − μ1², is "
-      "negative: low passes are C1 too. See the table above",
+      "negative: low passes meet the condition, which is necessary, too. See the table above",
       ends(3), ends(6));
 }
 

@@ -96,11 +96,12 @@ std::string optimal_at_three(const Findings& found) {
         jordan = std::max(jordan, eigenvalue.jordan);
       }
   return fmt::format(
-      "contradicted at k = 3, and refined. There |b + 2c − kβ| < |b + 2c cos(2π/k)| holds, but the "
+      "refined, and left open at k = 3. There |b + 2c − kβ| < |b + 2c cos(2π/k)| holds, but the "
       "tangent's {:.4f} is also c, an eigenvalue of the outer ring: {} eigenvalues are equal, with "
       "a "
-      "Jordan block of size {}: C1 necessary: {} (optimal), {} (high pass), {} (low pass). At the "
-      "other k up to {} the condition is not ruled out. At regular vertices the Hölder exponents "
+      "Jordan block of size {}, which the standard theorem leaves out. What C1 needs of the "
+      "eigenvalues there: {} (optimal), {} (high pass), {} (low pass). At the "
+      "other k up to {} C1 is not ruled out. At regular vertices the Hölder exponents "
       "are "
       "in {}, {} and {}: C1, and none is C2, as Loop is",
       *at.tangent, count, jordan, to_string(at.verdict.c1_necessary),
@@ -115,7 +116,8 @@ std::string optimal_at_four(const Findings& found) {
   const Eigencomponents& at = found.optimal.at(4);
   return fmt::format(
       "contradicted at k = 4: an outer eigenvalue 1/6 = {:.4f} leads frequency 0 and "
-      "exceeds μ1² = {:.4f}; curvature is unbounded there, and at k = {}",
+      "exceeds μ1² = {:.4f}: curvature is unbounded there. Since it is so on the regular lattice, "
+      "it is so at every k: {}",
       *at.cup, *at.tangent * *at.tangent, valences_text(found.optimal, unbounds_curvature));
 }
 

@@ -8,6 +8,7 @@
 #include <fmt/core.h>
 
 #include "limn/regular/regular_mask.h"
+#include "limn/regular/second_differences.h"
 
 namespace limn::ks {
 namespace {
@@ -36,9 +37,12 @@ Status add_smoothness_table(PaperPage& page, const std::vector<const Evidence*>&
   }
   return page.add_table(
       {"Smoothness", "smoothness"}, rows, numbers,
-      fmt::format("What an analysis of the 1-ring cannot see: `limn regularity` on the regular "
-                  "lattice, and `limn eigen` on the whole neighbourhood at the valences {} … {}.",
-                  kFirstValence, kLastValence));
+      fmt::format(
+          "What an analysis of the 1-ring cannot see: `limn regularity` on the regular "
+          "lattice, and `limn eigen` on the whole neighbourhood at the valences {} … {}. C1 not "
+          "being ruled out by the eigenvalues proves nothing; curvature is unbounded by the "
+          "eigenvalues or by the regular surface round the vertex.",
+          kFirstValence, kLastValence));
 }
 
 /// [KS §3.3]: −μ1 − μ1² < a < μ1 − μ1².
@@ -77,12 +81,13 @@ Status add_range_table(PaperPage& page, const std::vector<ValenceRange>& ranges,
 
 /// At the valences kFirstValence … last.
 Result<std::vector<Eigencomponents>> components_of(const Scheme& scheme, int last) {
+  const RegularPart regular = find_regular_part(scheme);
   FrequencyAnalysis analysis(scheme);
   std::vector<Eigencomponents> valences;
   for (int n = kFirstValence; n <= last; ++n) {
     const Result<FrequencyBlocks> blocks = analysis.blocks(n);
     if (!blocks) return blocks.error();
-    valences.push_back(approx_eigencomponents(*blocks));
+    valences.push_back(approx_eigencomponents(*blocks, regular));
   }
   return valences;
 }
