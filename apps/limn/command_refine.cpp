@@ -1,4 +1,7 @@
+#include <algorithm>
+#include <cctype>
 #include <chrono>
+#include <filesystem>
 #include <memory>
 #include <optional>
 
@@ -14,6 +17,7 @@
 #include "limn/refine/fast/fast_refiner.h"
 #include "limn/refine/refine.h"
 #include "limn/report/data_table.h"
+#include "limn/report/limit_report.h"
 
 namespace limn::app {
 namespace {
@@ -39,15 +43,26 @@ struct RefineOptions {
   [[nodiscard]] bool wants_limit() const { return limit || normals || !curvatures.empty(); }
 };
 
+/// What the file has where there is no normal: glTF takes unit vectors only.
+const char* missing_normal(const std::string& path) {
+  std::string extension = std::filesystem::path(path).extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return extension == ".glb" ? "0 0 1" : "0 0 0";
+}
+
 void print_result(const RefineOptions& options, const Scheme& scheme, const Polygons& result,
-                  double seconds) {
+                  const LimitGaps& gaps, double seconds) {
+  for (const std::string& sentence : gaps_text(gaps, missing_normal(options.output)))
+    report_warnings({{sentence, {}, options.output, 0, 0}});
   if (options.json) {
-    const nlohmann::ordered_json json{{"vertices", result.vertex_count()},
-                                      {"faces", result.face_count()},
-                                      {"levels", options.levels},
-                                      {"seconds", seconds},
-                                      {"scheme", scheme.name},
-                                      {"output", options.output}};
+    nlohmann::ordered_json json{{"vertices", result.vertex_count()},
+                                {"faces", result.face_count()},
+                                {"levels", options.levels},
+                                {"seconds", seconds},
+                                {"scheme", scheme.name},
+                                {"output", options.output}};
+    if (gaps.any()) json["missing"] = gaps_json(gaps);
     fmt::print("{}\n", json.dump());
     return;
   }
@@ -77,9 +92,10 @@ std::optional<Refined<Point3>> with_connectivity(Polygons& polygons) {
 
 /// Moves the points to the limit surface and finds normals there, as the options ask.
 Status take_to_limit(const RefineOptions& options, const Scheme& scheme, Refined<Point3>& refined,
-                     WriteOptions& extras, ProgressLine& line) {
+                     WriteOptions& extras, LimitGaps& gaps, ProgressLine& line) {
   LimitOptions limit_options;
   limit_options.steps_made = options.levels;
+  limit_options.partial = true;
   limit_options.curvatures = !options.curvatures.empty();
   limit_options.progress = [&](int left) {
     line.show(fmt::format("limit points: {} vertices left, near irregular ones", left));
@@ -87,8 +103,11 @@ Status take_to_limit(const RefineOptions& options, const Scheme& scheme, Refined
   Result<LimitPoints> limit =
       approx_limit_points(scheme, refined.mesh, refined.values, limit_options);
   if (!limit) return limit.error();
-  if (!options.curvatures.empty())
+  if (!options.curvatures.empty()) {
     if (Status status = write_curvatures(options.curvatures, *limit); !status) return status;
+    gaps.curvatures = without_curvature(limit->curvatures);
+  }
+  gaps.limits = std::move(limit->refused);
   if (options.limit) refined.values = std::move(limit->positions);
   if (options.normals) extras.normals = std::move(limit->normals);
   return Done{};
@@ -105,12 +124,12 @@ void announce(const RefineOptions& options, const Scheme& scheme, const Mesh& me
 }
 
 /// Refinement and limit in one; nothing where the limit has no quick way.
-Result<std::optional<Polygons>> quick_limit(const RefineOptions& options, const Scheme& scheme,
-                                            const ControlMesh& control, WriteOptions& extras) {
+std::optional<Polygons> quick_limit(const RefineOptions& options, const Scheme& scheme,
+                                    const ControlMesh& control, WriteOptions& extras) {
   Result<std::optional<FastLimitMesh>> limit =
       approx_fast_limit_mesh(scheme, control.mesh, control.points, options.levels);
-  if (!limit) return limit.error();
-  if (!*limit) return std::optional<Polygons>();
+  // where there is no limit somewhere, the plain way knows where, and gives the rest
+  if (!limit || !*limit) return std::optional<Polygons>();
   if (options.normals) extras.normals = std::move((*limit)->normals);
   if (options.limit) (*limit)->refined.positions = std::move((*limit)->limit);
   return std::optional<Polygons>(std::move((*limit)->refined));
@@ -119,18 +138,17 @@ Result<std::optional<Polygons>> quick_limit(const RefineOptions& options, const 
 /// The refined mesh, by the engine that was asked for where there is a choice, and what the options
 /// ask of the limit. `seconds` is the time of refinement, without a limit that is found after it.
 Result<Polygons> refined_polygons(const RefineOptions& options, const Scheme& scheme,
-                                  ControlMesh& control, WriteOptions& extras, ProgressLine& line,
-                                  double& seconds) {
+                                  ControlMesh& control, WriteOptions& extras, LimitGaps& gaps,
+                                  ProgressLine& line, double& seconds) {
   const auto start = std::chrono::steady_clock::now();
   const auto stop = [&] {
     seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   };
   const bool quick = options.wants_quick(scheme);
   if (quick && options.wants_limit() && options.curvatures.empty()) {
-    Result<std::optional<Polygons>> fine = quick_limit(options, scheme, control, extras);
+    std::optional<Polygons> fine = quick_limit(options, scheme, control, extras);
     stop();
-    if (!fine) return fine.error();
-    if (*fine) return **std::move(fine);
+    if (fine) return *std::move(fine);
   }
   std::optional<Refined<Point3>> refined;
   if (quick) {
@@ -151,7 +169,7 @@ Result<Polygons> refined_polygons(const RefineOptions& options, const Scheme& sc
     refined = *std::move(plain);
   }
   if (options.wants_limit())
-    if (Status status = take_to_limit(options, scheme, *refined, extras, line); !status)
+    if (Status status = take_to_limit(options, scheme, *refined, extras, gaps, line); !status)
       return status.error();
   return refined->mesh.polygons(std::move(refined->values));
 }
@@ -173,19 +191,21 @@ int refine_mesh(const RefineOptions& options) {
 
   ProgressLine line;
   WriteOptions extras;
+  LimitGaps gaps;
   double seconds = 0;
   announce(options, *scheme, control->mesh, line);
   const Result<Polygons> result =
-      refined_polygons(options, *scheme, *control, extras, line, seconds);
+      refined_polygons(options, *scheme, *control, extras, gaps, line, seconds);
   if (!result) {
     Error error = result.error();
     if (error.file.empty()) error.file = options.mesh;
     return report(error);
   }
+  if (options.normals) gaps.normals = without_normal(extras.normals);
   line.show("writing " + options.output);
   if (Status status = write_mesh(options.output, *result, extras); !status)
     return report(status.error());
-  print_result(options, *scheme, *result, seconds);
+  print_result(options, *scheme, *result, gaps, seconds);
   return kDone;
 }
 
@@ -206,11 +226,13 @@ void declare_refine(CLI::App& parser, Action& action) {
       ->required();
   options->scheme.declare_parameters(*command);
   command->add_flag("--limit", options->limit, "move the refined vertices to the limit surface");
-  command->add_flag("--normals", options->normals,
-                    "write the limit surface's normals (.obj, .off, .ply, .glb)");
+  command->add_flag(
+      "--normals", options->normals,
+      "write the limit surface's normals (.obj, .off, .ply, .glb); 0 0 0 (.glb: 0 0 1) "
+      "where there is none, which a warning and --json's \"missing\" tell");
   command->add_option("--curvatures", options->curvatures,
                       "write the limit surface's principal curvatures to this .csv or .json, "
-                      "where they are bounded");
+                      "where they are bounded; nothing where there is none");
   command->add_flag("--triangulate", options->triangulate,
                     "cut polygons into triangles first, each from its first corner");
   command

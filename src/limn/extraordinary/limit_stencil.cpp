@@ -203,6 +203,7 @@ Result<LimitStencil> approx_limit_stencil(FrequencyAnalysis& analysis, int n) {
   LimitStencil stencil;
   stencil.rings = reach(blocks, position);
   stencil.position = spatial_functionals(blocks, 0, position)[0];
+  stencil.has_plane = n > 2;
   const Eigenvalue& leader = components.spectra[1].eigenvalues.front();
   if (components.tangent && leader.multiplicity == 1 && *components.tangent > 0) {
     const Eigen::RowVectorXcd tangent = approx_eigenvectors(blocks, leader).left.row(0);
