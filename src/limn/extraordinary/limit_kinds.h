@@ -15,6 +15,7 @@
 #include "limn/base/parallel.h"
 #include "limn/extraordinary/limit_curvature.h"
 #include "limn/extraordinary/limit_sites.h"
+#include "limn/extraordinary/partial_rules.h"
 #include "limn/refine/linear_form.h"
 
 namespace limn {
@@ -64,29 +65,6 @@ class LimitKinds {
   FrequencyAnalysis analysis_;
   std::array<std::map<int, Result<LimitKind>>, 2> kinds_;  // interior, boundary; by size
   int rings_ = 1;
-};
-
-/// The rules of a mesh that was cut out of another: one that is missing makes a value unknown (not
-/// a number), as whether anything hangs on it is not known beforehand. At the rim of the cut
-/// nothing does.
-class PartialRules {
- public:
-  /// `scheme` must outlive them.
-  PartialRules(const Scheme& scheme, Boundary boundary);
-  PartialRules(const PartialRules&) = delete;
-  PartialRules& operator=(const PartialRules&) = delete;
-
-  [[nodiscard]] RuleTables<double>& tables() { return tables_; }
-  [[nodiscard]] bool complete() const { return !missing_; }
-  /// At a vertex whose limit hangs on what is missing.
-  [[nodiscard]] Error error_at(Index vertex) const;
-
- private:
-  Result<Row<double>> row(const Scheme& scheme, RuleKind kind, int n);
-
-  std::optional<Error> missing_;  // the first, one of the interior before one of the boundary
-  bool missing_inside_ = false;
-  RuleTables<double> tables_;
 };
 
 [[nodiscard]] inline bool is_known(const Point3& value) { return !std::isnan(value.x); }
