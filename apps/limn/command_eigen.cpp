@@ -6,6 +6,7 @@
 
 #include "command.h"
 #include "limn/extraordinary/eigencomponents.h"
+#include "limn/extraordinary/least_valence.h"
 #include "limn/regular/second_differences.h"
 #include "limn/report/eigen_figures.h"
 #include "limn/report/eigen_formula_report.h"
@@ -102,14 +103,14 @@ int print_formulas(const EigenOptions& options) {
 }
 
 int analyse(const EigenOptions& options) {
-  const Result<Valences> range = read_valences(options.valence);
-  if (!range) return report(range.error());
   if (!options.map.empty())
     if (const Result<FigureFormat> format = figure_format(options.map); !format)
       return report(format.error());
   if (Status status = check_outputs({options.map}); !status) return report(status.error());
   const Result<Scheme> scheme = options.scheme.load();
   if (!scheme) return report(scheme.error());
+  const Result<Valences> range = read_valences(options.valence, least_valence(*scheme->split));
+  if (!range) return report(range.error());
   FrequencyAnalysis analysis(*scheme, options.rings);
   Output output(options, *scheme);
   for (int n = range->first; n <= range->last; ++n) {
@@ -130,7 +131,9 @@ void declare_eigen(CLI::App& parser, Action& action) {
   command->add_option("SCHEME", options->scheme.name, "a shipped scheme, or a scheme file")
       ->required();
   CLI::Option* const valence =
-      command->add_option("--valence", options->valence, "a valence, or a range of them")
+      command
+          ->add_option("--valence", options->valence,
+                       "a valence, or a range of them; from 3 on, of quads from 2 on")
           ->type_name("N or A..B")
           ->capture_default_str();
   command

@@ -1,4 +1,7 @@
+#include <algorithm>
+#include <cctype>
 #include <chrono>
+#include <filesystem>
 #include <memory>
 #include <optional>
 
@@ -15,6 +18,7 @@
 #include "limn/refine/refine.h"
 #include "limn/regular/second_differences.h"
 #include "limn/report/data_table.h"
+#include "limn/report/limit_report.h"
 #include "mesh_output.h"
 
 namespace limn::app {
@@ -42,7 +46,9 @@ struct RefineOptions {
 };
 
 void print_result(const RefineOptions& options, const Scheme& scheme, const Polygons& result,
-                  double seconds, const MeshRemarks& remarks) {
+                  double seconds, const LimitGaps& gaps, const MeshRemarks& remarks) {
+  for (const std::string& sentence : gaps_text(gaps, options.output.missing_normal()))
+    report_warnings({{sentence, {}, options.output.path, 0, 0}});
   if (options.json) {
     nlohmann::ordered_json json{{"vertices", result.vertex_count()},
                                 {"faces", result.face_count()},
@@ -50,6 +56,7 @@ void print_result(const RefineOptions& options, const Scheme& scheme, const Poly
                                 {"seconds", seconds},
                                 {"scheme", scheme.name},
                                 {"output", options.output.path}};
+    if (gaps.any()) json["missing"] = gaps_json(gaps);
     add_remarks(json, remarks);
     print_json(json);
     return;
@@ -82,10 +89,11 @@ std::optional<Refined<Point3>> with_connectivity(Polygons& polygons) {
 
 /// Moves the points to the limit surface and finds normals there, as the options ask.
 Status take_to_limit(const RefineOptions& options, const Scheme& scheme, Refined<Point3>& refined,
-                     WriteOptions& extras, ProgressLine& line) {
+                     WriteOptions& extras, LimitGaps& gaps, ProgressLine& line) {
   set_step("finding limit points of " + options.mesh + ", refined");
   LimitOptions limit_options;
   limit_options.steps_made = options.levels;
+  limit_options.partial = true;
   limit_options.curvatures = !options.curvatures.empty();
   if (limit_options.curvatures) {
     limit_options.regular = find_regular_part(scheme);
@@ -104,8 +112,11 @@ Status take_to_limit(const RefineOptions& options, const Scheme& scheme, Refined
   Result<LimitPoints> limit =
       approx_limit_points(scheme, refined.mesh, refined.values, limit_options);
   if (!limit) return limit.error();
-  if (!options.curvatures.empty())
+  if (!options.curvatures.empty()) {
     if (Status status = write_curvatures(options.curvatures, *limit); !status) return status;
+    gaps.curvatures = without_curvature(limit->curvatures);
+  }
+  gaps.limits = std::move(limit->refused);
   if (options.limit) refined.values = std::move(limit->positions);
   if (options.normals) extras.normals = std::move(limit->normals);
   return Done{};
@@ -124,12 +135,12 @@ Status announce(const RefineOptions& options, const Scheme& scheme, const Mesh& 
 }
 
 /// Refinement and limit in one; nothing where the limit has no quick way.
-Result<std::optional<Polygons>> quick_limit(const RefineOptions& options, const Scheme& scheme,
-                                            const ControlMesh& control, WriteOptions& extras) {
+std::optional<Polygons> quick_limit(const RefineOptions& options, const Scheme& scheme,
+                                    const ControlMesh& control, WriteOptions& extras) {
   Result<std::optional<FastLimitMesh>> limit =
       approx_fast_limit_mesh(scheme, control.mesh, control.points, options.levels);
-  if (!limit) return limit.error();
-  if (!*limit) return std::optional<Polygons>();
+  // where there is no limit somewhere, the plain way knows where, and gives the rest
+  if (!limit || !*limit) return std::optional<Polygons>();
   if (options.normals) extras.normals = std::move((*limit)->normals);
   if (options.limit) (*limit)->refined.positions = std::move((*limit)->limit);
   return std::optional<Polygons>(std::move((*limit)->refined));
@@ -138,18 +149,17 @@ Result<std::optional<Polygons>> quick_limit(const RefineOptions& options, const 
 /// The refined mesh, by the engine that was asked for where there is a choice, and what the options
 /// ask of the limit. `seconds` is the time of refinement, without a limit that is found after it.
 Result<Polygons> refined_polygons(const RefineOptions& options, const Scheme& scheme,
-                                  ControlMesh& control, WriteOptions& extras, ProgressLine& line,
-                                  double& seconds) {
+                                  ControlMesh& control, WriteOptions& extras, LimitGaps& gaps,
+                                  ProgressLine& line, double& seconds) {
   const auto start = std::chrono::steady_clock::now();
   const auto stop = [&] {
     seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   };
   const bool quick = options.wants_quick(scheme);
   if (quick && options.wants_limit() && options.curvatures.empty()) {
-    Result<std::optional<Polygons>> fine = quick_limit(options, scheme, control, extras);
+    std::optional<Polygons> fine = quick_limit(options, scheme, control, extras);
     stop();
-    if (!fine) return fine.error();
-    if (*fine) return **std::move(fine);
+    if (fine) return *std::move(fine);
   }
   std::optional<Refined<Point3>> refined;
   if (quick) {
@@ -170,7 +180,7 @@ Result<Polygons> refined_polygons(const RefineOptions& options, const Scheme& sc
     refined = *std::move(plain);
   }
   if (options.wants_limit())
-    if (Status status = take_to_limit(options, scheme, *refined, extras, line); !status)
+    if (Status status = take_to_limit(options, scheme, *refined, extras, gaps, line); !status)
       return status.error();
   return refined->mesh.polygons(std::move(refined->values));
 }
@@ -194,6 +204,7 @@ int refine_mesh(const RefineOptions& options) {
 
   ProgressLine line;
   WriteOptions extras;
+  LimitGaps gaps;
   double seconds = 0;
   set_step(fmt::format("refining {} by {} levels", options.mesh, options.levels));
   if (Status status = announce(options, *scheme, control->mesh, line); !status) {
@@ -201,19 +212,20 @@ int refine_mesh(const RefineOptions& options) {
     return report(status.error());
   }
   const Result<Polygons> result =
-      refined_polygons(options, *scheme, *control, extras, line, seconds);
+      refined_polygons(options, *scheme, *control, extras, gaps, line, seconds);
   if (!result) {
     Error error = result.error();
     if (error.file.empty()) error.file = options.mesh;
     return report(error);
   }
+  if (options.normals) gaps.normals = without_normal(extras.normals);
   line.show("writing " + options.output.path);
   set_step("writing " + options.output.path);
   if (Status status = options.output.write(*result, extras); !status) {
     if (status.error().file.empty()) status.error().file = options.mesh;
     return report(status.error());
   }
-  print_result(options, *scheme, *result, seconds, control->remarks);
+  print_result(options, *scheme, *result, seconds, gaps, control->remarks);
   return kDone;
 }
 
@@ -231,11 +243,13 @@ void declare_refine(CLI::App& parser, Action& action) {
   options->output.declare(*command);
   options->scheme.declare_parameters(*command);
   command->add_flag("--limit", options->limit, "move the refined vertices to the limit surface");
-  command->add_flag("--normals", options->normals,
-                    "write the limit surface's normals (.obj, .off, .ply, .glb)");
+  command->add_flag(
+      "--normals", options->normals,
+      "write the limit surface's normals (.obj, .off, .ply, .glb); 0 0 0 (.glb: 0 0 1) "
+      "where there is none, which a warning and --json's \"missing\" tell");
   command->add_option("--curvatures", options->curvatures,
                       "write the limit surface's principal curvatures to this .csv or .json, "
-                      "where they are bounded");
+                      "where they are bounded; nothing where there is none");
   command->add_flag("--triangulate", options->triangulate,
                     "cut polygons into triangles first, concave ones too");
   command

@@ -1,5 +1,7 @@
 #include "mesh_output.h"
 
+#include <algorithm>
+#include <cctype>
 #include <cstdio>
 
 #include "limn/base/file.h"
@@ -44,6 +46,13 @@ Status MeshOutput::check(bool json) const {
   Status known = is_printed() ? Status(Done{}) : check_writable(path);
   if (!known && extension_of(path).empty()) known.error().hint += "; or name it by --format";
   return known;
+}
+
+const char* MeshOutput::missing_normal() const {
+  std::string lower = extension();
+  std::transform(lower.begin(), lower.end(), lower.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return lower == "glb" ? "0 0 1" : "0 0 0";
 }
 
 Status MeshOutput::write(const Polygons& mesh, const WriteOptions& options) const {

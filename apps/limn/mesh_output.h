@@ -22,6 +22,9 @@ struct MeshOutput {
   /// Whether its format is known; `check_outputs` says whether it can be written.
   [[nodiscard]] Status check(bool json) const;
 
+  /// What the mesh has where there is no normal, for a message: glTF takes unit vectors only.
+  [[nodiscard]] const char* missing_normal() const;
+
   [[nodiscard]] Status write(const Polygons& mesh, const WriteOptions& options) const;
 
  private:

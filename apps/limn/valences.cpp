@@ -4,8 +4,6 @@
 
 #include <fmt/core.h>
 
-#include "limn/scheme/check.h"
-
 namespace limn::app {
 namespace {
 
@@ -18,7 +16,7 @@ bool read_integer(std::string_view text, int& value) {
 
 }  // namespace
 
-Result<Valences> read_valences(const std::string& text) {
+Result<Valences> read_valences(const std::string& text, int least) {
   Valences range{};
   const std::size_t dots = text.find("..");
   const bool one = dots == std::string::npos;
@@ -29,13 +27,13 @@ Result<Valences> read_valences(const std::string& text) {
   if (!read) return Error{fmt::format("--valence: '{}' is no valence", text), hint, {}, 0, 0};
   if (range.first > range.last)
     return Error{fmt::format("--valence: the range {} is empty", text), hint, {}, 0, 0};
-  if (range.first < kSmallestValence || range.last > kLargestValence)
-    return Error{fmt::format("--valence: {} is not between {} and {}", text, kSmallestValence,
-                             kLargestValence),
-                 hint,
-                 {},
-                 0,
-                 0};
+  if (range.first < least || range.last > kLargestValence)
+    return Error{
+        fmt::format("--valence: {} is not between {} and {}", text, least, kLargestValence),
+        hint,
+        {},
+        0,
+        0};
   return range;
 }
 

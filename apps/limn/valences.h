@@ -4,6 +4,7 @@
 #include <string>
 
 #include "limn/base/error.h"
+#include "limn/scheme/check.h"
 
 namespace limn::app {
 
@@ -11,7 +12,8 @@ struct Valences {
   int first = 0, last = 0;
 };
 
-/// "7" or "3..12": kSmallestValence … kLargestValence, not empty.
-[[nodiscard]] Result<Valences> read_valences(const std::string& text);
+/// "7" or "3..12": `least` … kLargestValence, not empty.
+[[nodiscard]] Result<Valences> read_valences(const std::string& text,
+                                             int least = kSmallestValence);
 
 }  // namespace limn::app

@@ -1,5 +1,7 @@
 #include "limn/fairness/energy.h"
 
+#include "limn/fairness/laplacian.h"
+
 #include <gtest/gtest.h>
 
 #include <limits>
@@ -160,6 +162,24 @@ TEST(SurfaceEnergies, ScaleAndDoNotDependOnPlaceOrThreads) {
   set_thread_limit(0);
   EXPECT_EQ(alone.thin_plate, once.thin_plate);
   EXPECT_EQ(alone.curvature_variation, once.curvature_variation);
+}
+
+// Scaled by powers of two everything is the same to the last bit, as far as it can be represented.
+TEST(SurfaceEnergies, AreThoseOfTheShapeAtAnySize) {
+  const Sampled torus = sampled_tube({2, 1}, Lattice::triangle, 16);
+  const SurfaceEnergies once = energies(torus);
+  const double laplacian = laplacian_energy(torus.mesh, torus.points);
+  for (const int exponent : {-990, -500, -70, -3, 3, 70, 500, 990}) {
+    SCOPED_TRACE(exponent);
+    Sampled other = torus;
+    for (Point3& p : other.points) p = std::ldexp(1.0, exponent) * p;
+    const SurfaceEnergies found = energies(other);
+    EXPECT_EQ(found.area, std::ldexp(once.area, 2 * exponent));
+    EXPECT_EQ(found.thin_plate, once.thin_plate);
+    EXPECT_EQ(found.curvature_variation, std::ldexp(once.curvature_variation, -2 * exponent));
+    EXPECT_EQ(laplacian_energy(other.mesh, other.points), std::ldexp(laplacian, 2 * exponent));
+    EXPECT_EQ(found.left_out, 0);
+  }
 }
 
 TEST(SurfaceEnergies, OfPlanesAndCylindersVanish) {

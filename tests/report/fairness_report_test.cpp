@@ -158,6 +158,83 @@ TEST(Fairness, OfAPlaneIsZeroAndNoNoiseGrows) {
   EXPECT_EQ(record.curvature_variation.converges, Truth::yes);
 }
 
+std::vector<FairnessRecord> loop_and_optimal(const Mesh& mesh, const std::vector<Point3>& points) {
+  std::vector<FairnessRecord> records;
+  for (const char* name : {"loop", "butterfly", "optimal"})
+    records.push_back(approx_fairness(name, shipped(name), mesh, points, {4, {}}).value());
+  return records;
+}
+
+// … so none is the fairest: what is left is rounding.
+TEST(Fairness, OfPlanesIsATie) {
+  const Mesh mesh = star(Lattice::triangle, 7, 3);
+  for (const double scale : {1e-100, 1e-3, 1.0, 1e5, 1e100}) {
+    SCOPED_TRACE(scale);
+    std::vector<Point3> points;
+    for (Index v = 0; v < mesh.vertex_count(); ++v) {
+      const double x = std::cos(v) * v, y = std::sin(v) * v;
+      points.push_back(scale * Point3{x + 3, y, .3 * x - .7 * y});
+    }
+    const auto records = loop_and_optimal(mesh, points);
+    const auto json = fairness_json("plane", records);
+    for (const char* flat : {"thin_plate", "curvature_variation"})
+      EXPECT_FALSE(json.at("fairest").contains(flat)) << json.at("fairest").dump();
+    for (const FairnessRecord& record : records) {
+      EXPECT_NE(record.thin_plate.converges, Truth::no) << record.scheme;
+      EXPECT_NE(record.curvature_variation.converges, Truth::no) << record.scheme;
+    }
+  }
+}
+
+// What rounding may be is not so much that it hides what there is.
+TEST(Fairness, OfBentSurfacesIsNoTie) {
+  const Mesh mesh = torus(Lattice::triangle, kAround, kAcross);
+  const auto records = loop_and_optimal(mesh, torus_points());
+  for (const FairnessRecord& record : records) {
+    const SurfaceEnergies& e = record.last().energies;
+    EXPECT_LT(e.rounding.thin_plate, 1e-8 * e.thin_plate) << record.scheme;
+    EXPECT_LT(e.rounding.curvature_variation, 1e-6 * e.curvature_variation) << record.scheme;
+    EXPECT_LT(record.last().laplacian_rounding, 1e-8 * record.last().laplacian_energy);
+  }
+  EXPECT_EQ(fairness_json("torus", records).at("fairest").size(), 3);
+}
+
+TEST(Fairness, OfOnePointDoesNotGrow) {
+  const Mesh mesh = torus(Lattice::triangle, 4, 5);
+  for (const Point3 at :
+       {Point3{}, Point3{1, 2, 3}, Point3{.1, .7, -.3}, Point3{1e-90, 3e-90, 0}}) {
+    const auto records = loop_and_optimal(mesh, std::vector<Point3>(20, at));
+    for (const FairnessRecord& record : records)
+      for (const Trend& trend :
+           {record.scaled_laplacian, record.area, record.thin_plate, record.curvature_variation})
+        EXPECT_EQ(trend.converges, Truth::yes) << record.scheme;
+    EXPECT_TRUE(fairness_json("point", records).at("fairest").empty());
+  }
+}
+
+// A part without any size adds nothing to the rest.
+TEST(Fairness, OfPartsThatAreOnePointIsThatOfTheRest) {
+  const Mesh mesh = torus(Lattice::triangle, kAround, kAcross);
+  Polygons both = mesh.polygons(torus_points());
+  const Index count = both.vertex_count();
+  const auto corners = static_cast<Index>(both.corners.size());
+  for (Index v = 0; v < count; ++v) both.positions.push_back({.1, .7, -.3});
+  for (Index i = 0; i < corners; ++i) {
+    both.corners.push_back(both.corners[static_cast<std::size_t>(i)] + count);
+    if (i % 3 == 2) both.face_begin.push_back(static_cast<Index>(both.corners.size()));
+  }
+  const FairnessRecord alone =
+      approx_fairness("loop", shipped("loop"), mesh, torus_points(), {4, {}}).value();
+  const FairnessRecord record =
+      approx_fairness("loop", shipped("loop"), Mesh::build(both).value(), both.positions, {4, {}})
+          .value();
+  const SurfaceEnergies &a = alone.last().energies, &b = record.last().energies;
+  EXPECT_NEAR(b.thin_plate, a.thin_plate, 1e-9 * a.thin_plate);
+  EXPECT_NEAR(b.curvature_variation, a.curvature_variation, 1e-9 * a.curvature_variation);
+  EXPECT_EQ(record.thin_plate.converges, alone.thin_plate.converges);
+  EXPECT_EQ(record.curvature_variation.converges, alone.curvature_variation.converges);
+}
+
 TEST(Fairness, RefusesWhatCannotBeRefined) {
   const Mesh quads = torus(Lattice::quad, kAround, kAcross);
   const auto refused = approx_fairness("loop", shipped("loop"), quads, torus_points());

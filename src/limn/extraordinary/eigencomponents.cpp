@@ -30,6 +30,11 @@ class Judge {
 
   void judge() {
     convergence();
+    if (found_.valence == 2) {
+      verdict_.c1_necessary = verdict_.bounded_curvature = Truth::no;
+      reasons().push_back("not C1: at valence 2 frequency 1 is real, so there is no tangent pair");
+      return;
+    }
     if (!found_.tangent || !(*found_.tangent > 0)) {
       verdict_.c1_necessary = verdict_.curvature_necessary = Truth::no;
       verdict_.bounded_curvature = Truth::no;
@@ -199,6 +204,8 @@ Eigencomponents approx_eigencomponents(const FrequencyBlocks& blocks, const Regu
     if (const Component& component = kComponents[i]; component.exists_at(blocks.valence))
       *values[i] =
           labelled(component, result.spectra[static_cast<std::size_t>(component.frequency)]);
+  // at n = 2 frequency 1 is its own conjugate: real shapes, and no pair that spans a plane
+  if (blocks.valence == 2) result.tangent.reset();
   Judge(result).judge();
   return result;
 }

@@ -8,8 +8,8 @@
 
 #include <fmt/core.h>
 
+#include "limn/extraordinary/least_valence.h"
 #include "limn/extraordinary/sector_pattern.h"
-#include "limn/scheme/check.h"
 
 namespace limn {
 namespace {
@@ -153,8 +153,8 @@ Result<const SectorPattern*> FrequencyAnalysis::pattern_at(int n) {
 }
 
 Result<FrequencyBlocks> FrequencyAnalysis::blocks(int n) {
-  if (n < kSmallestValence)
-    return Error{fmt::format("valence {} is below {}", n, kSmallestValence), {}, {}, 0, 0};
+  if (const int least = least_valence(*scheme_->split); n < least)
+    return Error{fmt::format("valence {} is below {}", n, least), {}, {}, 0, 0};
   const Result<const SectorPattern*> pattern = pattern_at(n);
   if (!pattern) return pattern.error();
   const SectorPattern& p = **pattern;

@@ -6,6 +6,7 @@ namespace limn {
 namespace {
 
 using Form = LinearForm<double>;
+using Spot = LimitPlace<Form>;
 
 Form weighted(const std::vector<double>& weights, const std::vector<Index>& vertices,
               const std::vector<Form>& values) {
@@ -67,6 +68,16 @@ LimitOptions options_of(int steps_made, bool closed) {
 
 }  // namespace
 
+template <class Read>
+Status ApproxLimitReader::search(const Mesh& mesh, int steps_made, bool closed,
+                                 const std::vector<Index>& vertices, Read read) {
+  const auto no_curvature = [](const Spot&) {};
+  const LimitOptions options = options_of(steps_made, closed);
+  return LimitSearch<Form, Read, decltype(no_curvature)>(scheme_, kinds_, options, read,
+                                                         no_curvature)
+      .run(mesh, unit_forms<double>(mesh.vertex_count()), vertices, nullptr);
+}
+
 Result<Index> ApproxLimitReader::regular_rings(bool open) {
   const Lattice lattice = scheme_.split->lattice;
   const int size = open ? fast::half_plane_sectors(lattice) : fast::plane_sectors(lattice);
@@ -84,20 +95,20 @@ Result<std::vector<std::optional<fast::LimitForms>>> ApproxLimitReader::read(
     if (mesh.is_isolated(vertices[i])) found[i] = {Form::unit(vertices[i]), Form(), Form()};
   }
   const bool dual = scheme_.split->births_corners;
-  const Status status = for_each_limit(
-      scheme_, kinds_, mesh, unit_forms<double>(mesh.vertex_count()), vertices,
-      options_of(steps_made, closed),
-      [&](const LimitKind& kind, const Mesh& at, const std::vector<Form>& values, Index start,
-          const std::vector<Index>& neighbourhood, Index vertex) {
-        const Form position = weighted(kind.limit.position, neighbourhood, values);
-        auto& forms = found[slot[vertex]];
-        if (!kind.limit.first_tangent.empty())
-          forms = {position, weighted(kind.limit.first_tangent, neighbourhood, values),
-                   weighted(kind.limit.second_tangent, neighbourhood, values)};
-        else if (auto tangents = tangents_of_face(at, values, start, dual))
-          forms = {position, std::move((*tangents)[0]), std::move((*tangents)[1])};
-      });
-  if (!status) return status.error();
+  const auto read = [&](const Spot& at) {
+    const LimitStencil& limit = at.kind.limit;
+    const Form position = weighted(limit.position, at.neighbourhood, at.values);
+    auto& forms = found[slot[at.vertex]];
+    if (!limit.has_plane)
+      forms = {position, Form(), Form()};
+    else if (!limit.first_tangent.empty())
+      forms = {position, weighted(limit.first_tangent, at.neighbourhood, at.values),
+               weighted(limit.second_tangent, at.neighbourhood, at.values)};
+    else if (auto tangents = tangents_of_face(at.mesh, at.values, at.start, dual))
+      forms = {position, std::move((*tangents)[0]), std::move((*tangents)[1])};
+  };
+  if (Status status = search(mesh, steps_made, closed, vertices, read); !status)
+    return status.error();
   return found;
 }
 
@@ -105,16 +116,13 @@ Result<fast::LimitChain> ApproxLimitReader::read_chain(const Mesh& mesh, int ste
                                                        bool closed, Index vertex) {
   fast::LimitChain chain;
   const bool dual = scheme_.split->births_corners;
-  const Status status =
-      for_each_limit(scheme_, kinds_, mesh, unit_forms<double>(mesh.vertex_count()), {vertex},
-                     options_of(steps_made, closed),
-                     [&](const LimitKind& kind, const Mesh& at, const std::vector<Form>& values,
-                         Index start, const std::vector<Index>& neighbourhood, Index /*vertex*/) {
-                       chain.forms = {weighted(kind.limit.position, neighbourhood, values)};
-                       add_chain(at, values, start, dual, chain.forms);
-                       chain.rings = kind.shape;
-                     });
-  if (!status) return status.error();
+  const auto read = [&](const Spot& at) {
+    chain.forms = {weighted(at.kind.limit.position, at.neighbourhood, at.values)};
+    add_chain(at.mesh, at.values, at.start, dual, chain.forms);
+    chain.rings = at.kind.shape;
+  };
+  if (Status status = search(mesh, steps_made, closed, {vertex}, read); !status)
+    return status.error();
   return chain;
 }
 

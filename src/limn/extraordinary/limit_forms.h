@@ -26,6 +26,11 @@ class ApproxLimitReader final : public fast::LimitReader {
                                                     Index vertex) override;
 
  private:
+  /// Calls read(LimitPlace) for each of the vertices.
+  template <class Read>
+  [[nodiscard]] Status search(const Mesh& mesh, int steps_made, bool closed,
+                              const std::vector<Index>& vertices, Read read);
+
   const Scheme& scheme_;
   LimitKinds kinds_;
 };

@@ -139,7 +139,7 @@ std::vector<LimitSite> limit_sites(const Mesh& mesh, const std::vector<Index>& v
   std::vector<LimitSite> sites;
   sites.reserve(vertices.size());
   for (const Index v : vertices)
-    if (!mesh.is_isolated(v)) sites.push_back({v, v});
+    if (!mesh.is_isolated(v)) sites.push_back({v, v, false});
   return sites;
 }
 
@@ -162,7 +162,7 @@ Result<LimitPatch<Value>> dual_patch(const Scheme& scheme, const Mesh& mesh,
   Result<LimitPatch<Value>> patch = refined(scheme, mesh, values, step, tables);
   if (!patch) return patch;
   for (const Index v : vertices)
-    if (!mesh.is_isolated(v)) patch->sites.push_back({v, dual_site(mesh, patch->mesh, v)});
+    if (!mesh.is_isolated(v)) patch->sites.push_back({v, dual_site(mesh, patch->mesh, v), false});
   return patch;
 }
 
@@ -179,8 +179,10 @@ Result<LimitPatch<Value>> refined_patch(const Scheme& scheme, const Mesh& mesh,
   std::vector<LimitSite> part_sites;
   part_sites.reserve(sites.size());
   for (const LimitSite& site : sites)
-    part_sites.push_back({site.result, dual ? part.halfedge(site.at)
-                                            : part.vertex_at(mesh.halfedge_of_vertex(site.at))});
+    part_sites.push_back(
+        {site.result,
+         dual ? part.halfedge(site.at) : part.vertex_at(mesh.halfedge_of_vertex(site.at)),
+         site.has_limit});
   const Mesh part_mesh = std::move(part).mesh();
   Result<LimitPatch<Value>> patch = refined(scheme, part_mesh, part_values, step, tables);
   if (patch) patch->sites = std::move(part_sites);

@@ -10,8 +10,9 @@ namespace limn {
 
 /// A vertex whose limit is sought, or (dual splits) a face, named by a half-edge.
 struct LimitSite {
-  Index result;  ///< where the limit goes
-  Index at;      ///< vertex, or half-edge of the face
+  Index result;            ///< where the limit goes
+  Index at;                ///< vertex, or half-edge of the face
+  bool has_limit = false;  ///< found already: only a curvature is still sought
 };
 
 /// Faces round some sites, refined once, and where the sites are there. Values are points or linear

@@ -7,6 +7,7 @@
 #include <fmt/core.h>
 
 #include "limn/extraordinary/null_space.h"
+#include "limn/extraordinary/partial_rules.h"
 #include "limn/mesh/lattice.h"
 #include "limn/refine/linear_form.h"
 #include "limn/refine/refine_values.h"
@@ -47,8 +48,11 @@ struct FanMatrix {
   std::vector<Eigen::Index> invariant;  ///< sizes of leading parts that are closed, ascending
 };
 
+/// The forms at the images of the fan's vertices. At its rim, which stands for nothing, rules may
+/// be missing. Fails where one is that an image hangs on.
 Result<std::vector<LinearForm<double>>> refined_forms(const Scheme& scheme, const FanStep& step) {
-  RuleTables<double> tables(scheme);
+  PartialRules rules(scheme, Boundary::refined);
+  RuleTables<double>& tables = rules.tables();
   std::vector<LinearForm<double>> forms = unit_forms<double>(step.coarse.vertex_count());
   const Mesh* mesh = &step.coarse;
   for (const SplitResult& fine : step.fine) {
@@ -56,6 +60,10 @@ Result<std::vector<LinearForm<double>>> refined_forms(const Scheme& scheme, cons
     forms = refine_values(scheme, *mesh, fine.births, tables, forms);
     mesh = &fine.mesh;
   }
+  if (rules.complete()) return forms;
+  for (Index i = 0; i < step.size; ++i)
+    for (const auto& [vertex, weight] : forms[static_cast<std::size_t>(step.images[i])].terms)
+      if (std::isnan(weight)) return rules.missing();
   return forms;
 }
 
@@ -203,6 +211,7 @@ Result<LimitStencil> approx_limit_stencil(FrequencyAnalysis& analysis, int n) {
   LimitStencil stencil;
   stencil.rings = reach(blocks, position);
   stencil.position = spatial_functionals(blocks, 0, position)[0];
+  stencil.has_plane = n > 2;
   const Eigenvalue& leader = components.spectra[1].eigenvalues.front();
   if (components.tangent && leader.multiplicity == 1 && *components.tangent > 0) {
     const Eigen::RowVectorXcd tangent = approx_eigenvectors(blocks, leader).left.row(0);

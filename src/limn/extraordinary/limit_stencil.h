@@ -21,9 +21,13 @@ struct LimitStencil {
   /// eigenvectors lead all others but the position's and turn once round the vertex: there is no
   /// tangent plane then.
   std::vector<double> first_tangent, second_tangent;
+  /// False where refinement does not flatten the faces round the vertex either: at valence 2, where
+  /// frequency 1 is real and has no pair.
+  bool has_plane = true;
 };
 
-/// At an interior vertex of valence n ≥ 3 (dual splits: a face of n corners). In double precision.
+/// At an interior vertex of valence n (dual splits: a face of n corners), from least_valence
+/// (least_valence.h) on. In double precision.
 /// Fails as `FrequencyAnalysis::blocks` does, and where the scheme does not converge there (the
 /// reason is the verdict's).
 [[nodiscard]] Result<LimitStencil> approx_limit_stencil(FrequencyAnalysis& analysis, int n);

@@ -1,13 +1,16 @@
 #include "limn/fairness/energy.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 #include <fmt/core.h>
 #include <Eigen/Geometry>
 
 #include "limn/base/parallel.h"
 #include "limn/fairness/second_form.h"
+#include "limn/mesh/unit_normal.h"
 
 namespace limn {
 namespace {
@@ -17,6 +20,7 @@ using Eigen::Vector3d;
 struct Corner {
   Vector3d position;
   Eigen::Matrix3d tensor;
+  double gain = 0;
 };
 
 /// The squared length of the covariant derivative over a triangle: of the linear interpolant of the
@@ -39,20 +43,41 @@ double squared_derivative(const std::array<Corner, 3>& corners, const Vector3d& 
   return derivative[0].squaredNorm() + derivative[1].squaredNorm();
 }
 
-/// Adds a triangle; `known` is whether the corners' tensors are.
+/// What a unit of error in the positions makes of the variation's square root over a triangle.
+double variation_gain(const std::array<Corner, 3>& corners, double doubled_area) {
+  double longest = 0, gain = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    longest = std::max(longest, (corners[i].position - corners[(i + 1) % 3].position).norm());
+    gain = std::max(gain, corners[i].gain);
+  }
+  return gain * longest / doubled_area;  // the steepest gradient of an interpolant
+}
+
+/// Adds a triangle; `known` is whether the corners' tensors are. Noise is what one unit of error in
+/// each position makes alone, to be multiplied by that error's square (area: by the error).
 void add_triangle(const std::array<Corner, 3>& corners, bool known, SurfaceEnergies& sum) {
-  const Vector3d normal =
-      (corners[1].position - corners[0].position).cross(corners[2].position - corners[0].position);
+  const Vector3d first = corners[1].position - corners[0].position;
+  const Vector3d second = corners[2].position - corners[0].position;
+  const Vector3d normal = first.cross(second);
   const double area = normal.norm() / 2;
+  sum.rounding.area += first.norm() + second.norm();
   if (!(area > 0)) return;
   sum.area += area;
   if (!known) return;
-  double squares = 0;
-  for (const Corner& corner : corners) squares += corner.tensor.squaredNorm();
+  double squares = 0, gains = 0;
+  for (const Corner& corner : corners) {
+    squares += corner.tensor.squaredNorm();
+    gains += corner.gain * corner.gain;
+  }
   sum.thin_plate += area * squares / 3;
+  sum.rounding.thin_plate += area * gains / 3;
   const double variation = area * squared_derivative(corners, normal);
-  // of a needle whose area is no more than rounding
-  if (std::isfinite(variation)) sum.curvature_variation += variation;
+  const double gain = variation_gain(corners, 2 * area);
+  const double noise = area * gain * gain;
+  // not of a needle whose area is no more than rounding
+  if (!std::isfinite(variation) || !std::isfinite(noise)) return;
+  sum.curvature_variation += variation;
+  sum.rounding.curvature_variation += noise;
 }
 
 class FaceSum {
@@ -65,11 +90,12 @@ class FaceSum {
     const Index begin = mesh_.face_begin(f);
     const Index end = mesh_.face_begin(f + 1);
     bool known = true;
-    Corner mean{Vector3d::Zero(), Eigen::Matrix3d::Zero()};
+    Corner mean{Vector3d::Zero(), Eigen::Matrix3d::Zero(), 0};
     for (Index h = begin; h < end; ++h) {
       const Corner one = corner(h);
       mean.position += one.position / (end - begin);
       mean.tensor += one.tensor / (end - begin);
+      mean.gain = std::max(mean.gain, one.gain);
       known = known && forms_[static_cast<std::size_t>(mesh_.origin(h))].known;
     }
     if (!known) ++sum.left_out;
@@ -83,7 +109,7 @@ class FaceSum {
  private:
   [[nodiscard]] Corner corner(Index h) const {
     const auto v = static_cast<std::size_t>(mesh_.origin(h));
-    return {{positions_[v].x, positions_[v].y, positions_[v].z}, forms_[v].tensor};
+    return {{positions_[v].x, positions_[v].y, positions_[v].z}, forms_[v].tensor, forms_[v].gain};
   }
 
   const Mesh& mesh_;
@@ -100,10 +126,29 @@ Status check_finite(const std::vector<Point3>& positions) {
   return Done{};
 }
 
-}  // namespace
+void add(SurfaceEnergies& total, const SurfaceEnergies& sum) {
+  total.area += sum.area;
+  total.thin_plate += sum.thin_plate;
+  total.curvature_variation += sum.curvature_variation;
+  total.left_out += sum.left_out;
+  total.rounding.area += sum.rounding.area;
+  total.rounding.thin_plate += sum.rounding.thin_plate;
+  total.rounding.curvature_variation += sum.rounding.curvature_variation;
+}
 
-Result<SurfaceEnergies> approx_energies(const Mesh& mesh, const std::vector<Point3>& positions) {
-  if (Status status = check_finite(positions); !status) return status.error();
+/// Noise of unit errors becomes what errors of these positions may change.
+void set_rounding(double size, SurfaceEnergies& energies) {
+  const double error = kPositionUnits * std::numeric_limits<double>::epsilon() * size;
+  SurfaceEnergies::Rounding& rounding = energies.rounding;
+  rounding.area *= error;
+  rounding.thin_plate =
+      rounding_of_squares(energies.thin_plate, error * error * rounding.thin_plate);
+  rounding.curvature_variation = rounding_of_squares(energies.curvature_variation,
+                                                     error * error * rounding.curvature_variation);
+}
+
+/// Of positions whose products are neither lost nor too large.
+SurfaceEnergies energies_of(const Mesh& mesh, const std::vector<Point3>& positions) {
   const std::vector<SecondForm> forms = approx_second_forms(mesh, positions);
   const FaceSum faces(mesh, positions, forms);
   constexpr std::ptrdiff_t kGrain = 512;
@@ -117,13 +162,35 @@ Result<SurfaceEnergies> approx_energies(const Mesh& mesh, const std::vector<Poin
       },
       kGrain);
   SurfaceEnergies total;
-  for (const SurfaceEnergies& sum : sums) {
-    total.area += sum.area;
-    total.thin_plate += sum.thin_plate;
-    total.curvature_variation += sum.curvature_variation;
-    total.left_out += sum.left_out;
-  }
+  for (const SurfaceEnergies& sum : sums) add(total, sum);
   return total;
+}
+
+}  // namespace
+
+double rounding_of_squares(double sum, double noise) {
+  return 2 * std::sqrt(sum) * std::sqrt(noise) + noise;
+}
+
+Result<SurfaceEnergies> approx_energies(const Mesh& mesh, const std::vector<Point3>& positions) {
+  if (Status status = check_finite(positions); !status) return status.error();
+  const int exponent = largest_exponent(numbers_of(positions));
+  if (exponent == kNoExponent) return energies_of(mesh, positions);
+  const double size = std::ldexp(1.0, exponent);
+  constexpr int kSafe = 64;  // squares of squares of such numbers are far from the ends
+  if (std::abs(exponent) <= kSafe) {
+    SurfaceEnergies energies = energies_of(mesh, positions);
+    set_rounding(size, energies);
+    return energies;
+  }
+  SurfaceEnergies energies = energies_of(mesh, scaled(positions, -exponent));
+  set_rounding(1, energies);
+  energies.area = std::ldexp(energies.area, 2 * exponent);
+  energies.rounding.area = std::ldexp(energies.rounding.area, 2 * exponent);
+  energies.curvature_variation = std::ldexp(energies.curvature_variation, -2 * exponent);
+  energies.rounding.curvature_variation =
+      std::ldexp(energies.rounding.curvature_variation, -2 * exponent);
+  return energies;
 }
 
 }  // namespace limn

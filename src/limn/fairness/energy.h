@@ -23,7 +23,18 @@ struct SurfaceEnergies {
   double curvature_variation = 0;
   /// Faces that count in the area alone, because a corner has no known second form.
   Index left_out = 0;
+  /// What rounding of the positions may change each by, at most by the order of magnitude.
+  struct Rounding {
+    double area = 0, thin_plate = 0, curvature_variation = 0;
+  } rounding = {};
 };
+
+/// Units of rounding, of the largest coordinate, that limit points may be wrong by.
+inline constexpr double kPositionUnits = 8;
+
+/// What an error may change a sum of squares by, at most, where the squares of the errors alone sum
+/// to `noise`: |(x + e)² − x²| summed, by Cauchy and Schwarz.
+[[nodiscard]] double rounding_of_squares(double sum, double noise);
 
 /// The integrals by second fundamental forms at the vertices (second_form.h): over each face the
 /// area of triangles (of polygons, those round the mean of the corners), the mean of ‖II‖² at the
@@ -31,7 +42,8 @@ struct SurfaceEnergies {
 /// three converge with the square of the mesh width; where curvatures have kinks or jumps along
 /// curves, as in polynomial patches, the variation with its first power; where they are not
 /// square-integrable the values grow without bound as the mesh is refined (trend.h). Faces
-/// without area add nothing. Fails, naming a vertex, where a position is not finite. Cost
+/// without area add nothing. The same for models of any size, up to a power of two exactly, as far
+/// as the energies can be represented. Fails, naming a vertex, where a position is not finite. Cost
 /// O(corners), in parallel; the same bits on any number of threads.
 [[nodiscard]] Result<SurfaceEnergies> approx_energies(const Mesh& mesh,
                                                       const std::vector<Point3>& positions);

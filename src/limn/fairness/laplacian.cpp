@@ -1,6 +1,10 @@
 #include "limn/fairness/laplacian.h"
 
 #include <cmath>
+#include <limits>
+
+#include "limn/fairness/energy.h"
+#include "limn/mesh/unit_normal.h"
 
 namespace limn {
 namespace {
@@ -28,9 +32,7 @@ Eigen::SparseMatrix<double> matrix_of(const Mesh& mesh, Weight weight) {
   return matrix;
 }
 
-}  // namespace
-
-double laplacian_energy(const Mesh& mesh, const std::vector<Point3>& positions) {
+double energy_of(const Mesh& mesh, const std::vector<Point3>& positions) {
   const std::vector<Point3> moved = laplacian(mesh, positions);
   // one slot a chunk, so that the sum hangs on no thread
   std::vector<double> sums(static_cast<std::size_t>(mesh.vertex_count() / kDefaultGrain + 1));
@@ -44,6 +46,25 @@ double laplacian_energy(const Mesh& mesh, const std::vector<Point3>& positions) 
   double total = 0;
   for (const double sum : sums) total += sum;
   return total;
+}
+
+constexpr int kSafe = 64;  // squares of numbers of such exponents are far from the ends
+
+}  // namespace
+
+double laplacian_energy(const Mesh& mesh, const std::vector<Point3>& positions) {
+  const int exponent = largest_exponent(numbers_of(positions));
+  if (exponent == kNoExponent || std::abs(exponent) <= kSafe) return energy_of(mesh, positions);
+  return std::ldexp(energy_of(mesh, scaled(positions, -exponent)), 2 * exponent);
+}
+
+double laplacian_rounding(const Mesh& mesh, const std::vector<Point3>& positions, double energy) {
+  const int exponent = largest_exponent(numbers_of(positions));
+  if (exponent == kNoExponent) return 0;
+  // a vertex and the mean of its neighbours, in three coordinates
+  const double error =
+      std::ldexp(2 * kPositionUnits * std::numeric_limits<double>::epsilon(), exponent);
+  return rounding_of_squares(energy, 3.0 * mesh.vertex_count() * error * error);
 }
 
 Eigen::SparseMatrix<double> laplacian_matrix(const Mesh& mesh) {

@@ -61,7 +61,13 @@ template <class Value>
 /// Σ |L p|² over the vertices that are not on the boundary, in squares of the unit of length. On
 /// finer and finer samples of a smooth surface it falls as the square of the mesh width, that is as
 /// 1/vertices.
+/// Models of any size have that of their shape times the square of their size, as far as it can be
+/// represented.
 [[nodiscard]] double laplacian_energy(const Mesh& mesh, const std::vector<Point3>& positions);
+
+/// What rounding of the positions may change that energy by.
+[[nodiscard]] double laplacian_rounding(const Mesh& mesh, const std::vector<Point3>& positions,
+                                        double energy);
 
 /// L as a matrix; in general not symmetric.
 [[nodiscard]] Eigen::SparseMatrix<double> laplacian_matrix(const Mesh& mesh);

@@ -1,6 +1,7 @@
 #include "limn/fairness/second_form.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include <Eigen/Cholesky>
@@ -8,6 +9,7 @@
 #include <Eigen/LU>
 
 #include "limn/base/parallel.h"
+#include "limn/mesh/unit_normal.h"
 
 namespace limn {
 namespace {
@@ -55,17 +57,27 @@ void widen(const Mesh& mesh, Index v, std::vector<Index>& ring) {
   ring.erase(std::remove(ring.begin(), ring.end(), v), ring.end());
 }
 
-/// The sum of the faces' normals, weighted by what each face turns about v.
-Vector3d normal_at(const Mesh& mesh, const std::vector<Point3>& positions, Index v) {
-  const auto at = [&](Index w) { return vector_of(positions[static_cast<std::size_t>(w)]); };
-  Vector3d sum = Vector3d::Zero();
-  const Vector3d centre = at(v);
+/// Along the sum of the faces' normals, weighted by what each face turns about v. Zero where that
+/// is no more than rounding.
+Vector3d normal_at(const Mesh& mesh, const std::vector<Point3>& positions, Index v,
+                   std::vector<std::array<double, 3>>& chain) {
+  chain.clear();
+  double size = 0;
+  const Point3 from = positions[static_cast<std::size_t>(v)];
+  const auto add = [&](Index w) {
+    const Point3 to = positions[static_cast<std::size_t>(w)], spoke = to - from;
+    chain.push_back({spoke.x, spoke.y, spoke.z});
+    size = std::max({size, std::abs(to.x), std::abs(to.y), std::abs(to.z)});
+  };
+  const Index first = mesh.halfedge_of_vertex(v);
+  Index last = first;
   visit_spokes(mesh, v, [&](Index h) {
-    const Vector3d a = at(mesh.target(h)) - centre;
-    const Vector3d b = at(mesh.origin(mesh.prev(h))) - centre;
-    sum += a.cross(b);
+    add(mesh.target(h));
+    last = h;
   });
-  return sum;
+  add(mesh.origin(mesh.prev(last)));  // the first again, or the other end of the boundary
+  const std::array<double, 3> normal = unit_normal<double>(chain, size);
+  return {normal[0], normal[1], normal[2]};
 }
 
 /// The tensor of a graph over the plane at the origin, from its slopes and second derivatives
@@ -76,7 +88,7 @@ SecondForm form_of_graph(const Eigen::Matrix3d& frame, const Vector2d& slopes,
   const Vector3d normal = frame.col(2) - frame.leftCols<2>() * slopes;
   const double length = normal.norm();
   const Matrix<double, 3, 2> dual = tangents * (tangents.transpose() * tangents).inverse();
-  return {dual * (second / length) * dual.transpose(), normal / length, true};
+  return {dual * (second / length) * dual.transpose(), normal / length, true, 0};
 }
 
 class Fit {
@@ -86,10 +98,9 @@ class Fit {
 
   SecondForm at(Index v) {
     if (mesh_.is_isolated(v)) return {};
-    const Vector3d normal = normal_at(mesh_, positions_, v);
-    const double length = normal.norm();
-    if (!(length > 0) || !std::isfinite(length)) return {};
-    frame_.col(2) = normal / length;
+    const Vector3d normal = normal_at(mesh_, positions_, v, chain_);
+    if (normal.isZero(0)) return {};
+    frame_.col(2) = normal;
     frame_.col(0) = frame_.col(2).unitOrthogonal();
     frame_.col(1) = frame_.col(2).cross(frame_.col(0));
     ring_.clear();
@@ -142,13 +153,18 @@ class Fit {
     const Matrix2d back = width.inverse();
     Matrix2d second;
     second << c[2], c[3], c[3], c[4];
-    return form_of_graph(frame_, back.transpose() * c.head<2>(), back.transpose() * second * back);
+    SecondForm form =
+        form_of_graph(frame_, back.transpose() * c.head<2>(), back.transpose() * second * back);
+    // in the fit's coordinates the ring is about 1 wide
+    form.gain = back.squaredNorm();
+    return form;
   }
 
   const Mesh& mesh_;
   const std::vector<Point3>& positions_;
   Eigen::Matrix3d frame_;
   std::vector<Index> ring_;
+  std::vector<std::array<double, 3>> chain_;
 };
 
 }  // namespace

@@ -17,6 +17,8 @@ struct SecondForm {
   Eigen::Matrix3d tensor = Eigen::Matrix3d::Zero();
   Eigen::Vector3d normal = Eigen::Vector3d::Zero();  ///< unit, by the orientation of the faces
   bool known = false;  ///< false where the neighbours determine none; then all is zero
+  /// The most that the tensor may change where each position does by one unit of length.
+  double gain = 0;
 };
 
 /// One per vertex: of the quadratic surface through the vertex that fits the other corners of its
@@ -25,7 +27,8 @@ struct SecondForm {
 /// these as well; at the boundary the fit is thus one-sided. On a smooth surface the error is of
 /// second order in the mesh width at vertices with a symmetric neighbourhood, of first order at
 /// others. None is known where the neighbours do not determine the quadratic surface (isolated
-/// vertices, degenerate faces), or are not finite. Any polygons. Cost O(corners), in parallel.
+/// vertices, degenerate faces, or where faces are no larger than rounding of their coordinates), or
+/// are not finite. Any polygons. Cost O(corners), in parallel.
 [[nodiscard]] std::vector<SecondForm> approx_second_forms(const Mesh& mesh,
                                                           const std::vector<Point3>& positions);
 

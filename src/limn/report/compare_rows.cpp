@@ -162,14 +162,14 @@ TableSection verdict_rows(const Comparison& comparison) {
 }
 
 /// An energy that grows without bound has no value that could be the least.
-TableCell energy_cell(double value, const Trend& trend) {
+TableCell energy_cell(double value, double rounding, const Trend& trend) {
   const std::string number = fmt::format("{:.5g}", value);
   switch (trend.converges) {
-    case Truth::yes: return known(number, value);
+    case Truth::yes: return {number, Between{value, value}, rounding};
     case Truth::no: return known(number + ", grows", kInfinity);
     case Truth::undecided: break;
   }
-  return {number + " ?", Between{value, kInfinity}};
+  return {number + " ?", Between{value, kInfinity}, rounding};
 }
 
 /// Σ|Lp|² can be compared at one level of one split only.
@@ -197,13 +197,16 @@ TableSection fairness_rows(const MeshComparison& on_mesh) {
       comparable_laplacians(on_mesh.fairness) ? Better::less : Better::none,
       [](const FairnessRecord& one) {
         const double value = one.last().laplacian_energy;
-        return known(fmt::format("{:.5g}", value), value);
+        return TableCell{fmt::format("{:.5g}", value), Between{value, value},
+                         one.last().laplacian_rounding};
       });
   add("thin plate", Better::less, [](const FairnessRecord& one) {
-    return energy_cell(one.last().energies.thin_plate, one.thin_plate);
+    return energy_cell(one.last().energies.thin_plate, one.last().energies.rounding.thin_plate,
+                       one.thin_plate);
   });
   add("variation of curvature", Better::less, [](const FairnessRecord& one) {
-    return energy_cell(one.last().energies.curvature_variation, one.curvature_variation);
+    return energy_cell(one.last().energies.curvature_variation,
+                       one.last().energies.rounding.curvature_variation, one.curvature_variation);
   });
   return section;
 }

@@ -17,9 +17,10 @@ Between goodness(const Between& value, Better better) {
   return better == Better::more ? value : Between{-value.high, -value.low};
 }
 
-bool greater(double a, double b) {
+/// More than by rounding.
+bool greater(double a, double b, double rounding) {
   if (std::isinf(a) || std::isinf(b)) return a > b;
-  return a > b && !(a - b <= kTie * std::max(std::abs(a), std::abs(b)));
+  return a - b > rounding && !(a - b <= kTie * std::max(std::abs(a), std::abs(b)));
 }
 
 /// Letters that take a place of their own, in UTF-8.
@@ -83,8 +84,9 @@ std::vector<bool> best_cells(const TableRow& row) {
     for (const TableCell& cell : row.cells) {
       if (&cell == &row.cells[i] || !cell.value) continue;
       const Between other = goodness(*cell.value, row.better);
-      beaten = beaten || greater(other.high, mine.low);
-      beats = beats || greater(mine.low, other.high);
+      const double rounding = row.cells[i].rounding + cell.rounding;
+      beaten = beaten || greater(other.high, mine.low, rounding);
+      beats = beats || greater(mine.low, other.high, rounding);
     }
     best[i] = beats && !beaten;
   }

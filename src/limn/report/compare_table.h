@@ -19,6 +19,7 @@ struct Between {
 struct TableCell {
   std::string text;
   std::optional<Between> value = {};  ///< what is compared; nothing where it is not known
+  double rounding = 0;  ///< cells that differ by no more than both of theirs are equal
 };
 
 struct TableRow {
@@ -33,7 +34,7 @@ struct TableSection {
 };
 
 /// Which cells of a row are best: as good as every other known one, and better than some. Numbers
-/// that differ by less than 1e-9 of their size are equal; of overlapping brackets none is better.
+/// that differ by less than 1e-9 of their size, or than their rounding, are equal; of overlapping brackets none is better.
 /// All false where nothing is better.
 [[nodiscard]] std::vector<bool> best_cells(const TableRow& row);
 

@@ -1,5 +1,6 @@
 #include "limn/report/fairness_record.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "limn/extraordinary/limit_points.h"
@@ -35,6 +36,8 @@ Result<FairnessLevel> measured(const Scheme& scheme, const Refined<Point3>& fine
   result.vertices = fine.mesh.vertex_count();
   result.faces = fine.mesh.face_count();
   result.laplacian_energy = laplacian_energy(fine.mesh, limit->positions);
+  result.laplacian_rounding =
+      laplacian_rounding(fine.mesh, limit->positions, result.laplacian_energy);
   result.scaled_laplacian =
       result.laplacian_energy * std::pow(scheme.split->dilation.growth(), level);
   result.energies = *energies;
@@ -49,20 +52,27 @@ Trend trend_over(const FairnessRecord& record, Value value, double negligible) {
   return trend_of(values, negligible);
 }
 
-/// What rounding makes of a plane, at the densest sampling, is far below these.
+/// Changes that are none: what rounding makes, and what is far below the energies of a surface of
+/// this area that bends.
 void set_trends(FairnessRecord& record) {
   constexpr double kNegligible = 1e-9;
-  const double area = record.last().energies.area;
+  const FairnessLevel& last = record.last();
+  const SurfaceEnergies::Rounding& rounding = last.energies.rounding;
+  const double area = last.energies.area > rounding.area ? last.energies.area : 0;
   const double least = area > 0 ? kNegligible : 0;
   record.area = trend_over(
-      record, [](const auto& l) { return l.energies.area; }, 0);
+      record, [](const auto& l) { return l.energies.area; }, rounding.area);
   record.thin_plate = trend_over(
-      record, [](const auto& l) { return l.energies.thin_plate; }, least);
+      record, [](const auto& l) { return l.energies.thin_plate; },
+      std::max(least, rounding.thin_plate));
   record.curvature_variation = trend_over(
       record, [](const auto& l) { return l.energies.curvature_variation; },
-      area > 0 ? least / area : 0);
+      std::max(area > 0 ? least / area : 0, rounding.curvature_variation));
+  const double scale =
+      last.laplacian_energy > 0 ? last.scaled_laplacian / last.laplacian_energy : 1;
   record.scaled_laplacian = trend_over(
-      record, [](const auto& l) { return l.scaled_laplacian; }, least * area);
+      record, [](const auto& l) { return l.scaled_laplacian; },
+      std::max(least * area, last.laplacian_rounding * scale));
 }
 
 }  // namespace

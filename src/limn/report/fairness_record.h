@@ -22,6 +22,7 @@ struct FairnessLevel {
   /// parameters of the lattice are square-integrable. At irregular vertices they need not be, be
   /// the surface as smooth as it may: there the lattice itself is bent.
   double scaled_laplacian = 0;
+  double laplacian_rounding = 0;  ///< what rounding may change laplacian_energy by
   SurfaceEnergies energies;
 };
 

@@ -19,23 +19,29 @@ struct Quantity {
   const char* title;  ///< nullptr: the one before, scaled
   double (*value)(const FairnessLevel&);
   Trend FairnessRecord::*trend;  ///< or none
+  /// What rounding may change it by; nullptr: it is not ranked.
+  double (*rounding)(const FairnessLevel&) = nullptr;
 };
 constexpr Quantity kArea{"area", "area",
                          [](const FairnessLevel& level) { return level.energies.area; },
                          &FairnessRecord::area};
 constexpr Quantity kLaplacian{"laplacian_energy", "sum |Lp|^2",
                               [](const FairnessLevel& level) { return level.laplacian_energy; },
-                              nullptr};
+                              nullptr,
+                              [](const FairnessLevel& level) { return level.laplacian_rounding; }};
 constexpr Quantity kScaledLaplacian{
     "scaled_laplacian", nullptr, [](const FairnessLevel& level) { return level.scaled_laplacian; },
     &FairnessRecord::scaled_laplacian};
-constexpr Quantity kThinPlate{"thin_plate", "thin plate",
-                              [](const FairnessLevel& level) { return level.energies.thin_plate; },
-                              &FairnessRecord::thin_plate};
+constexpr Quantity kThinPlate{
+    "thin_plate", "thin plate",
+    [](const FairnessLevel& level) { return level.energies.thin_plate; },
+    &FairnessRecord::thin_plate,
+    [](const FairnessLevel& level) { return level.energies.rounding.thin_plate; }};
 constexpr Quantity kVariation{
     "curvature_variation", "curv. variation",
     [](const FairnessLevel& level) { return level.energies.curvature_variation; },
-    &FairnessRecord::curvature_variation};
+    &FairnessRecord::curvature_variation,
+    [](const FairnessLevel& level) { return level.energies.rounding.curvature_variation; }};
 
 constexpr std::array kQuantities{kArea, kLaplacian, kScaledLaplacian, kThinPlate, kVariation};
 constexpr std::array kEnergies{kLaplacian, kThinPlate, kVariation};
@@ -57,16 +63,24 @@ bool same_sampling(const std::vector<FairnessRecord>& records) {
   });
 }
 
-/// The record with the least of an energy; none of fewer than two, or where they do not compare.
-std::optional<std::size_t> fairest(const std::vector<FairnessRecord>& records,
-                                   const Quantity& quantity) {
+/// The records with the least of an energy: several where rounding alone tells them apart. None of
+/// fewer than two, or where they do not compare, or all are alike.
+std::vector<std::size_t> fairest(const std::vector<FairnessRecord>& records,
+                                 const Quantity& quantity) {
   if (records.size() < 2 || (quantity.trend == nullptr && !same_sampling(records))) return {};
-  std::optional<std::size_t> best;
-  for (std::size_t i = 0; i < records.size(); ++i) {
-    const double value = quantity.value(records[i].last());
-    if (!std::isfinite(value) || convergence(records[i], quantity) == Truth::no) continue;
-    if (!best || value < quantity.value(records[*best].last())) best = i;
-  }
+  const auto value = [&](std::size_t i) { return quantity.value(records[i].last()); };
+  const auto counts = [&](std::size_t i) {
+    return std::isfinite(value(i)) && convergence(records[i], quantity) != Truth::no;
+  };
+  std::optional<std::size_t> least;
+  for (std::size_t i = 0; i < records.size(); ++i)
+    if (counts(i) && (!least || value(i) < value(*least))) least = i;
+  std::vector<std::size_t> best;
+  for (std::size_t i = 0; least && i < records.size(); ++i)
+    if (counts(i) && value(i) - value(*least) <= quantity.rounding(records[i].last()) +
+                                                     quantity.rounding(records[*least].last()))
+      best.push_back(i);
+  if (best.size() == records.size()) best.clear();
   return best;
 }
 
@@ -144,7 +158,8 @@ std::string record_text(const FairnessRecord& record) {
 /// '*' at the fairest, and whether the energy has a limit at all.
 std::string mark(const std::vector<FairnessRecord>& records, std::size_t i,
                  const Quantity& energy) {
-  std::string text = fairest(records, energy) == i ? "*" : " ";
+  const std::vector<std::size_t> best = fairest(records, energy);
+  std::string text = std::find(best.begin(), best.end(), i) != best.end() ? "*" : " ";
   if (energy.trend == nullptr) return text + ' ';
   const Truth converges = convergence(records[i], energy);
   return text + (converges == Truth::no ? '^' : converges == Truth::undecided ? '?' : ' ');
@@ -153,7 +168,7 @@ std::string mark(const std::vector<FairnessRecord>& records, std::size_t i,
 /// What the marks mean that are there.
 std::string legend(const std::string& marks, const std::vector<FairnessRecord>& records) {
   std::string text;
-  if (marks.find('*') != std::string::npos) text += "* fairest\n";
+  if (marks.find('*') != std::string::npos) text += "* fairest (several: equal to rounding)\n";
   if (marks.find('^') != std::string::npos)
     text += "^ grows with the level, as far as these levels show: the limit may be infinite\n";
   if (marks.find('?') != std::string::npos)
@@ -194,8 +209,8 @@ nlohmann::ordered_json fairness_json(const std::string& mesh,
   Json json{{"mesh", mesh}, {"schemes", Json::array()}, {"fairest", Json::object()}};
   for (const FairnessRecord& record : records) json["schemes"].push_back(record_json(record));
   for (const Quantity& energy : kEnergies)
-    if (const auto best = fairest(records, energy))
-      json["fairest"][energy.key] = records[*best].scheme;
+    if (const auto best = fairest(records, energy); best.size() == 1)
+      json["fairest"][energy.key] = records[best.front()].scheme;
   return json;
 }
 

@@ -1,9 +1,12 @@
 #include "limn/refine/fast/patch_step.h"
 
+#include <algorithm>
+#include <array>
 #include <cassert>
 #include <cmath>
 #include <limits>
 
+#include "limn/mesh/unit_normal.h"
 #include "limn/refine/fast/lane_stencil.h"
 #include "limn/refine/fast/patch_worker.h"
 
@@ -41,38 +44,85 @@ template <class Real>
 class LimitLines {
  public:
   explicit LimitLines(std::size_t points)
-      : position_(points), first_(points), second_(points), lengths_(points * kLanes<Real>) {}
+      : position_(points),
+        first_(points),
+        second_(points),
+        normal_(points),
+        squares_(points * kLanes<Real>),
+        least_(points * kLanes<Real>) {}
 
   void make(const std::vector<LaneStencil<Real>>& stencils, const LanePoint<Real>* grid,
             const StencilPoints& points) {
     stencils[0].apply(grid, points, position_.data());
     stencils[1].apply(grid, points, first_.data());
     stencils[2].apply(grid, points, second_.data());
-    cross_to_units();
+    find_normals(points.anchors.size());
   }
   [[nodiscard]] const LanePoint<Real>* positions() const { return position_.data(); }
-  [[nodiscard]] const LanePoint<Real>* normals() const { return first_.data(); }
+  [[nodiscard]] const LanePoint<Real>* normals() const { return normal_.data(); }
 
  private:
-  /// first := first × second, as unit vectors; zero stays. In three loops, so that the compiler
-  /// takes several roots in one instruction.
-  void cross_to_units() {
-    for (std::size_t i = 0; i < first_.size(); ++i) {
-      const LanePoint<Real> a = first_[i], b = second_[i];
-      const LanePoint<Real> n{a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-      first_[i] = n;
-      store(&lengths_[i * kLanes<Real>], n.x * n.x + n.y * n.y + n.z * n.z);
+  static constexpr auto kLaneCount = static_cast<std::size_t>(kLanes<Real>);
+
+  static Vector<Real> square(const LanePoint<Real>& p) { return p.x * p.x + p.y * p.y + p.z * p.z; }
+
+  /// first × second, as unit vectors. In several loops, so that the compiler takes several roots in
+  /// one instruction.
+  void find_normals(std::size_t count) {
+    constexpr Real kError = Real(kTangentUnits) * std::numeric_limits<Real>::epsilon();
+    for (std::size_t i = 0; i < count; ++i) {
+      const LanePoint<Real>&a = first_[i], &b = second_[i];
+      normal_[i] = {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+      const Vector<Real> tangents = square(a) + square(b);
+      store(&squares_[i * kLaneCount], square(normal_[i]));
+      store(&least_[i * kLaneCount],
+            (square(position_[i]) + tangents) * (kError * kError) * tangents);
     }
-    constexpr Real kSmallest = std::numeric_limits<Real>::min();
-    for (Real& l : lengths_) l = 1 / std::sqrt(l + kSmallest);  // no branch
-    for (std::size_t i = 0; i < first_.size(); ++i) {
-      const Vector<Real> scale = load(&lengths_[i * kLanes<Real>]);
-      first_[i] = {first_[i].x * scale, first_[i].y * scale, first_[i].z * scale};
+    bool sure = true;
+    for (std::size_t i = 0; i < count * kLaneCount; ++i) sure &= is_sure(squares_[i], least_[i]);
+    if (!sure) return find_normals_carefully(count);
+    for (std::size_t i = 0; i < count * kLaneCount; ++i) squares_[i] = 1 / std::sqrt(squares_[i]);
+    for (std::size_t i = 0; i < count; ++i) {
+      const Vector<Real> scale = load(&squares_[i * kLaneCount]);
+      normal_[i] = {normal_[i].x * scale, normal_[i].y * scale, normal_[i].z * scale};
     }
   }
 
-  Line<Real> position_, first_, second_;
-  std::vector<Real> lengths_;  // of the normals, then their inverses
+  static bool is_sure(Real square, Real least) {
+    return (square > least) & (square > kSafeSquare<Real>)&(square < 1 / kSafeSquare<Real>);
+  }
+
+  /// One by one, where lengths may be lost in products, or be no more than rounding.
+  void find_normals_carefully(std::size_t count) {
+    for (std::size_t i = 0; i < count; ++i)
+      for (std::size_t lane = 0; lane < kLaneCount; ++lane) {
+        const std::size_t at = i * kLaneCount + lane;
+        std::array<double, 3> normal = numbers(normal_[i], lane);
+        if (is_sure(squares_[at], least_[at])) {
+          for (double& number : normal)
+            number = static_cast<Real>(number) * (1 / std::sqrt(squares_[at]));
+        } else {
+          const std::array<double, 3> position = numbers(position_[i], lane);
+          const std::array<std::array<double, 3>, 2> tangents{numbers(first_[i], lane),
+                                                              numbers(second_[i], lane)};
+          double size = 0;
+          for (const auto& numbers : {position, tangents[0], tangents[1]})
+            for (const double number : numbers) size = std::max(size, std::abs(number));
+          normal = unit_normal<Real>(tangents, size);
+        }
+        normal_[i].x[lane] = static_cast<Real>(normal[0]);
+        normal_[i].y[lane] = static_cast<Real>(normal[1]);
+        normal_[i].z[lane] = static_cast<Real>(normal[2]);
+      }
+  }
+
+  static std::array<double, 3> numbers(const LanePoint<Real>& p, std::size_t lane) {
+    return {p.x[lane], p.y[lane], p.z[lane]};
+  }
+
+  Line<Real> position_, first_, second_, normal_;
+  std::vector<Real> squares_;  // of the normals' lengths, then the inverse lengths
+  std::vector<Real> least_;    // of the squares that rounding may make
 };
 
 }  // namespace

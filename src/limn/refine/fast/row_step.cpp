@@ -1,9 +1,13 @@
 #include "limn/refine/fast/row_step.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstring>
+#include <limits>
 
 #include "limn/base/parallel.h"
+#include "limn/mesh/unit_normal.h"
 
 namespace limn::fast {
 namespace {
@@ -28,6 +32,14 @@ class RowWorker {
   void load(const Index* sources, const Real* in) {
     for (std::size_t i = 0; i < points_.size(); ++i)
       std::memcpy(&points_[i], in + 3 * static_cast<std::ptrdiff_t>(sources[i]), sizeof(Four));
+  }
+
+  /// The largest coordinate of the points.
+  [[nodiscard]] Real size() const {
+    Real size = 0;
+    for (const Four& point : points_)
+      size = std::max({size, std::abs(point[0]), std::abs(point[1]), std::abs(point[2])});
+    return size;
   }
 
   /// By reference, as such vectors are not returned alike on all processors.
@@ -59,11 +71,42 @@ void add_cross(const typename Quad<Real>::Type& first, const typename Quad<Real>
                                    first[0] * second[1] - first[1] * second[0], 0};
 }
 
-/// As a unit vector, or zero.
+/// A sum's numbers.
 template <class Real>
-void normalize(typename Quad<Real>::Type& normal) {
+std::array<double, 3> numbers(const typename Quad<Real>::Type& sum) {
+  return {sum[0], sum[1], sum[2]};
+}
+
+/// Makes the vector a unit one, unless it is so large or small that products may be lost, or may be
+/// no more than rounding leaves of points of this size and tangents of these squares: then false.
+template <class Real>
+bool is_normalized(typename Quad<Real>::Type& normal, Real size, Real squares) {
   const Real squared = normal[0] * normal[0] + normal[1] * normal[1] + normal[2] * normal[2];
-  normal *= squared > 0 ? 1 / std::sqrt(squared) : 0;
+  constexpr Real kError = Real(kTangentUnits) * std::numeric_limits<Real>::epsilon();
+  const Real least = kError * size * kError * size * squares;
+  if (!(squared > least && squared > kSafeSquare<Real> && squared < 1 / kSafeSquare<Real>))
+    return false;
+  normal *= 1 / std::sqrt(squared);
+  return true;
+}
+
+template <class Real>
+Real square(const typename Quad<Real>::Type& sum) {
+  return sum[0] * sum[0] + sum[1] * sum[1] + sum[2] * sum[2];
+}
+
+/// The normal of a chain of rows at any size, or zero.
+template <class Real>
+void careful_normal(const RowWorker<Real>& worker, int row, int end, Real size,
+                    typename Quad<Real>::Type& normal) {
+  std::vector<std::array<double, 3>> chain;
+  typename Quad<Real>::Type sum;
+  for (; row < end; ++row) {
+    worker.sum(row, sum);
+    chain.push_back(numbers<Real>(sum));
+  }
+  const std::array<double, 3> unit = unit_normal<Real>(chain, static_cast<double>(size));
+  for (int i = 0; i < 3; ++i) normal[i] = static_cast<Real>(unit[static_cast<std::size_t>(i)]);
 }
 
 /// work(worker, a place's targets), after the place's sources have been read.
@@ -110,16 +153,20 @@ void make_limit_rows(const RowPlan& plan, const Real* in, Real* positions, Real*
   const int rows = plan.table.targets() / points;  // of each point
   for_places(plan, points, in, [&](const RowWorker<Real>& worker, const Index* targets) {
     Four position, last, next;
+    const Real size = worker.size();
     for (int i = 0; i < points; ++i) {
       const int first = i * rows;
       Four normal{};
       worker.sum(first, position);
       worker.sum(first + 1, last);
+      Real squares = square<Real>(last);
       for (int row = first + 2; row < first + rows; ++row, last = next) {
         worker.sum(row, next);
         add_cross<Real>(last, next, normal);
+        squares += square<Real>(next);
       }
-      normalize<Real>(normal);
+      if (!is_normalized<Real>(normal, size, squares))
+        careful_normal(worker, first + 1, first + rows, size, normal);
       put<Real>(position, targets[i], positions);
       put<Real>(normal, targets[i], normals);
     }

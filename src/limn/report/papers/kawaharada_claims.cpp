@@ -128,21 +128,30 @@ std::string fairness_words(const std::vector<FairnessRecord>& records, const Mem
   std::string words;
   int smaller = 0;
   int larger = 0;
-  const auto compare = [&](const char* name, double one, const Trend& one_trend, double two,
-                           const Trend& two_trend) {
-    const bool one_grows = one_trend.converges == Truth::no;
-    const bool two_grows = two_trend.converges == Truth::no;
-    smaller += (one < two && !one_grows) || (two_grows && !one_grows) ? 1 : 0;
-    larger += (two < one && !two_grows) || (one_grows && !two_grows) ? 1 : 0;
+  const auto compare = [&](const char* name, const auto& value, const auto& rounding,
+                           Trend FairnessRecord::*trend) {
+    const double one = value(a.last()), two = value(b.last());
+    const bool one_grows = (a.*trend).converges == Truth::no;
+    const bool two_grows = (b.*trend).converges == Truth::no;
+    const double tie = rounding(a.last()) + rounding(b.last());
+    smaller += (two - one > tie && !one_grows) || (two_grows && !one_grows) ? 1 : 0;
+    larger += (one - two > tie && !two_grows) || (one_grows && !two_grows) ? 1 : 0;
     words += fmt::format("{}{} {:.4g}{} against {:.4g}{}", words.empty() ? "" : ", ", name, one,
                          one_grows ? " and growing" : "", two, two_grows ? " and growing" : "");
   };
-  compare("Σ|Lp|²", a.last().laplacian_energy, a.scaled_laplacian, b.last().laplacian_energy,
-          b.scaled_laplacian);
-  compare("thin plate", a.last().energies.thin_plate, a.thin_plate, b.last().energies.thin_plate,
-          b.thin_plate);
-  compare("curvature variation", a.last().energies.curvature_variation, a.curvature_variation,
-          b.last().energies.curvature_variation, b.curvature_variation);
+  compare(
+      "Σ|Lp|²", [](const FairnessLevel& level) { return level.laplacian_energy; },
+      [](const FairnessLevel& level) { return level.laplacian_rounding; },
+      &FairnessRecord::scaled_laplacian);
+  compare(
+      "thin plate", [](const FairnessLevel& level) { return level.energies.thin_plate; },
+      [](const FairnessLevel& level) { return level.energies.rounding.thin_plate; },
+      &FairnessRecord::thin_plate);
+  compare(
+      "curvature variation",
+      [](const FairnessLevel& level) { return level.energies.curvature_variation; },
+      [](const FairnessLevel& level) { return level.energies.rounding.curvature_variation; },
+      &FairnessRecord::curvature_variation);
   const char* verdict = larger == 0 && smaller > 0   ? "confirmed"
                         : smaller == 0 && larger > 0 ? "contradicted"
                         : smaller > 0                ? "depends on the energy"
