@@ -7,6 +7,7 @@
 #include "limn/base/parallel.h"
 #include "limn/report/figure/figure.h"
 #include "limn/report/figure/shading.h"
+#include "limn/report/figure/visibility.h"
 #include "sample_surfaces.h"
 
 namespace limn::test {
@@ -269,8 +270,9 @@ TEST_F(Pictures, NameTiesInTheLegend) {
   const ShadedPanel panel{
       .scene = scene, .ties = TieLook{grey(0.5), "both"}, .names = {"one", "other"}};
   EXPECT_EQ(panel.height(200), (ShadedPanel{.scene = scene, .names = {"a", "b"}}.height(200) + 11));
+  const Canvas canvas = drawn(panel);
   std::string words;
-  for (const DrawingOp& op : drawn(panel).ops())
+  for (const DrawingOp& op : canvas.ops())
     if (const auto* text = std::get_if<TextOp>(&op)) words += text->text + " ";
   EXPECT_EQ(words, "one other both ");
 }
