@@ -48,6 +48,12 @@ Status check(const CompareOptions& options) {
     return Error{"this limn draws no surfaces", "build it with cairo and Embree", {}, 0, 0};
   const Result<FigureFormat> format = figure_format(options.output);
   if (!format) return format.error();
+  if (options.schemes.size() - 1 > kMostPairs)
+    return Error{fmt::format("-o: {} schemes are too many for one picture", options.schemes.size()),
+                 fmt::format("it shows the first beside at most {} others", kMostPairs),
+                 {},
+                 0,
+                 0};
   return check_outputs({options.output});
 }
 

@@ -14,6 +14,8 @@
 namespace limn::app {
 namespace {
 
+constexpr double kWidth = 482;  // points, of the page
+
 struct DrawOptions {
   std::string mesh;
   SchemeOptions scheme;
@@ -31,6 +33,8 @@ struct DrawOptions {
 Result<SurfaceScene> scene_of(const DrawOptions& options, const Scheme& scheme) {
   const Result<ControlMesh> control = load_control_mesh(options.mesh, options.triangulate);
   if (!control) return control.error();
+  if (Status status = check_drawable(scheme, control->mesh, options.levels); !status)
+    return status.error();
   set_step("finding limit points of " + options.mesh);
   Result<SmoothSurface> surface =
       limit_surface(scheme, control->mesh, control->points, options.levels);
@@ -47,7 +51,8 @@ Result<SurfaceScene> scene_of(const DrawOptions& options, const Scheme& scheme) 
 }
 
 int draw(const DrawOptions& options) {
-  if (!figures_available() || !rays_available())
+  const bool curves = options.lines || options.stripes || options.net;
+  if (!figures_available() || (curves && !rays_available()))
     return report({"this limn draws no surfaces", "build it with cairo and Embree", {}, 0, 0});
   if (Status status = check_mesh_path(options.mesh); !status) return report(status.error());
   if (const Result<FigureFormat> format = figure_format(options.output); !format)
@@ -62,7 +67,10 @@ int draw(const DrawOptions& options) {
   line.show("drawing " + options.output);
   set_step("drawing " + options.output);
   const LightLines lights{.count = options.lights};
-  Figure figure(1);
+  if (options.lines || options.stripes)
+    if (Status status = check_lights(*scene, lights, kWidth); !status)
+      return report(status.error());
+  Figure figure(1, kWidth);
   if (options.lines)
     figure.add(ReflectionLinePanel{.scene = *scene, .lights = lights});
   else if (options.stripes)
@@ -87,7 +95,9 @@ void declare_look(CLI::App& command, DrawOptions& options) {
       command.add_flag("--stripes", options.stripes, "as a mirror of parallel lights, in pixels");
   command.add_flag("--reflection-lines", options.lines, "reflection lines and outlines as curves")
       ->excludes(stripes);
-  command.add_option("--lights", options.lights, "light lines all round")
+  command
+      .add_option("--lights", options.lights,
+                  "light lines all round, as many as the picture can show apart")
       ->capture_default_str()
       ->check(CLI::Range(1, 10000));
   command.add_flag("--net", options.net, "the control net too, dashed where hidden");

@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <chrono>
+
 #include <nlohmann/json.hpp>
 
 #include "run_command.h"
@@ -27,6 +29,25 @@ TEST(DrawCommand, MakesPicturesOfLimitSurfaces) {
   EXPECT_EQ(folder.read("b.svg"), folder.read("c.svg"));
 }
 
+/// Some 100 000 triangles take under a second; the bound is for builds without optimisation on a
+/// busy machine.
+TEST(DrawCommand, TakesLittleTime) {
+  const Folder folder;
+  const auto start = std::chrono::steady_clock::now();
+  const Outcome outcome = folder.limn("draw " + kBracket + " -s loop -n 5 -o a.png");
+  const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
+  if (outcome.code == 2) GTEST_SKIP() << outcome.err;
+  EXPECT_LT(taken.count(), 30);
+}
+
+TEST(DrawCommand, IsTheSameForAnyNumberOfThreads) {
+  const Folder folder;
+  const std::string arguments = "draw " + kBracket + " -s loop -n 3 --stripes --net -o ";
+  if (folder.limn(arguments + "a.png").code == 2) GTEST_SKIP() << "built without cairo or Embree";
+  EXPECT_EQ(folder.limn(arguments + "b.png", "taskset -c 0").code, 0);
+  EXPECT_EQ(folder.read("a.png"), folder.read("b.png"));
+}
+
 TEST(DrawCommand, RefusesBadInput) {
   const Folder folder;
   const auto refused = [&](const std::string& arguments, const std::string& part) {
@@ -40,6 +61,9 @@ TEST(DrawCommand, RefusesBadInput) {
   refused(kBracket + " -s loop --stripes --reflection-lines -o a.png", "--reflection-lines");
   refused(kBracket + " -s loop --elevation 91 -o a.png", "--elevation");
   refused(kBracket + " -s loop --lights 0 -o a.png", "--lights");
+  refused(kBracket + " -s loop --reflection-lines --lights 10000 -o a.pdf", "shows at most");
+  refused(kBracket + " -s loop --stripes --lights 10000 -o a.pdf", "shows at most");
+  refused(kBracket + " -s loop -n 11 -o a.png", "draw 8 levels");
   EXPECT_EQ(folder.count(), 0);
 }
 

@@ -61,12 +61,16 @@ TEST_F(CompareFigure, ShowsEachPairWithTheFirst) {
     EXPECT_NE(text.find(part), std::string::npos) << part << " in\n" << text;
 }
 
-TEST_F(CompareFigure, ShowsTheGreenOneWhereBothAreEqual) {
+TEST_F(CompareFigure, ShowsNeitherWhereBothAreEqual) {
   const Canvas canvas = drawn({{"A", ball(12, 1)}, {"the same", ball(12, 1)}});
   const std::vector<const Image*> all = images(canvas);
   ASSERT_EQ(all.size(), 4U);
-  EXPECT_EQ(all[0]->rgba, all[2]->rgba);
-  EXPECT_NE(all[0]->rgba, all[1]->rgba);
+  EXPECT_LT(redness(*all[0]), -.1);
+  EXPECT_GT(redness(*all[1]), .1);
+  EXPECT_LT(std::abs(redness(*all[2])), .1);  // nearly grey, everywhere
+  for (std::size_t i = 0; i < all[2]->rgba.size(); i += 4)
+    EXPECT_LE(std::abs(all[2]->rgba[i] - all[2]->rgba[i + 1]), 12);
+  EXPECT_NE(words(canvas).find("both: less than 2e-05 of the size apart"), std::string::npos);
 }
 
 TEST(CompareDistances, AreOfAllPairs) {

@@ -11,6 +11,7 @@ namespace {
 
 constexpr Colour kGreen = {0.45, 0.78, 0.45}, kPink = {0.96, 0.56, 0.68};  // of [KS]
 constexpr Colour kDarkGreen = {0.02, 0.33, 0.10}, kDarkPink = {0.62, 0.03, 0.25};
+constexpr Colour kIvory = {0.94, 0.91, 0.76};
 constexpr int kColumns = 2;
 
 SmoothSurface coloured(SmoothSurface surface, const Colour& colour, const Colour& lines) {
@@ -42,9 +43,7 @@ class PairPanels {
     ShadedPanel both = overlaid(first, second);
     both.scene = panel(both.scene.surfaces).scene;
     both.resolution = view_.resolution;
-    figure.add(both,
-               "Both, and the outline that each has alone. Where they are equal the green one is "
-               "seen.");
+    figure.add(both, "Both, the nearer one seen, and the outline that each has alone.");
     ShadedPanel apart = panel({pink});
     apart.values = SurfaceValues{.values = distance.from_b, .low = 0};
     figure.add(apart, fmt::format("Distance of {} to {}: {}.", second.name, first.name,
@@ -71,6 +70,7 @@ ShadedPanel overlaid(const NamedSurface& first, const NamedSurface& second) {
   panel.scene.surfaces = {coloured(first.surface, kGreen, kDarkGreen),
                           coloured(second.surface, kPink, kDarkPink)};
   panel.names = {first.name, second.name};
+  panel.ties = TieLook{kIvory, fmt::format("both: less than {} of the size apart", kEqualDepth)};
   panel.outlines = true;
   return panel;
 }

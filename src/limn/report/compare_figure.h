@@ -32,8 +32,12 @@ struct PairDistance {
     const std::function<void(const std::string& first, const std::string& second)>& progress = {});
 
 /// Both in one picture, the first in green and the second in pink, with the outline that each has
-/// alone, and a legend. Where they are equal the green is seen. The view is the default one.
+/// alone, and a legend. Where they are equal (`kEqualDepth`) neither: a third colour. The view is
+/// the default one.
 [[nodiscard]] ShadedPanel overlaid(const NamedSurface& first, const NamedSurface& second);
+
+/// Of surfaces beside the first: so many fit on a page.
+inline constexpr std::size_t kMostPairs = 18;
 
 /// How the picture looks at the surfaces.
 struct CompareView {
@@ -43,7 +47,8 @@ struct CompareView {
 
 /// The first surface against each of the others: both alone, both `overlaid`, and the other
 /// coloured by its distance to the first. All pictures have one scale. `distances` as from
-/// approx_distances. Precondition: at least two surfaces.
+/// approx_distances. Precondition: at least two surfaces. With more
+/// than `kMostPairs` beside the first the page may be too large to be written.
 [[nodiscard]] Figure compare_figure(const std::vector<NamedSurface>& surfaces,
                                     const std::vector<PairDistance>& distances,
                                     const CompareView& view = {});

@@ -240,6 +240,25 @@ TEST(Figure, WithoutCairoSaysSo) {
   EXPECT_NE(written.error().text().find("without cairo"), std::string::npos);
 }
 
+/// Refused before a panel is drawn.
+TEST(Figure, ThatIsTooLargeIsNotDrawn) {
+  struct Slow {
+    bool* drawn;
+    [[nodiscard]] double height(double) const { return 5000; }
+    void draw(Canvas&, const Box&) const { *drawn = true; }
+  };
+  bool drawn = false;
+  Figure figure(1);
+  figure.add(Slow{&drawn}).add(Slow{&drawn});
+  EXPECT_TRUE(figure.check().ok());
+  figure.add(Slow{&drawn});
+  const Status written = figure.write("never.pdf");
+  ASSERT_FALSE(written.ok());
+  EXPECT_FALSE(drawn);
+  EXPECT_NE(written.error().message.find("3 panels"), std::string::npos) << written.error().text();
+  EXPECT_FALSE(std::filesystem::exists("never.pdf"));
+}
+
 TEST(Figure, CaptionsAreBrokenOutsideMarkup) {
   const TextStyle style = {.size = 8};
   for (const double width : {10.0, 60.0, 120.0, 1000.0}) {

@@ -7,6 +7,7 @@
 #include "limn/base/parallel.h"
 #include "limn/report/figure/figure.h"
 #include "limn/report/figure/shading.h"
+#include "limn/report/figure/visibility.h"
 #include "sample_surfaces.h"
 
 namespace limn::test {
@@ -249,6 +250,31 @@ TEST_F(Pictures, OfOneFrameShareAScale) {
   EXPECT_NEAR(width(small), 100, 0.5);
   small.frame = {};
   EXPECT_NEAR(width(small), 200, 0.5);
+}
+
+/// In a file of pixels the image has the file's own, whole ones.
+TEST_F(Pictures, HaveThePixelsOfTheFile) {
+  Canvas canvas(kBox.right(), kBox.bottom(), kPngDensity);
+  ShadedPanel{.scene = sphere_from_x(20), .title = "a"}.draw(canvas, kBox);
+  const ImageOp& op = image_of(canvas);
+  EXPECT_EQ(op.box.width * kPngDensity, op.image.width);
+  EXPECT_EQ(op.box.height * kPngDensity, op.image.height);
+  for (const double side : {op.box.x, op.box.y})
+    EXPECT_EQ(side * kPngDensity, std::round(side * kPngDensity));
+  EXPECT_GE(op.image.width, 2 * 180);
+}
+
+TEST_F(Pictures, NameTiesInTheLegend) {
+  SurfaceScene scene = scene_of(saddle(6));
+  scene.surfaces.push_back(saddle(6));
+  const ShadedPanel panel{
+      .scene = scene, .ties = TieLook{grey(0.5), "both"}, .names = {"one", "other"}};
+  EXPECT_EQ(panel.height(200), (ShadedPanel{.scene = scene, .names = {"a", "b"}}.height(200) + 11));
+  const Canvas canvas = drawn(panel);
+  std::string words;
+  for (const DrawingOp& op : canvas.ops())
+    if (const auto* text = std::get_if<TextOp>(&op)) words += text->text + " ";
+  EXPECT_EQ(words, "one other both ");
 }
 
 TEST(SurfacePanels, TakeBadInput) {

@@ -4,9 +4,11 @@
 
 #include <algorithm>
 #include <numbers>
+#include <optional>
 #include <random>
 #include <set>
 
+#include "limn/report/figure/reflection_line_panel.h"
 #include "sample_fields.h"
 #include "sample_surfaces.h"
 
@@ -264,6 +266,56 @@ TEST(Simplified, StaysNear) {
   }
   EXPECT_EQ(simplified({{0, 0}, {1, 0}, {2, 0}}, 0.01), (Polyline{{0, 0}, {2, 0}}));
   EXPECT_EQ(simplified({{0, 0}, {5, 5}, {0, 0}}, 0.01).size(), 3u);  // closed
+}
+
+/// Each line's curves among all lines' are those that it has alone.
+TEST(ReflectionLines, OfAllLightsAreThoseOfEach) {
+  for (const SmoothSurface& shape : {torus(12, 0.4), saddle(7), sphere(9)}) {
+    const SeenSurface surface = seen_surface(shape, ParallelView(20, 35));
+    for (const int count : {1, 2, 3, 48, 301}) {
+      for (const std::optional<SpaceVector>& direction :
+           {std::optional<SpaceVector>(), std::optional(SpaceVector{0.3, 1, 0.5})}) {
+        const MirroredLights lights({.direction = direction, .count = count}, ParallelView(20, 35));
+        const auto all = reflection_lines(surface, lights);
+        ASSERT_EQ(all.size(), static_cast<std::size_t>(count));
+        for (int line = 0; line < count; ++line)
+          ASSERT_EQ(all[static_cast<std::size_t>(line)], reflection_line(surface, lights, line))
+              << count << ' ' << line;
+      }
+    }
+  }
+}
+
+TEST(ReflectionLines, HaveAboutTheLengthThatIsForeseen) {
+  for (const SmoothSurface& shape : {torus(60, 0.4), saddle(30), sphere(40)}) {
+    const ParallelView view(20, 35);
+    const SeenSurface surface = seen_surface(shape, view);
+    const MirroredLights lights({.count = 60}, view);
+    double length = 0;
+    for (const auto& line : reflection_lines(surface, lights))
+      for (const SpaceCurve& curve : line)
+        for (std::size_t i = 1; i < curve.size(); ++i)
+          length += std::hypot(curve[i][0] - curve[i - 1][0], curve[i][1] - curve[i - 1][1]);
+    EXPECT_NEAR(approx_line_length(surface, lights), length, 0.08 * length);
+    const MirroredLights twice({.count = 120}, view);
+    EXPECT_NEAR(approx_line_length(surface, twice), 2 * approx_line_length(surface, lights),
+                1e-6 * length);
+  }
+  EXPECT_NEAR(seen_area(seen_surface(sphere(60), ParallelView(0, 0))), 2 * std::numbers::pi, 0.01);
+}
+
+TEST(ReflectionLines, AreRefusedWhereTheyCannotBeToldApart) {
+  SurfaceScene scene = {.surfaces = {sphere(40)}};
+  EXPECT_TRUE(check_lights(scene, {.count = 100}, 400).ok());
+  const Status refused = check_lights(scene, {.count = 10000}, 400);
+  ASSERT_FALSE(refused.ok());
+  const std::string hint = refused.error().hint;
+  const int most = std::stoi(hint.substr(hint.rfind(' ') + 1));
+  EXPECT_GT(most, 200);
+  EXPECT_LT(most, 1000);
+  EXPECT_TRUE(check_lights(scene, {.count = most}, 400).ok());
+  EXPECT_FALSE(check_lights(scene, {.count = most + 1}, 400).ok());
+  EXPECT_TRUE(check_lights({}, {.count = 10000}, 400).ok());
 }
 
 }  // namespace

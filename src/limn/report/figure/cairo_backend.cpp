@@ -25,8 +25,6 @@ namespace {
 
 constexpr const char* kFont = "DejaVu Sans";
 constexpr double kCapHeight = 0.73, kAscent = 0.76, kDescent = 0.236;  // of it, per size
-constexpr double kPngScale = 2;                                        // pixels per point
-constexpr double kLargestPage = 14400;                                 // points, PDF's own limit
 
 struct Release {
   void operator()(cairo_t* context) const { cairo_destroy(context); }
@@ -174,10 +172,10 @@ Surface make_surface(const Canvas& canvas, FigureFormat format, std::string& byt
   const double width = canvas.width(), height = canvas.height();
   if (format == FigureFormat::png) {
     const auto pixels = [](double points) {
-      return static_cast<int>(std::ceil(points * kPngScale));
+      return static_cast<int>(std::ceil(points * kPngDensity));
     };
     Surface surface(cairo_image_surface_create(CAIRO_FORMAT_RGB24, pixels(width), pixels(height)));
-    cairo_surface_set_device_scale(surface.get(), kPngScale, kPngScale);
+    cairo_surface_set_device_scale(surface.get(), kPngDensity, kPngDensity);
     return surface;
   }
   if (format == FigureFormat::svg) {

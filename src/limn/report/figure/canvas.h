@@ -125,6 +125,12 @@ using DrawingOp = std::variant<FillOp, StrokeOp, TextOp, ImageOp, ClipOp, Unclip
 /// .png (144 pixels per inch, on white).
 enum class FigureFormat { pdf, svg, png };
 
+/// Pixels a point of a .png.
+inline constexpr double kPngDensity = 2;
+
+/// Points; the most that a side of a page has, which is PDF's own limit.
+inline constexpr double kLargestPage = 14400;
+
 /// By the extension of `path`, in lower or upper case; an error names the supported ones.
 [[nodiscard]] Result<FigureFormat> figure_format(std::string_view path);
 
@@ -133,11 +139,15 @@ enum class FigureFormat { pdf, svg, png };
 
 class Canvas {
  public:
-  /// A page of this size in points, each in (0, 14400].
-  Canvas(double width, double height) : width_(width), height_(height) {}
+  /// A page of this size in points, each in (0, kLargestPage]. `density`: pixels a point of the
+  /// file that will be made of it, if it is to be one of pixels.
+  Canvas(double width, double height, double density = 0)
+      : width_(width), height_(height), density_(density) {}
 
   [[nodiscard]] double width() const { return width_; }
   [[nodiscard]] double height() const { return height_; }
+  /// 0: not known, or none. An image whose pixels are those of the file is not resampled.
+  [[nodiscard]] double density() const { return density_; }
   [[nodiscard]] const std::vector<DrawingOp>& ops() const { return ops_; }
 
   /// Fills by the nonzero winding rule. Coordinates of paths and texts are finite.
@@ -160,7 +170,7 @@ class Canvas {
   [[nodiscard]] Status write(const std::string& path) const;
 
  private:
-  double width_, height_;
+  double width_, height_, density_;
   std::vector<DrawingOp> ops_;
 };
 

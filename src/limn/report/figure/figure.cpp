@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include <fmt/core.h>
+
 #include "limn/report/figure/axes.h"
 
 namespace limn {
@@ -12,6 +14,8 @@ constexpr double kColumnGap = 16, kRowGap = 14;
 constexpr double kCaptionGap = 5, kCaptionLine = 10.5;
 constexpr double kFigureTitleSize = 9.5, kFigureTitleHeight = 18;
 constexpr TextStyle kCaption = {.size = kLabelSize, .vertical = VerticalAlign::top};
+
+double title_room(const std::string& title) { return title.empty() ? 0 : kFigureTitleHeight; }
 
 /// (a) … (z), (27) …
 std::string letter(std::size_t index) {
@@ -105,19 +109,34 @@ void Figure::draw_entry(Canvas& canvas, std::size_t index, const Row& row, doubl
   }
 }
 
-Canvas Figure::canvas() const {
+double Figure::height_of(const std::vector<Row>& rows) const {
+  double height = 2 * kPageMargin + title_room(title_);
+  for (const Row& row : rows) height += row.height() + (&row == &rows.back() ? 0 : kRowGap);
+  return height;
+}
+
+Status Figure::check() const {
+  const double height = height_of(rows());
+  if (width_ > 0 && width_ <= kLargestPage && height > 0 && height <= kLargestPage) return Done{};
+  Error error;
+  error.message = fmt::format(
+      "the figure is too large: {} panel{} on a page of {:.0f} × {:.0f} points, of which each side "
+      "may have {:.0f}",
+      entries_.size(), entries_.size() == 1 ? "" : "s", width_, height, kLargestPage);
+  error.hint = "make several figures of fewer panels";
+  return error;
+}
+
+Canvas Figure::canvas(double density) const {
   const std::vector<Row> all = rows();
-  const double below_title = kPageMargin + (title_.empty() ? 0 : kFigureTitleHeight);
-  double height = below_title + kPageMargin;
-  for (const Row& row : all) height += row.height() + (&row == &all.back() ? 0 : kRowGap);
-  Canvas canvas(width_, height);
+  Canvas canvas(width_, height_of(all), density);
   canvas.text({width_ / 2, kPageMargin}, title_,
               {.size = kFigureTitleSize,
                .align = Align::centre,
                .vertical = VerticalAlign::top,
                .bold = true});
   const std::size_t columns = column_count();
-  double top = below_title;
+  double top = kPageMargin + title_room(title_);
   for (std::size_t i = 0; i < entries_.size(); ++i) {
     const auto column = static_cast<double>(i % columns);
     const Row& row = all[i / columns];
@@ -129,8 +148,10 @@ Canvas Figure::canvas() const {
 
 Status Figure::write(const std::string& path) const {
   // The name first: drawing may take a while.
-  if (const Result<FigureFormat> format = figure_format(path); !format) return format.error();
-  return canvas().write(path);
+  const Result<FigureFormat> format = figure_format(path);
+  if (!format) return format.error();
+  if (Status status = check(); !status) return status;
+  return canvas(*format == FigureFormat::png ? kPngDensity : 0).write(path);
 }
 
 }  // namespace limn

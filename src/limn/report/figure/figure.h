@@ -49,10 +49,13 @@ class Figure {
                       std::move(caption)});
   }
 
-  /// The drawn page; its height follows from the panels.
-  [[nodiscard]] Canvas canvas() const;
+  /// The drawn page; its height follows from the panels. `density` as of a `Canvas`.
+  [[nodiscard]] Canvas canvas(double density = 0) const;
 
-  /// Writes a .pdf, .svg or .png; errors as those of `Canvas::write`.
+  /// An error, before anything is drawn, if the page is larger than a page can be.
+  [[nodiscard]] Status check() const;
+
+  /// Writes a .pdf, .svg or .png; errors as those of `check` and of `Canvas::write`.
   [[nodiscard]] Status write(const std::string& path) const;
 
  private:
@@ -64,6 +67,7 @@ class Figure {
   struct Row;
   Figure& add_entry(Entry entry);
   [[nodiscard]] std::vector<Row> rows() const;
+  [[nodiscard]] double height_of(const std::vector<Row>& rows) const;
   void draw_entry(Canvas& canvas, std::size_t index, const Row& row, double x, double top) const;
   [[nodiscard]] std::size_t column_count() const;
   [[nodiscard]] double column_width() const;

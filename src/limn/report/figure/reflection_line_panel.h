@@ -3,11 +3,18 @@
 
 #include <string>
 
+#include "limn/base/error.h"
 #include "limn/report/figure/canvas.h"
 #include "limn/report/figure/light_lines.h"
 #include "limn/report/figure/surface_scene.h"
 
 namespace limn {
+
+/// An error where so many light lines cannot be told apart in a picture of the scene, `width`
+/// points wide: where their mirror images would lie less than a point apart, in the mean over a
+/// surface. It names the most that can. O(triangles).
+[[nodiscard]] Status check_lights(const SurfaceScene& scene, const LightLines& lights,
+                                  double width);
 
 /// A panel (see map_panel.h) of the scene in lines: what its surfaces mirror of the light lines,
 /// and their outlines; what surfaces hide is left out. Without Embree (`rays_available`) the panel

@@ -17,9 +17,29 @@ constexpr int kTicks = 4;
 constexpr double kLegendRow = 11, kSwatch = 7, kSwatchGap = 4;
 constexpr TextStyle kLegend = {.size = kTickSize, .vertical = VerticalAlign::middle};
 
-/// Pixels for a side of this many points.
-int pixels(double points, double resolution) {
-  return static_cast<int>(std::clamp(std::round(points * resolution / 72), 1.0, 8000.0));
+constexpr double kMostPixels = 8000;  // a side
+
+/// An image's place on the page, and its size in pixels.
+struct ImagePlace {
+  Box box;
+  int width, height;
+};
+
+/// Of the file's own pixels, if it has such, so that cairo copies them.
+ImagePlace image_place(const Canvas& canvas, const Box& box, double resolution) {
+  if (const double density = canvas.density(); density > 0) {
+    const double left = std::floor(box.x * density), right = std::ceil(box.right() * density);
+    const double top = std::floor(box.y * density), bottom = std::ceil(box.bottom() * density);
+    if (right - left <= kMostPixels && bottom - top <= kMostPixels)
+      return {{left / density, top / density, (right - left) / density, (bottom - top) / density},
+              static_cast<int>(right - left),
+              static_cast<int>(bottom - top)};
+  }
+  const double density = resolution >= 1 ? std::min(resolution, 2400.0) : 1;
+  const auto pixels = [density](double points) {
+    return static_cast<int>(std::clamp(std::round(points * density / 72), 1.0, kMostPixels));
+  };
+  return {box, pixels(box.width), pixels(box.height)};
 }
 
 bool has_values(const ShadedPanel& panel) {
@@ -33,12 +53,19 @@ ColourScale scale_of(const SurfaceValues& values) {
                       kTicks);
 }
 
-/// The surfaces that have a name.
-std::vector<std::size_t> named_surfaces(const ShadedPanel& panel) {
-  std::vector<std::size_t> named;
+struct LegendRow {
+  Colour colour;
+  std::string name;
+};
+
+/// The surfaces that have a name, and what ties look like.
+std::vector<LegendRow> legend_of(const ShadedPanel& panel) {
+  std::vector<LegendRow> rows;
   for (std::size_t s = 0; s < std::min(panel.names.size(), panel.scene.surfaces.size()); ++s)
-    if (!panel.names[s].empty()) named.push_back(s);
-  return named;
+    if (!panel.names[s].empty()) rows.push_back({panel.scene.surfaces[s].colour, panel.names[s]});
+  if (panel.ties && !panel.ties->name.empty())
+    rows.push_back({panel.ties->colour, panel.ties->name});
+  return rows;
 }
 
 double bar_height(const ShadedPanel& panel) {
@@ -47,21 +74,22 @@ double bar_height(const ShadedPanel& panel) {
 }
 
 double legend_height(const ShadedPanel& panel) {
-  return kLegendRow * static_cast<double>(named_surfaces(panel).size());
+  return kLegendRow * static_cast<double>(legend_of(panel).size());
 }
 
 /// Centred below the picture, in the last points of the box.
 void draw_legend(Canvas& canvas, const ShadedPanel& panel, const Box& box) {
+  const std::vector<LegendRow> rows = legend_of(panel);
   double width = 0;
-  for (const std::size_t s : named_surfaces(panel))
-    width = std::max(width, kSwatch + kSwatchGap + text_width(panel.names[s], kLegend));
+  for (const LegendRow& row : rows)
+    width = std::max(width, kSwatch + kSwatchGap + text_width(row.name, kLegend));
   const double x = box.x + std::max(box.width - width, 0.0) / 2;
   double y = box.bottom() - legend_height(panel) + kLegendRow / 2;
-  for (const std::size_t s : named_surfaces(panel)) {
+  for (const LegendRow& row : rows) {
     const Box swatch = {x, y - kSwatch / 2, kSwatch, kSwatch};
-    canvas.fill(Path::rectangle(swatch), panel.scene.surfaces[s].colour);
+    canvas.fill(Path::rectangle(swatch), row.colour);
     canvas.stroke(Path::rectangle(swatch), grey(0.3), {0.4, {}});
-    canvas.text({x + kSwatch + kSwatchGap, y}, panel.names[s], kLegend);
+    canvas.text({x + kSwatch + kSwatchGap, y}, row.name, kLegend);
     y += kLegendRow;
   }
 }
@@ -94,7 +122,21 @@ Shading shading_of(const ShadedPanel& panel) {
         MirroredLights(*panel.stripes, ParallelView(panel.scene.azimuth, panel.scene.elevation));
   if (has_values(panel))
     shading.first = ValueColours{panel.values->values, scale_of(*panel.values)};
+  if (panel.ties) shading.tie = panel.ties->colour;
   return shading;
+}
+
+bool has_lines(const ShadedPanel& panel) {
+  return panel.stripes || panel.outlines || !panel.scene.net.edges.empty() ||
+         (panel.scene.net.points && !panel.scene.net.vertices.empty());
+}
+
+void draw_lines(Canvas& canvas, const ShadedPanel& panel, const RayCaster& rays,
+                const FramePlacement& place) {
+  for (std::size_t s = 0; panel.stripes && s < panel.scene.surfaces.size(); ++s)
+    draw_outline(canvas, panel.scene, s, rays, place, kOutline);
+  if (panel.outlines) draw_outlines(canvas, panel.scene, place);
+  draw_scene_net(canvas, panel.scene, rays, place);
 }
 
 }  // namespace
@@ -108,16 +150,18 @@ void ShadedPanel::draw(Canvas& canvas, const Box& box) const {
   const double below = bar_height(*this) + legend_height(*this);
   const FramePlacement place =
       scene_placement(scene, title, {box.x, box.y, box.width, std::max(box.height - below, 1.0)});
-  const Result<RayCaster> rays = RayCaster::over(seen_surfaces(scene));
-  if (!rays) return draw_scene_note(canvas, place, rays.error());
-  const double density = resolution >= 1 ? std::min(resolution, 2400.0) : 1;
-  canvas.image(shaded_image(*rays, place, shading_of(*this), pixels(place.box().width, density),
-                            pixels(place.box().height, density)),
-               place.box());
-  for (std::size_t s = 0; stripes && s < scene.surfaces.size(); ++s)
-    draw_outline(canvas, scene, s, *rays, place, kOutline);
-  if (outlines) draw_outlines(canvas, scene, place);
-  draw_scene_net(canvas, scene, *rays, place);
+  std::vector<SeenSurface> seen = seen_surfaces(scene);
+  const ImagePlace image = image_place(canvas, place.box(), resolution);
+  Image pixels =
+      shaded_image(seen, {place, image.box, image.width, image.height}, shading_of(*this));
+  if (has_lines(*this)) {
+    const Result<RayCaster> rays = RayCaster::over(std::move(seen));
+    if (!rays) return draw_scene_note(canvas, place, rays.error());
+    canvas.image(std::move(pixels), image.box);
+    draw_lines(canvas, *this, *rays, place);
+  } else {
+    canvas.image(std::move(pixels), image.box);
+  }
   draw_bar(canvas, *this, box);
   draw_legend(canvas, *this, box);
 }

@@ -18,9 +18,15 @@ struct SurfaceValues {
   std::optional<double> low = {}, high = {};  ///< of the colours; without them the values' own
 };
 
+/// What surfaces look like where they are equal.
+struct TieLook {
+  Colour colour = {};
+  std::string name = {};  ///< in the legend
+};
+
 /// A panel (see map_panel.h) with an image of the scene's surfaces, each in its colour, and the
-/// control net over it in lines. Several surfaces may cross; where they are equal the earlier one
-/// is shown. Without Embree (`rays_available`) the panel only says so.
+/// control net over it in lines. Several surfaces may cross. Lines need rays: without Embree
+/// (`rays_available`) a panel that has some only says so.
 struct ShadedPanel {
   SurfaceScene scene = {};
   /// The surfaces as mirrors in which one sees these; the curves of a `ReflectionLinePanel` are the
@@ -28,13 +34,18 @@ struct ShadedPanel {
   std::optional<LightLines> stripes = {};
   /// In place of the first surface's colour, if there is a value for each of its vertices.
   std::optional<SurfaceValues> values = {};
+  /// What is seen where the surface in front and another are at one place (`kEqualDepth`), fading
+  /// out to `kNearDepth`. Without it, of those at one place the earliest one.
+  std::optional<TieLook> ties = {};
   /// Also the outlines of each surface, as if it were alone, in its colour of lines.
   bool outlines = false;
   /// A legend below the picture: the names of the surfaces, each with its colour; those that are
   /// empty are left out.
   std::vector<std::string> names = {};
   std::string title = {};
-  double resolution = 300;  ///< pixels an inch, in [1, 2400]; the image has at most 8000 a side
+  /// Pixels an inch, in [1, 2400], of the image in a file of curves; those of a .png are the file's
+  /// own. The image has at most 8000 a side.
+  double resolution = 300;
 
   /// In points, for the given width.
   [[nodiscard]] double height(double width) const;

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "limn/base/parallel.h"
+
 namespace limn {
 namespace {
 
@@ -159,14 +161,23 @@ std::vector<SpaceCurve> joined(const std::vector<SpaceSegment>& segments) {
 
 DrawnCurves drawn_curves(const std::vector<SpaceCurve>& curves, const RayCaster& rays,
                          const FramePlacement& place, double tolerance) {
-  Cutter cutter(rays, place, tolerance);
+  std::vector<std::vector<Part>> parts(curves.size());
+  const auto cut = [&](std::size_t i) {
+    if (curves[i].size() < 2) return;
+    parts[i] = without_specks(Cutter(rays, place, tolerance).parts(curves[i]));
+    for (Part& part : parts[i]) part.line = simplified(part.line, kDeviation);
+  };
+  parallel_for(
+      std::size_t{0}, curves.size(),
+      [&](std::size_t first, std::size_t last) {
+        for (std::size_t i = first; i < last; ++i) cut(i);
+      },
+      16);
   DrawnCurves drawn;
-  for (const SpaceCurve& curve : curves) {
-    if (curve.size() < 2) continue;
-    for (const Part& part : without_specks(cutter.parts(curve)))
+  for (std::vector<Part>& of_curve : parts)
+    for (Part& part : of_curve)
       if (length_of(part.line) > 0)
-        (part.hidden ? drawn.hidden : drawn.visible).push_back(simplified(part.line, kDeviation));
-  }
+        (part.hidden ? drawn.hidden : drawn.visible).push_back(std::move(part.line));
   return drawn;
 }
 

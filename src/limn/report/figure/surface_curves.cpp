@@ -4,6 +4,8 @@
 #include <cmath>
 #include <unordered_map>
 
+#include "limn/base/parallel.h"
+
 namespace limn {
 namespace {
 
@@ -106,6 +108,65 @@ bool cut_at_axis(Crossing& a, Crossing& b, long long fresh) {
   return true;
 }
 
+/// The pieces of light lines in a surface's triangles. What belongs to a vertex is found once.
+class MirrorPieces {
+ public:
+  MirrorPieces(const SeenSurface& surface, const MirroredLights& lights)
+      : surface_(surface), count_(lights.count()) {
+    mirrored_.reserve(surface.normals.size());
+    turns_.reserve(surface.normals.size());
+    for (const SpaceVector& normal : surface.normals) {
+      mirrored_.push_back(mirrored(normal));
+      turns_.push_back(lights.turn(mirrored_.back()));
+    }
+  }
+
+  /// By how many lines the second and the third corner are beyond the first, the short way round.
+  [[nodiscard]] std::array<double, 2> turns(const std::array<int, 3>& triangle) const {
+    const double first = turns_[triangle[0]];
+    return {std::remainder(turns_[triangle[1]] - first, count_),
+            std::remainder(turns_[triangle[2]] - first, count_)};
+  }
+
+  /// All lines that may have a piece in the triangle: [first, second), modulo their number.
+  [[nodiscard]] std::array<long, 2> lines(const std::array<int, 3>& triangle) const {
+    const auto [second, third] = turns(triangle);
+    const auto [low, high] = std::minmax({0.0, second, third});
+    if (high - low > kAlmost * count_ / 2) return {0, count_};  // L may go through it
+    const double first = turns_[triangle[0]];
+    return {std::lround(std::ceil(first + low - kSlack)),
+            std::lround(std::floor(first + high + kSlack)) + 1};
+  }
+
+  void add(const std::array<int, 3>& triangle, const MirroredLights::HalfPlane& half_plane,
+           std::vector<SpaceSegment>& segments) const {
+    CornerValues values{};
+    int inside = 0;
+    for (std::size_t c = 0; c < 3; ++c) {
+      const SpaceVector& r = mirrored_[triangle[c]];
+      values.across[c] = dot(r, half_plane.across);
+      values.along[c] = dot(r, half_plane.along);
+      inside += values.across[c] >= 0 ? 1 : 0;
+    }
+    if (inside % 3 == 0) return;
+    // The corner that is alone on its side.
+    std::size_t apex = 0;
+    while ((values.across[apex] >= 0) != (inside == 1)) ++apex;
+    Crossing a = crossing(surface_, triangle, values, apex, (apex + 1) % 3);
+    Crossing b = crossing(surface_, triangle, values, apex, (apex + 2) % 3);
+    const auto fresh = -1 - static_cast<long long>(segments.size());
+    if (cut_at_axis(a, b, fresh)) segments.push_back({a.name, b.name, a.at, b.at});
+  }
+
+ private:
+  static constexpr double kAlmost = 0.999, kSlack = 1e-6;
+
+  const SeenSurface& surface_;
+  int count_;
+  std::vector<SpaceVector> mirrored_;
+  std::vector<double> turns_;
+};
+
 bool towards_viewer(const SeenSurface& surface, const std::array<int, 3>& triangle) {
   const SpaceVector &a = surface.vertices[triangle[0]], &b = surface.vertices[triangle[1]],
                     &c = surface.vertices[triangle[2]];
@@ -131,28 +192,61 @@ SeenSurface refined_for_mirror(SeenSurface surface, double tolerance) {
 
 std::vector<SpaceCurve> reflection_line(const SeenSurface& surface, const MirroredLights& lights,
                                         int line) {
-  const auto [along, across] = lights.half_plane(line);
+  const MirrorPieces pieces(surface, lights);
   std::vector<SpaceSegment> segments;
-  long long fresh = -1;
-  for (const std::array<int, 3>& triangle : surface.triangles) {
-    CornerValues values{};
-    int inside = 0;
-    for (std::size_t c = 0; c < 3; ++c) {
-      const SpaceVector r = mirrored(surface.normals[triangle[c]]);
-      values.across[c] = dot(r, across);
-      values.along[c] = dot(r, along);
-      inside += values.across[c] >= 0 ? 1 : 0;
-    }
-    if (inside % 3 == 0) continue;
-    // The corner that is alone on its side.
-    std::size_t apex = 0;
-    while ((values.across[apex] >= 0) != (inside == 1)) ++apex;
-    Crossing a = crossing(surface, triangle, values, apex, (apex + 1) % 3);
-    Crossing b = crossing(surface, triangle, values, apex, (apex + 2) % 3);
-    if (!cut_at_axis(a, b, fresh--)) continue;
-    segments.push_back({a.name, b.name, a.at, b.at});
-  }
+  for (const std::array<int, 3>& triangle : surface.triangles)
+    pieces.add(triangle, lights.half_plane(line), segments);
   return joined(segments);
+}
+
+std::vector<std::vector<SpaceCurve>> reflection_lines(const SeenSurface& surface,
+                                                      const MirroredLights& lights) {
+  const MirrorPieces pieces(surface, lights);
+  const auto count = static_cast<std::size_t>(lights.count());
+  std::vector<MirroredLights::HalfPlane> half_planes;
+  for (int line = 0; line < lights.count(); ++line) half_planes.push_back(lights.half_plane(line));
+  std::vector<std::vector<SpaceSegment>> segments(count);
+  for (const std::array<int, 3>& triangle : surface.triangles) {
+    const auto [first, end] = pieces.lines(triangle);
+    for (long line = first; line < end; ++line) {
+      const auto k =
+          static_cast<std::size_t>((line % lights.count() + lights.count()) % lights.count());
+      pieces.add(triangle, half_planes[k], segments[k]);
+    }
+  }
+  std::vector<std::vector<SpaceCurve>> curves(count);
+  parallel_for(
+      std::size_t{0}, count,
+      [&](std::size_t first, std::size_t last) {
+        for (std::size_t k = first; k < last; ++k) curves[k] = joined(segments[k]);
+      },
+      8);
+  return curves;
+}
+
+double approx_line_length(const SeenSurface& surface, const MirroredLights& lights) {
+  const MirrorPieces pieces(surface, lights);
+  double total = 0;
+  for (const std::array<int, 3>& triangle : surface.triangles) {
+    // the area times the length of the gradient of how many lines one has passed
+    const auto [second, third] = pieces.turns(triangle);
+    const SpaceVector& corner = surface.vertices[triangle[0]];
+    const SpaceVector one = sum(surface.vertices[triangle[1]], corner, -1),
+                      other = sum(surface.vertices[triangle[2]], corner, -1);
+    total += std::hypot(second * other[0] - third * one[0], second * other[1] - third * one[1]) / 2;
+  }
+  return total;
+}
+
+double seen_area(const SeenSurface& surface) {
+  double total = 0;
+  for (const std::array<int, 3>& triangle : surface.triangles) {
+    const SpaceVector& corner = surface.vertices[triangle[0]];
+    total += std::abs(cross(sum(surface.vertices[triangle[1]], corner, -1),
+                            sum(surface.vertices[triangle[2]], corner, -1))[2]) /
+             2;
+  }
+  return total;
 }
 
 std::vector<SpaceCurve> outlines(const SeenSurface& surface) {

@@ -22,6 +22,18 @@ namespace limn {
 [[nodiscard]] std::vector<SpaceCurve> reflection_line(const SeenSurface& surface,
                                                       const MirroredLights& lights, int line);
 
+/// All lines' curves, line by line; each as `reflection_line` gives it. O(triangles + lines + n log
+/// n) for n pieces.
+[[nodiscard]] std::vector<std::vector<SpaceCurve>> reflection_lines(const SeenSurface& surface,
+                                                                    const MirroredLights& lights);
+
+/// How long all reflection lines are together on the viewer's plane, hidden or not, nearly, without
+/// making them; proportional to the number of lights. O(triangles).
+[[nodiscard]] double approx_line_length(const SeenSurface& surface, const MirroredLights& lights);
+
+/// Of all triangles on the viewer's plane, hidden or not.
+[[nodiscard]] double seen_area(const SeenSurface& surface);
+
 /// Edges of only one triangle, and edges at which the surface turns away from the viewer.
 [[nodiscard]] std::vector<SpaceCurve> outlines(const SeenSurface& surface);
 

@@ -13,6 +13,14 @@
 
 namespace limn {
 
+/// Surfaces less than this, of the size of the cube that holds all that is drawn, apart along the
+/// line of sight are at one place.
+inline constexpr double kEqualDepth = 2e-5;
+
+/// And those less than this apart are nearly so: pictures of ties (`TieLook`) fade from the one to
+/// the other.
+inline constexpr double kNearDepth = 4e-4;
+
 /// Triangles may be oriented either way, if the normals are alike; both sides are drawn. A triangle
 /// is left out if an index is out of range, if a corner or its normal is not `placeable`, or if a
 /// normal is 0.

@@ -45,7 +45,7 @@ class RayCaster {
   /// scene; a point of a surface is not hidden by the surface round it.
   [[nodiscard]] bool hides(const SpaceVector& point, double tolerance = kOnSurface) const;
 
-  static constexpr double kOnSurface = 2e-5;
+  static constexpr double kOnSurface = kEqualDepth;
 
  private:
   struct Scenes;
