@@ -166,8 +166,6 @@ Result<PaperFinding> parameter() {
 std::vector<PaperFinding> misprints() {
   return {{"(10)", "exp(−2πiωl/n), divided by n", "by v: the valence is called v there."},
           {"(11), DFT of a", "the sum over B_j runs from 0 to v", "to v − 1: v points."},
-          {"(11), DFT of a", "ã_0 = 1·Σ_{j=0}^{0} a e^0, with a bare B̃_0 from the sum over B_j",
-           "with 1/v before the sum, as (10) has it: that is what makes B̃_0 of it."},
           {"§2.2, (7)", "blocks S_{i,j} with i, j to n", "to v − 1 (or to the number of orbits)."},
           {"§4, last paragraph", "the eigenvalues μ̃_i (i = 1, 2, 3)",
            "i = 0, 1, 2: (13) has μ̃_0, μ̃_1 and μ̃_2, and there is no μ̃_3."}};
