@@ -158,7 +158,7 @@ Status add_steps(PaperPage& page, Studio& studio) {
     Control refined = cube;
     refined.mesh = fine->mesh;
     refined.points = fine->values;
-    figure.add(control_panel(refined, frame), fmt::format("after {} steps", step));
+    figure.add(control_panel(refined, frame), step == 0 ? "the mesh" : step == 1 ? "after one step" : "after two steps");
     numbers.rows.push_back({static_cast<double>(step), static_cast<double>(fine->mesh.vertex_count()),
                             static_cast<double>(fine->mesh.face_count()),
                             volume(fine->mesh, fine->values)});

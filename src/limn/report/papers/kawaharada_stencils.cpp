@@ -139,7 +139,7 @@ Result<std::vector<std::string>> one_end_texts(const Member& low) {
 }
 
 Status add_stencil_figure(PaperPage& page, const Members& members, const Member& whole) {
-  Figure figure(3);
+  Figure figure(2);
   DescribedTable numbers{{{"figure", "of the paper"},
                           {"x", "place of the old vertex, the new one at 0 [edges]"},
                           {"y", "place of the old vertex, the new one at 0 [edges]"},
