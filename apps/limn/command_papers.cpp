@@ -71,7 +71,7 @@ int make_papers(const PapersOptions& options) {
 
 void declare_papers(CLI::App& parser, Action& action) {
   CLI::App* command = parser.add_subcommand(
-      "papers", "the figures and tables of the papers that limn implements, made anew");
+      "papers", "figures, tables and main claims of the papers that limn implements, made anew");
   const auto options = std::make_shared<PapersOptions>();
   command->add_option("PAPER", options->papers, "which; without it all of them: " + paper_names());
   command->add_option("-o,--output", options->output, "the folder they go to")->required();

@@ -13,7 +13,6 @@ struct Valences {
 };
 
 /// "7" or "3..12": `least` … kLargestValence, not empty.
-[[nodiscard]] Result<Valences> read_valences(const std::string& text,
-                                             int least = kSmallestValence);
+[[nodiscard]] Result<Valences> read_valences(const std::string& text, int least = kSmallestValence);
 
 }  // namespace limn::app

@@ -14,6 +14,9 @@ namespace {
 
 constexpr int kSubdivisions = 48;  // so that contour lines look smooth at a page's width
 constexpr int kCurvePoints = 241;
+constexpr const char* kLabelX = "f_{x}, cycles per edge";
+constexpr const char* kLabelY = "f_{y}, cycles per edge";
+constexpr double kSide = 40;  // so that maps and overlays in a row have one size
 
 std::vector<std::string> value_columns(const ArtifactAnalysis& analysis) {
   std::vector<std::string> names{"signal"};
@@ -120,6 +123,40 @@ std::vector<double> column(const DataTable& table, const std::string& name) {
   return values;
 }
 
+std::string artifact_meaning(const std::string& column_name) {
+  static const std::map<std::string, std::string> meanings{
+      {"fx", "frequency along x, where an edge lies [cycles per control edge]"},
+      {"fy", "frequency along y [cycles per control edge]"},
+      {"frequency", "|f| [cycles per control edge]"},
+      {"signal", "signed magnitude of the signal [amplitudes of the sampled wave]"},
+      {"sum", "sum of the artifacts [amplitudes of the sampled wave]"},
+      {"mean_energy", "root mean square of the artifacts [amplitudes of the sampled wave]"},
+      {"percent_of_signal", "mean energy of the artifacts [percent of the signal]"},
+      {"total_energy_percent",
+       "all other waves of the surface together, root of their energy [percent of the signal]"}};
+  if (const auto found = meanings.find(column_name); found != meanings.end()) return found->second;
+  return fmt::format("signed magnitude of artifact {} [amplitudes of the sampled wave]",
+                     column_name);
+}
+
+DescribedTable described_artifacts(const DataTable& table, const std::vector<std::string>& names) {
+  std::vector<DescribedColumn> columns;
+  for (const char* name : {"fx", "fy"}) columns.push_back({name, artifact_meaning(name)});
+  for (const std::string& name : names) columns.push_back({name, artifact_meaning(name)});
+  return described(table, columns);
+}
+
+DescribedTable described_artifacts(const DataTable& table) {
+  return described_artifacts(table, {table.columns.begin() + 2, table.columns.end()});
+}
+
+void append_column(DescribedTable& described, const DataTable& table, const std::string& name,
+                   DescribedColumn column_described) {
+  described.columns.push_back(std::move(column_described));
+  const std::vector<double> values = column(table, name);
+  for (std::size_t i = 0; i < values.size(); ++i) described.rows[i].emplace_back(values[i]);
+}
+
 namespace {
 
 /// A column for drawing: where a magnitude vanishes, rounding must not draw contours of its own.
@@ -139,8 +176,9 @@ MapPanel artifact_map_panel(const TriangleGrid& grid, const DataTable& table,
   panel.grid = grid;
   panel.values = drawn_column(table, column_name);
   panel.title = title;
-  panel.x_label = "f_{x}";
-  panel.y_label = "f_{y}";
+  panel.x_label = kLabelX;
+  panel.y_label = kLabelY;
+  panel.side = kSide;
   panel.low = scale.low;
   panel.high = scale.high;
   return panel;
@@ -151,8 +189,9 @@ OverlayPanel artifact_overlay_panel(const TriangleGrid& grid, const DataTable& t
   OverlayPanel panel;
   panel.grid = grid;
   panel.title = title;
-  panel.x_label = "f_{x}";
-  panel.y_label = "f_{y}";
+  panel.x_label = kLabelX;
+  panel.y_label = kLabelY;
+  panel.side = kSide;
   double highest = 0;
   for (int i = 0; i < 3; ++i) {
     const std::string name = artifact_name(i);

@@ -34,6 +34,18 @@ struct PrincipalDirection {
 /// One column of a table, to be drawn.
 [[nodiscard]] std::vector<double> column(const DataTable& table, const std::string& name);
 
+/// What a column of artifact_table holds, and in what unit.
+[[nodiscard]] std::string artifact_meaning(const std::string& column_name);
+
+/// fx, fy and these columns of an artifact_table, described; all of them without names.
+[[nodiscard]] DescribedTable described_artifacts(const DataTable& table);
+[[nodiscard]] DescribedTable described_artifacts(const DataTable& table,
+                                                 const std::vector<std::string>& names);
+
+/// One more column, its values those of `name` in `table`; both have as many rows.
+void append_column(DescribedTable& described, const DataTable& table, const std::string& name,
+                   DescribedColumn column);
+
 /// How a map's colours are scaled; without numbers by its own values.
 struct ValueScale {
   std::optional<double> low, high;

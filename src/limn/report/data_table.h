@@ -3,6 +3,8 @@
 
 #include <string>
 #include <string_view>
+#include <utility>
+#include <variant>
 #include <vector>
 
 #include "limn/base/error.h"
@@ -20,6 +22,35 @@ struct DataTable {
 
 /// {"columns": […], "rows": [[…], …]}; what is not finite is null.
 [[nodiscard]] std::string json_text(const DataTable& table);
+
+/// A number or text.
+using Cell = std::variant<double, std::string>;
+
+/// A column with a short name and what it holds, in what unit: {"fx", "frequency along x [cycles
+/// per control edge]"}.
+struct DescribedColumn {
+  std::string name, meaning;
+};
+
+/// A table that is of use without the page that it belongs to.
+struct DescribedTable {
+  std::vector<DescribedColumn> columns;
+  std::vector<std::vector<Cell>> rows;  ///< each as long as columns
+
+  /// A column of its own in front, with one value in all rows.
+  void put_first(DescribedColumn column, const Cell& value);
+};
+
+/// The columns of `table` of these names, in this order. Every name is one of the table's.
+[[nodiscard]] DescribedTable described(const DataTable& table,
+                                       const std::vector<DescribedColumn>& columns);
+
+/// One header line of cells "name: meaning", then a line a row; cells with commas, quotes or line
+/// breaks are quoted as RFC 4180 says.
+[[nodiscard]] std::string csv_text(const DescribedTable& table);
+
+/// {"columns": [names], "meanings": [texts], "rows": [[…], …]}.
+[[nodiscard]] std::string json_text(const DescribedTable& table);
 
 /// Writes a .csv or .json file, whole or not at all. Fails on other extensions and where the file
 /// cannot be written.

@@ -84,5 +84,16 @@ RC_GTEST_PROP(TicksLaws, AreWithinTheRangeAndAboutAsManyAsAsked, ()) {
   }
 }
 
+TEST(Ticks, WholeOnesStandAtWholeNumbers) {
+  for (double high = 4; high < 400; high += 1)
+    for (int count = 1; count <= 12; ++count) {
+      const Ticks ticks = linear_ticks({3, high}, count, true);
+      for (const Ticks::Tick& tick : ticks.ticks) {
+        EXPECT_EQ(tick.value, std::round(tick.value)) << high << ' ' << count;
+        EXPECT_EQ(tick.label.find('.'), std::string::npos) << tick.label;
+      }
+    }
+}
+
 }  // namespace
 }  // namespace limn

@@ -25,15 +25,16 @@ Range made_logarithmic(Range range) {
 
 }  // namespace
 
-Axis::Axis(Range range, std::string label, int count, bool logarithmic)
-    : range_(logarithmic ? made_logarithmic(range) : drawable(range)),
+Axis::Axis(Range range, std::string label, int count, Kind kind)
+    : range_(kind == Kind::logarithmic ? made_logarithmic(range) : drawable(range)),
       label_(std::move(label)),
       count_(count),
-      logarithmic_(logarithmic),
+      kind_(kind),
       ticks_(ticks(count)) {}
 
 Ticks Axis::ticks(int count) const {
-  return logarithmic_ ? logarithmic_ticks(range_, count) : linear_ticks(range_, count);
+  return kind_ == Kind::logarithmic ? logarithmic_ticks(range_, count)
+                                    : linear_ticks(range_, count, kind_ == Kind::whole);
 }
 
 Ticks Axis::ticks_within(double length, bool upright) const {
@@ -49,7 +50,7 @@ Ticks Axis::ticks_within(double length, bool upright) const {
 }
 
 double Axis::fraction(double value) const {
-  if (!logarithmic_) return (value - range_.low) / (range_.high - range_.low);
+  if (kind_ != Kind::logarithmic) return (value - range_.low) / (range_.high - range_.low);
   if (!(value > 0)) return std::numeric_limits<double>::quiet_NaN();
   return std::log(value / range_.low) / std::log(range_.high / range_.low);
 }

@@ -19,7 +19,8 @@ class Axis {
  public:
   /// About `count` ticks, fewer where their numbers would touch. The range is made drawable; a
   /// logarithmic one is cut to positive values.
-  Axis(Range range, std::string label, int count, bool logarithmic = false);
+  enum class Kind { linear, whole, logarithmic };  ///< whole: ticks at whole numbers only
+  Axis(Range range, std::string label, int count, Kind kind = Kind::linear);
 
   [[nodiscard]] const Range& range() const { return range_; }
   /// Those that fit into an axis of this length in points, upright or lying.
@@ -43,7 +44,7 @@ class Axis {
   Range range_;
   std::string label_;
   int count_;
-  bool logarithmic_;
+  Kind kind_;
   Ticks ticks_;
 };
 

@@ -11,7 +11,10 @@ namespace {
 
 constexpr double kRightMargin = 8;  // half of a number at the end of the x axis
 constexpr double kLegendRow = 10.5, kLegendGap = 10, kSampleWidth = 16, kSampleGap = 3;
-constexpr double kMarker = 1.5;  // radius
+constexpr double kMarker = 1.4;        // radius of the first
+constexpr double kMarkerGrowth = 0.9;  // from one to the next
+constexpr double kMarkerLine = 0.7;
+constexpr int kMarkers = 5;
 constexpr double kLegendSize = 7.5;
 constexpr double kPadding = 0.04;  // of a linear axis, beyond the data
 
@@ -38,9 +41,44 @@ Range axis_range(const ChartPanel& panel, bool vertical) {
   return {low.value_or(range.low), high.value_or(range.high)};
 }
 
+/// Whether all x are whole and not all one.
+bool counts_along_x(const ChartPanel& panel) {
+  std::vector<double> all;
+  for (const ChartPanel::Series& series : panel.series)
+    all.insert(all.end(), series.x.begin(), series.x.end());
+  const Range range = range_of(all);
+  return range.high > range.low && range.high < 1e9 && range.low > -1e9 &&
+         std::all_of(all.begin(), all.end(),
+                     [](double x) { return !std::isfinite(x) || x == std::round(x); });
+}
+
 Axis axis(const ChartPanel& panel, bool vertical) {
-  return {axis_range(panel, vertical), vertical ? panel.y_label : panel.x_label, 5,
-          vertical ? panel.log_y : panel.log_x};
+  const bool logarithmic = vertical ? panel.log_y : panel.log_x;
+  const Axis::Kind kind = logarithmic                            ? Axis::Kind::logarithmic
+                          : !vertical && counts_along_x(panel) ? Axis::Kind::whole
+                                                                 : Axis::Kind::linear;
+  return {axis_range(panel, vertical), vertical ? panel.y_label : panel.x_label, 5, kind};
+}
+
+/// Dot, ring, square, triangle, diamond: each goes round the one before.
+void draw_marker(Canvas& canvas, PagePoint at, int style) {
+  const int kind = style % kMarkers;
+  const double r = kMarker + kMarkerGrowth * kind;
+  const Colour colour = series_colour(style);
+  if (kind == 0) return canvas.fill(Path::disk(at, r), colour);
+  if (kind == 1) return canvas.stroke(Path::disk(at, r), colour, {kMarkerLine, {}});
+  std::vector<PagePoint> corners;
+  const auto corner = [&](double x, double y) { corners.push_back({at[0] + x, at[1] - y}); };
+  if (kind == 2) {
+    for (const auto& [x, y] : {PagePoint{-1, -1}, {1, -1}, {1, 1}, {-1, 1}})
+      corner(0.8 * r * x, 0.8 * r * y);
+  } else if (kind == 3) {
+    for (const auto& [x, y] : {PagePoint{-1.1, -0.65}, {1.1, -0.65}, {0, 1.25}})
+      corner(r * x, r * y);
+  } else {
+    for (const auto& [x, y] : {PagePoint{1, 0}, {0, 1}, {-1, 0}, {0, -1}}) corner(r * x, r * y);
+  }
+  canvas.stroke(Path().polyline(corners, true), colour, {kMarkerLine, {}});
 }
 
 /// The named series and their places: columns of equal width, as many as fit into `width`.
@@ -85,8 +123,7 @@ void draw_legend(Canvas& canvas, const ChartPanel& panel, const Legend& legend, 
     const double y = top + (row + 0.5) * kLegendRow;
     canvas.stroke(Path::segment({x, y}, {x + kSampleWidth, y}), series_colour(style),
                   line_stroke(style));
-    if (series.markers)
-      canvas.fill(Path::disk({x + kSampleWidth / 2, y}, kMarker), series_colour(style));
+    if (series.markers) draw_marker(canvas, {x + kSampleWidth / 2, y}, style);
     canvas.text({x + kSampleWidth + kSampleGap, y}, series.name,
                 {.size = kLegendSize, .vertical = VerticalAlign::middle});
   }
@@ -108,7 +145,7 @@ void draw_series(Canvas& canvas, const ChartPanel::Series& series, int style, co
       continue;
     }
     run.push_back({plot.x + shown(fx) * plot.width, plot.bottom() - shown(fy) * plot.height});
-    if (series.markers) canvas.fill(Path::disk(run.back(), kMarker), series_colour(style));
+    if (series.markers) draw_marker(canvas, run.back(), style);
   }
   flush();
 }
@@ -142,7 +179,10 @@ void ChartPanel::draw(Canvas& canvas, const Box& box) const {
   const double left = std::clamp(centred, box.x, std::max(box.x, box.right() - legend.width()));
   draw_legend(canvas, *this, legend, left, box.y + title_height(title));
   draw_grid(canvas, y_axis, plot);
-  canvas.begin_clip(Path::rectangle({plot.x - 2, plot.y - 2, plot.width + 4, plot.height + 4}));
+  // Markers at the rim stay whole.
+  constexpr double kOver = kMarker + kMarkers * kMarkerGrowth;
+  canvas.begin_clip(Path::rectangle({plot.x - kOver, plot.y - kOver, plot.width + 2 * kOver,
+                                     plot.height + 2 * kOver}));
   for (std::size_t i = 0; i < series.size(); ++i)
     draw_series(canvas, series[i], style_of(*this, i), x_axis, y_axis, plot);
   canvas.end_clip();

@@ -10,13 +10,15 @@
 namespace limn {
 
 /// A panel (see map_panel.h) of named lines. Each has a colour and a dash of its own, so that a
-/// grey copy can be read too; the legend stands over the plot, where it hides nothing.
+/// grey copy can be read too; so has each a marker, larger from series to series, so that points
+/// which coincide show one in the other. The legend stands over the plot, where it hides nothing.
+/// Where every x is a whole number (valences, levels), so are the ticks.
 struct ChartPanel {
   struct Series {
     std::string name = {};  ///< empty: not in the legend
     /// As many; the line breaks where one of them cannot be shown.
     std::vector<double> x = {}, y = {};
-    bool markers = false;           ///< a dot at every point
+    bool markers = false;           ///< a mark at every point
     std::optional<int> style = {};  ///< for `series_colour` and `series_dash`; default: its place
   };
   std::vector<Series> series = {};

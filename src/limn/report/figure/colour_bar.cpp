@@ -63,6 +63,12 @@ std::string full_label(const ColourScale& scale, const std::string& label) {
   return label.empty() ? scale.ticks.factor : label + "  (" + scale.ticks.factor + ")";
 }
 
+/// Whether the range has both signs, and not one of them by rounding.
+bool has_both_signs(Range range) {
+  constexpr double kRounding = 1e-9;
+  return range.low < -kRounding * range.high && range.high > -kRounding * range.low;
+}
+
 }  // namespace
 
 ColourScale colour_scale(Range range, Range data, int count) {
@@ -83,11 +89,16 @@ ColourScale colour_scale(Range range, Range data, int count) {
         tick && index < ticks.size() ? ticks[index].value : origin + i * step / kBandsPerTick;
     if (edge > scale.range.low && edge < scale.range.high) scale.edges.push_back(edge);
   }
+  scale.is_signed = has_both_signs(scale.range);
+  const double most = std::max(std::abs(scale.range.low), std::abs(scale.range.high));
   for (std::size_t i = 0; i <= scale.edges.size(); ++i) {
     const double low = i == 0 ? scale.range.low : scale.edges[i - 1];
     const double high = i == scale.edges.size() ? scale.range.high : scale.edges[i];
-    const double middle = (low / 2 + high / 2 - scale.range.low) / size;
-    scale.colours.push_back(lightened(viridis(middle), kLighten));
+    const double middle = low / 2 + high / 2;
+    scale.colours.push_back(lightened(scale.is_signed
+                                          ? diverging(middle / most)
+                                          : viridis((middle - scale.range.low) / size),
+                                      kLighten));
   }
   return scale;
 }

@@ -17,6 +17,7 @@ struct ColourScale {
   std::vector<Colour> colours;  ///< edges.size() + 1
   bool low_clamped = false;     ///< there are values below the range
   bool high_clamped = false;
+  bool is_signed = false;  ///< both signs occur: 0 is pale, equal amounts are equally dark
 };
 
 /// About `count` ticks with four bands between two of them. `data`: of all values.

@@ -18,6 +18,11 @@ constexpr std::array kViridis = {
     from_bytes(122, 209, 81), from_bytes(165, 219, 54), from_bytes(210, 226, 27),
     from_bytes(253, 231, 37)};
 
+constexpr std::array kDiverging = {
+    from_bytes(33, 102, 172),  from_bytes(67, 147, 195),  from_bytes(146, 197, 222),
+    from_bytes(209, 229, 240), from_bytes(247, 247, 247), from_bytes(253, 219, 199),
+    from_bytes(244, 165, 130), from_bytes(214, 96, 77),   from_bytes(178, 24, 43)};
+
 constexpr std::array kSeries = {from_bytes(0, 0, 0),       from_bytes(0, 114, 178),
                                 from_bytes(213, 94, 0),    from_bytes(0, 158, 115),
                                 from_bytes(204, 121, 167), from_bytes(230, 159, 0),
@@ -28,13 +33,19 @@ Colour mixed(const Colour& a, const Colour& b, double t) {
   return {mix(a.red, b.red), mix(a.green, b.green), mix(a.blue, b.blue), mix(a.alpha, b.alpha)};
 }
 
+/// At t in [0, 1] of a sequence of colours.
+template <std::size_t n>
+Colour along(const std::array<Colour, n>& colours, double t) {
+  const double at = (std::isnan(t) ? 0 : std::clamp(t, 0.0, 1.0)) * (n - 1);
+  const std::size_t i = std::min(static_cast<std::size_t>(at), n - 2);
+  return mixed(colours[i], colours[i + 1], at - static_cast<double>(i));
+}
+
 }  // namespace
 
-Colour viridis(double t) {
-  const double at = (std::isnan(t) ? 0 : std::clamp(t, 0.0, 1.0)) * (kViridis.size() - 1);
-  const std::size_t i = std::min(static_cast<std::size_t>(at), kViridis.size() - 2);
-  return mixed(kViridis[i], kViridis[i + 1], at - static_cast<double>(i));
-}
+Colour viridis(double t) { return along(kViridis, t); }
+
+Colour diverging(double t) { return along(kDiverging, std::isnan(t) ? 0.5 : (t + 1) / 2); }
 
 std::vector<Colour> viridis_bands(int n, double lighten) {
   std::vector<Colour> bands;

@@ -56,7 +56,7 @@ void draw_outline(Canvas& canvas, const RegionPlot& plot, const LevelSets& sets)
 
 double MapPanel::height(double width) const {
   const RegionPlot plot(grid, x_label, y_label, axes);
-  const double bar = kBarGap + colour_bar_width(scale_of(*this), value_label);
+  const double bar = std::max(kBarGap + colour_bar_width(scale_of(*this), value_label), side);
   const double inner = std::max(width - plot.left_margin() - bar, 1.0) * plot.aspect();
   return title_height(title) + std::min(inner, 1.5 * width) + plot.bottom_margin();
 }
@@ -64,7 +64,7 @@ double MapPanel::height(double width) const {
 void MapPanel::draw(Canvas& canvas, const Box& box) const {
   RegionPlot plot(grid, x_label, y_label, axes);
   const ColourScale scale = scale_of(*this);
-  const double bar = kBarGap + colour_bar_width(scale, value_label);
+  const double bar = std::max(kBarGap + colour_bar_width(scale, value_label), side);
   const double top = title_height(title);
   plot.place({box.x, box.y + top, box.width - bar, box.height - top});
   const LevelSets sets(grid, values);

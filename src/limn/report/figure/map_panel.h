@@ -15,7 +15,7 @@
 
 namespace limn {
 
-/// A function in colour (viridis) with black contour lines at round values and a colour bar. Where
+/// A function in colour (viridis; where both signs occur, blue below 0 and red above it) with black contour lines at round values and a colour bar. Where
 /// a value is not finite the map is empty.
 struct MapPanel {
   TriangleGrid grid = {};
@@ -29,6 +29,9 @@ struct MapPanel {
   int contours = 8;             ///< about how many levels have lines and ticks; 0: no lines
   bool contour_labels = false;  ///< write the value into the longest line of each level
   bool axes = true;
+  /// At least so much is kept free beside the region for the colour bar, in points: panels with the
+  /// same get regions of one size.
+  double side = 0;
 
   /// In points, for the given width.
   [[nodiscard]] double height(double width) const;

@@ -24,9 +24,18 @@ struct NetPanel {
     PagePoint shift = {};   ///< in points, y upwards
     Colour colour = {};
   };
+  /// Straight, with a head at `to`; over the nets.
+  struct Arrow {
+    PagePoint from = {}, to = {};
+    Colour colour = {};
+  };
   std::vector<Net> nets = {};
   std::vector<Label> labels = {};
+  std::vector<Arrow> arrows = {};
   std::string title = {};
+  /// Labels are put beside their places where they hide nothing (label_places.h); `shift` is then
+  /// not read.
+  bool place_labels = false;
 
   /// In points, for the given width.
   [[nodiscard]] double height(double width) const;

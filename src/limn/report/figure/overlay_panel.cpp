@@ -122,7 +122,7 @@ double legend_height(const OverlayPanel& panel) {
 
 double OverlayPanel::height(double width) const {
   const RegionPlot plot(grid, x_label, y_label, axes);
-  const double inner = std::max(width - plot.left_margin() - 1, 1.0) * plot.aspect();
+  const double inner = std::max(width - plot.left_margin() - std::max(side, 1.0), 1.0) * plot.aspect();
   return title_height(title) + std::min(inner, 1.5 * width) + plot.bottom_margin() +
          legend_height(*this);
 }
@@ -130,7 +130,7 @@ double OverlayPanel::height(double width) const {
 void OverlayPanel::draw(Canvas& canvas, const Box& box) const {
   RegionPlot plot(grid, x_label, y_label, axes);
   const double top = title_height(title), bottom = legend_height(*this);
-  plot.place({box.x, box.y + top, box.width - 1, box.height - top - bottom});
+  plot.place({box.x, box.y + top, box.width - std::max(side, 1.0), box.height - top - bottom});
   draw_layers(canvas, plot, *this);
   draw_outline(canvas, plot, grid);
   plot.draw_axes(canvas);

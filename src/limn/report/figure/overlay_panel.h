@@ -25,6 +25,7 @@ struct OverlayPanel {
   std::string x_label = "x", y_label = "y";
   int contours = 5;  ///< about how many levels each layer has
   bool axes = true;
+  double side = 0;  ///< as in MapPanel
 
   [[nodiscard]] double height(double width) const;
   void draw(Canvas& canvas, const Box& box) const;

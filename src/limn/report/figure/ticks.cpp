@@ -42,6 +42,13 @@ Step round_step(Range range, int count) {
   return step;
 }
 
+/// The same, but whole.
+Step whole_step(Step step) {
+  if (step.exponent < 0) return {1, 0};
+  if (step.exponent == 0 && step.mantissa == 2.5) return {2, 0};
+  return step;
+}
+
 /// The multiples of the step within the range, as multiples.
 std::vector<double> multiples(Range range, const Step& step) {
   const double size = scaled(step.mantissa, step.exponent);
@@ -91,9 +98,9 @@ std::vector<double> round_levels(Range range, int count) {
   return levels;
 }
 
-Ticks linear_ticks(Range range, int count) {
+Ticks linear_ticks(Range range, int count, bool whole) {
   range = drawable(range);
-  const Step step = round_step(range, count);
+  const Step step = whole ? whole_step(round_step(range, count)) : round_step(range, count);
   const double largest = std::max(std::abs(range.low), std::abs(range.high));
   const int magnitude = static_cast<int>(std::floor(std::log10(largest)));
   Ticks result;

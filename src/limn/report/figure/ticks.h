@@ -34,8 +34,8 @@ struct Ticks {
   int exponent = 0;           ///< of that factor
 };
 
-/// `round_levels` with labels of equal precision.
-[[nodiscard]] Ticks linear_ticks(Range range, int count);
+/// `round_levels` with labels of equal precision; `whole`: at whole numbers only.
+[[nodiscard]] Ticks linear_ticks(Range range, int count, bool whole = false);
 
 /// Powers of ten, at most about `count`, or linear ticks if none two of them are within the range.
 /// Precondition: 0 < low < high.

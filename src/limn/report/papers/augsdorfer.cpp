@@ -48,13 +48,17 @@ Extremes extremes(const DataTable& table, const std::string& name) {
   return {snapped(*low), snapped(*high), {table.rows[at][0], table.rows[at][1]}};
 }
 
+double stage_ratio(const Study& study, const std::string& name) {
+  return extremes(study.stages[0], name).high / extremes(study.stages[1], name).high;
+}
+
 namespace {
 
 const char* const kTitle =
     "Artifact analysis on triangular box-spline and subdivision meshes, made anew";
 const char* const kCitation =
     "U. H. Augsdörfer, N. A. Dodgson, M. A. Sabin: Artifact analysis on triangular box-spline and "
-    "subdivision meshes. Every figure and table here is computed by limn from the rules in its "
+    "subdivision meshes. Figures 1 to 12 and tables 1 to 3, computed by limn from the rules in its "
     "scheme files; frequencies are in cycles per control edge, f = Ω/√3.";
 
 /// The wave of Figure 1 on a fine grid, and on the control lattice.
@@ -99,11 +103,17 @@ Figure wave_figure(DataTable& numbers) {
 Status add_wave(PaperPage& page) {
   DataTable numbers;
   const Figure figure = wave_figure(numbers);
-  return page.add_figure({"Figure 1", "fig01"}, figure, numbers,
+  const DescribedTable described_numbers =
+      described(numbers, {{"x", "place of the control point [control edges]"},
+                          {"y", "place of the control point [control edges]"},
+                          {"z", "its height, cos 2πf·x [amplitudes of the wave]"}});
+  return page.add_figure({"Figure 1", "fig01"}, figure, described_numbers,
                          "a triangular mesh (black) sampled from a sinusoidal surface (grey), Ω = "
                          "[0.1, 0.2].",
                          "the same wave: f = Ω/√3 = (0.0577, 0.1155), 7.75 control edges long.");
 }
+
+const std::vector<std::string> kThree{"Y1", "Y2", "Y3"};
 
 /// Three maps of the artifacts on one scale.
 Figure artifact_maps(const Study& study, const DataTable& table, double high) {
@@ -121,37 +131,41 @@ Status add_stage_figures(PaperPage& page, const Study& study) {
   const DataTable& two = study.stages[1];
   const Extremes y1 = extremes(one, "Y1");
   Status status = page.add_figure(
-      {"Figure 3", "fig03"}, artifact_maps(study, one, y1.high), one,
+      {"Figure 3", "fig03"}, artifact_maps(study, one, y1.high),
+      described_artifacts(one, kThree),
       "the three artifacts after one smoothing stage; rotated copies of one another.",
       fmt::format(
           "each from {:.4g} to {:.4g}, the largest in the middle of the sides of the region.",
           y1.low, y1.high));
   if (!status) return status;
   Figure four(2);
-  DataTable numbers{{"fx", "fy", "sum_1", "mean_energy_1", "sum_2", "mean_energy_2"}, {}};
-  for (std::size_t i = 0; i < one.rows.size(); ++i)
-    numbers.rows.push_back({one.rows[i][0], one.rows[i][1]});
-  for (const auto& [table, words] : {std::pair{&one, "one stage"}, std::pair{&two, "two stages"}})
+  DescribedTable numbers = described_artifacts(one, {});
+  int stages = 0;
+  for (const auto& [table, words] : {std::pair{&one, "one stage"}, std::pair{&two, "two stages"}}) {
+    ++stages;
     for (const auto& [name, title] :
          {std::pair{"sum", "sum"}, std::pair{"mean_energy", "mean energy"}}) {
       four.add(artifact_map_panel(study.grid, *table, name, fmt::format("{}, {}", title, words)));
-      const std::vector<double> values = column(*table, name);
-      for (std::size_t i = 0; i < values.size(); ++i) numbers.rows[i].push_back(values[i]);
+      append_column(numbers, *table, name,
+                    {fmt::format("{}_{}", name, stages),
+                     fmt::format("{}, after {}", artifact_meaning(name), words)});
     }
+  }
   status = page.add_figure(
       {"Figure 4", "fig04"}, four, numbers,
       "sum and mean energy of the artifacts after one and after two smoothing stages; \"note the "
       "difference in scale of a factor of 10\".",
-      fmt::format("the sums reach {:.4g} and {:.4g}, the mean energies {:.4g} and {:.4g}: half as "
-                  "much after the second stage, not a tenth.",
+      fmt::format("the sums reach {:.4g} and {:.4g}, the mean energies {:.4g} and {:.4g}: less by "
+                  "factors of {:.3g} and {:.3g}.",
                   extremes(one, "sum").high, extremes(two, "sum").high,
-                  extremes(one, "mean_energy").high, extremes(two, "mean_energy").high));
+                  extremes(one, "mean_energy").high, extremes(two, "mean_energy").high,
+                  stage_ratio(study, "sum"), stage_ratio(study, "mean_energy")));
   if (!status) return status;
   Figure five(2);
   five.add(artifact_map_panel(study.grid, one, "signal", "signal"));
   five.add(artifact_map_panel(study.grid, one, "percent_of_signal", "mean energy, % of signal"));
   return page.add_figure(
-      {"Figure 5", "fig05"}, five, one,
+      {"Figure 5", "fig05"}, five, described_artifacts(one, {"signal", "percent_of_signal"}),
       "signal and artifacts in percent of it after one step with one smoothing stage.",
       fmt::format("the signal falls to {:.4g}; the artifacts reach {:.4g} % of it.",
                   extremes(one, "signal").low, extremes(one, "percent_of_signal").high));
@@ -165,7 +179,8 @@ Status add_scheme_figures(PaperPage& page, const Study& study, std::size_t which
     return PaperItem{fmt::format("Figure {}", number), fmt::format("fig{:02}", number)};
   };
   Status status =
-      page.add_figure(item(first), artifact_maps(study, table, y1.high), table,
+      page.add_figure(item(first), artifact_maps(study, table, y1.high),
+                      described_artifacts(table, kThree),
                       fmt::format("the three artifacts in the limit surface, {}.", name),
                       fmt::format("from {:.3g} to {:.4g}, at f = ({:.3f}, {:.3f}).", y1.low,
                                   y1.high, y1.at[0], y1.at[1]));
@@ -176,7 +191,7 @@ Status add_scheme_figures(PaperPage& page, const Study& study, std::size_t which
   figure.add(
       artifact_map_panel(study.grid, table, "percent_of_signal", "mean energy, % of signal"));
   return page.add_figure(
-      item(first + 1), figure, table,
+      item(first + 1), figure, described_artifacts(table),
       fmt::format("signal, the three artifacts in red, green and blue, and their energy in percent "
                   "of the signal, in the limit, {}.",
                   name),
@@ -192,19 +207,18 @@ Status add_comparison(PaperPage& page, const Study& study) {
   for (const DataTable& table : study.limit)
     high = std::max(high, extremes(table, "percent_of_signal").high);
   Figure figure(3);
-  DataTable numbers{{"fx", "fy"}, {}};
-  for (const auto& row : study.limit.front().rows) numbers.rows.push_back({row[0], row[1]});
+  DescribedTable numbers = described_artifacts(study.limit.front(), {});
   for (std::size_t i = 0; i < study.schemes.size(); ++i) {
     figure.add(artifact_map_panel(study.grid, study.limit[i], "percent_of_signal",
                                   study.schemes[i].name, {0.0, high}));
-    numbers.columns.push_back(study.schemes[i].name + " percent");
-    const std::vector<double> values = column(study.limit[i], "percent_of_signal");
-    for (std::size_t r = 0; r < values.size(); ++r) numbers.rows[r].push_back(values[r]);
+    append_column(numbers, study.limit[i], "percent_of_signal",
+                  {study.schemes[i].name + " percent",
+                   artifact_meaning("percent_of_signal") + ", in the limit"});
   }
   return page.add_figure(
       {"Figure 12", "fig12"}, figure, numbers,
       "the energy of the artifacts in percent of the signal for the three schemes on one scale.",
-      "the same order: Loop keeps low percentages farther out than the two interpolating schemes.");
+      "the same maps; the first row of the claims below compares them node by node.");
 }
 
 }  // namespace
@@ -217,6 +231,7 @@ Status write_augsdorfer(const std::string& directory, const PaperProgress& progr
   if (!study) return study.error();
   PaperPage page(directory, ads::kTitle, ads::kCitation, progress);
   if (Status status = ads::add_wave(page); !status) return status;
+  if (Status status = ads::add_lattices(page, *study); !status) return status;
   if (Status status = ads::add_stage_figures(page, *study); !status) return status;
   for (std::size_t which = 0; which < study->schemes.size(); ++which) {
     if (Status status = ads::add_table(page, *study, which); !status) return status;

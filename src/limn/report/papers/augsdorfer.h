@@ -1,6 +1,6 @@
 #pragma once
 /// Augsdörfer, Dodgson, Sabin: Artifact analysis on triangular box-spline and subdivision meshes
-/// [ADS], made anew: figures 1 and 3-12, tables 1-3, its claims and its misprints.
+/// [ADS], made anew: figures 1-12, tables 1-3, its claims and its misprints.
 
 #include <string>
 

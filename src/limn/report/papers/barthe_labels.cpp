@@ -40,6 +40,7 @@ Result<NetPanel> label_panel(const Scheme& scheme, const FrequencyBlocks& blocks
   const Colour fine{0.75, 0.1, 0.1, 1};
   NetPanel panel;
   panel.title = title;
+  panel.place_labels = true;
   panel.nets = {{.colour = grey(0.45), .stroke = {.width = 0.8}, .dot = 2},
                 {.colour = fine, .stroke = {.width = 0.5, .dash = {2, 1.5}}, .dot = 1.6}};
   for (int net = 0; net < 2; ++net) {
@@ -54,8 +55,7 @@ Result<NetPanel> label_panel(const Scheme& scheme, const FrequencyBlocks& blocks
       std::string text = fmt::format("/{{{}}}", shown);
       if (orbit >= 0)
         text += fmt::format("_{{{}}}", index_text(std::fmod(places[v].angle + sectors, kValence)));
-      const PagePoint shift = net == 0 ? PagePoint{7, 6} : PagePoint{6, -6};
-      panel.labels.push_back({at, text, shift, net == 0 ? Colour{} : fine});
+      panel.labels.push_back({at, text, {}, net == 0 ? Colour{} : fine});
     }
     for (Index e = 0; e < map->net.edge_count(); ++e) {
       const Index h = map->net.halfedge_of_edge(e);
@@ -72,8 +72,12 @@ Result<NetPanel> label_panel(const Scheme& scheme, const FrequencyBlocks& blocks
 
 Status add_labels(PaperPage& page) {
   Figure figure(2);
-  DataTable numbers{{"scheme", "ring", "angle_in_sectors"}, {}};
-  double which = 0;
+  DescribedTable numbers{
+      {{"refinement", "dyadic or √3"},
+       {"letter", "of the orbit, old; in small letters of the new one"},
+       {"ring", "edges between the orbit and the vertex"},
+       {"angle_in_sectors", "rotational position of the orbit's first vertex [sectors of 2π/v]"}},
+      {}};
   for (const auto& [name, title] : {std::pair{"loop", "dyadic"}, {"sqrt3", "√3"}}) {
     const Result<Scheme> scheme = find_scheme(name);
     if (!scheme) return scheme.error();
@@ -83,8 +87,8 @@ Status add_labels(PaperPage& page) {
     if (!panel) return panel.error();
     figure.add(*panel);
     for (const Orbit& orbit : blocks->orbits)
-      numbers.rows.push_back({which, static_cast<double>(orbit.ring), orbit.angle});
-    which += 1;
+      numbers.rows.push_back({std::string(title), std::string(1, letter(orbit)),
+                              static_cast<double>(orbit.ring), orbit.angle});
   }
   return page.add_figure(
       {"Figure 2", "fig02"}, figure, numbers,

@@ -48,26 +48,65 @@ double largest_other(const Eigencomponents& found) {
   return largest;
 }
 
+/// A real eigenvalue or the modulus of a complex one.
+struct Entry {
+  double value = kNone, complex = 0;
+};
+Entry entry_of(const Component& component, const Eigencomponents& found) {
+  if (!component.exists_at(found.valence)) return {};
+  const auto& list = found.spectra[static_cast<std::size_t>(component.frequency)].eigenvalues;
+  if (component.index >= list.size()) return {};
+  const Eigenvalue& one = list[component.index];
+  const bool real = std::abs(one.value.imag()) <= kEqualBelow;
+  return {real ? one.value.real() : one.modulus(), real ? 0.0 : 1.0};
+}
+
 DataTable numbers_of(const Study& study) {
-  DataTable numbers{{"valence", "tangent", "tangent squared", "cup", "saddle", "largest other"},
+  DataTable numbers{{"valence", "tangent", "tangent squared", "cup", "saddle", "largest other",
+                     "tangent is complex", "cup is complex", "saddle is complex"},
                     {}};
   for (const Eigencomponents& found : study.valences) {
-    const double tangent = found.tangent.value_or(kNone);
-    numbers.rows.push_back({static_cast<double>(found.valence), tangent, tangent * tangent,
-                            found.cup.value_or(kNone), found.saddle.value_or(kNone),
-                            largest_other(found)});
+    const Entry cup = entry_of(kComponents[1], found), tangent = entry_of(kComponents[2], found),
+                saddle = entry_of(kComponents[3], found);
+    numbers.rows.push_back({static_cast<double>(found.valence), tangent.value,
+                            tangent.value * tangent.value, cup.value, saddle.value,
+                            largest_other(found), tangent.complex, cup.complex, saddle.complex});
   }
   return numbers;
+}
+
+/// Valences at which a labelled eigenvalue is complex: "; complex …".
+std::string complex_words(const DataTable& numbers) {
+  std::vector<int> list;
+  for (const std::vector<double>& row : numbers.rows)
+    if (row[6] + row[7] + row[8] > 0) list.push_back(static_cast<int>(row[0]));
+  return list.empty() ? "" : " Complex, shown by modulus, at: " + runs_text(list) + ".";
+}
+
+/// The same, described, with the scheme's name in front.
+DescribedTable described_numbers(const DataTable& numbers, const std::string& scheme) {
+  const auto meaning = [](const std::string& name) -> std::string {
+    if (name == "valence") return "edges of the vertex, of dual schemes corners of the face";
+    if (name == "tangent squared") return "the tangent's modulus squared";
+    if (name == "largest other") return "largest modulus that is none of position, tangent, cup, saddle";
+    if (name.ends_with("is complex")) return "1 where it is: its modulus is given, else 0";
+    return "eigenvalue of this shape; none where the valence has no such shape";
+  };
+  std::vector<DescribedColumn> columns;
+  for (const std::string& name : numbers.columns) columns.push_back({name, meaning(name)});
+  DescribedTable table = described(numbers, columns);
+  table.put_first({"scheme", "its name"}, scheme);
+  return table;
 }
 
 ChartPanel chart(const DataTable& numbers, const std::string& title) {
   ChartPanel panel;
   panel.title = title;
   panel.x_label = "valence /{n}";
-  panel.y_label = "eigenvalue";
+  panel.y_label = "modulus of the eigenvalue";
   panel.y_low = 0;
   const std::vector<std::string> names{"tangent", "tangent²", "cup", "saddle", "largest other"};
-  for (std::size_t column = 1; column < numbers.columns.size(); ++column) {
+  for (std::size_t column = 1; column <= names.size(); ++column) {
     ChartPanel::Series series{.name = names[column - 1], .markers = true};
     for (const std::vector<double>& row : numbers.rows) {
       series.x.push_back(row[0]);
@@ -97,6 +136,32 @@ std::vector<std::vector<std::string>> table_rows(const Study& study) {
                     std::string(to_string(found.verdict.bounded_curvature)),
                     shape_text(found.verdict.cup), shape_text(found.verdict.saddle)});
   return rows;
+}
+
+/// The verdicts as a file.
+DescribedTable verdicts_of(const Study& study) {
+  DescribedTable table{
+      {{"scheme", "its name"},
+       {"valence", "edges of the vertex, of dual schemes corners of the face"},
+       {"convergent", "whether 1 is simple and leads"},
+       {"c1_necessary", "whether the necessary conditions of C1 hold"},
+       {"bounded_curvature", "whether curvature is bounded at the vertex"},
+       {"cup", "its eigenvalue against the tangent's squared: flat is less, unbounded more"},
+       {"saddle", "its eigenvalue against the tangent's squared: flat is less, unbounded more"},
+       {"reasons", "of the verdicts"}},
+      {}};
+  for (const Eigencomponents& found : study.valences) {
+    const Verdict& verdict = found.verdict;
+    std::string reasons;
+    for (const std::string& reason : verdict.reasons)
+      reasons += (reasons.empty() ? "" : "; ") + reason;
+    table.rows.push_back({study.scheme.name, static_cast<double>(found.valence),
+                          std::string(to_string(verdict.convergent)),
+                          std::string(to_string(verdict.c1_necessary)),
+                          std::string(to_string(verdict.bounded_curvature)),
+                          shape_text(verdict.cup), shape_text(verdict.saddle), reasons});
+  }
+  return table;
 }
 
 /// The valences of which something holds.
@@ -142,11 +207,13 @@ Status add_schemes(PaperPage& page) {
     const DataTable numbers = numbers_of(*found);
     Figure figure(1, 300);
     figure.add(chart(numbers, name));
-    Status status = page.add_figure({name, "eigenvalues-" + name}, figure, numbers,
-                                    "(not in the paper)", summary(*found));
+    Status status =
+        page.add_figure({name, "eigenvalues-" + name}, figure, described_numbers(numbers, name),
+                        "(not in the paper)", summary(*found) + complex_words(numbers));
     if (!status) return status;
     status =
-        page.add_table({name, "table-" + name}, table_rows(*found), numbers, found->scheme.source);
+        page.add_table({name, "table-" + name}, table_rows(*found), verdicts_of(*found),
+                            found->scheme.source);
     if (!status) return status;
   }
   return Done{};

@@ -14,6 +14,7 @@ namespace limn::bgsk {
 namespace {
 
 constexpr int kFirst = 3;
+constexpr double kRounding = 1e-12;
 
 /// The blocks as the paper prints them, of the orbits B, C, D; that of frequency 0 for differences
 /// from the centre.
@@ -49,26 +50,40 @@ Eigen::Matrix3cd found_block(const FrequencyBlocks& blocks, int omega) {
 }
 
 Status add_blocks(PaperPage& page, const Scheme& scheme) {
-  DataTable numbers{{"valence", "frequency", "largest difference"}, {}};
+  DescribedTable numbers{{{"valence", "v, edges of the vertex"},
+                          {"frequency", "ω, rotational"},
+                          {"largest difference", "of an entry from the printed one"}},
+                         {}};
+  for (const char* whose : {"printed", "limn"})
+    for (int i = 0; i < 9; ++i)
+      numbers.columns.push_back(
+          {fmt::format("{}{}_{}", "bcd"[i / 3], "BCD"[i % 3], whose),
+           fmt::format("weight of orbit {} in the new orbit {}{}, {}", "BCD"[i % 3], "bcd"[i / 3],
+                       ", relative to the centre where ω = 0",
+                       std::string(whose) == "limn" ? "from the rules" : "by the paper")});
   FrequencyAnalysis analysis(scheme, 2);
   double worst = 0;
   for (int n = kFirst; n <= kLastValence; ++n) {
     const Result<FrequencyBlocks> blocks = analysis.blocks(n);
     if (!blocks) return blocks.error();
     for (int omega = 0; omega <= n / 2; ++omega) {
+      const Eigen::Matrix3d printed = printed_block(n, omega);
+      const Eigen::Matrix3cd ours = found_block(*blocks, omega);
       const double difference =
-          (found_block(*blocks, omega) - printed_block(n, omega).cast<std::complex<double>>())
-              .cwiseAbs()
-              .maxCoeff();
-      numbers.rows.push_back({static_cast<double>(n), static_cast<double>(omega), difference});
+          (ours - printed.cast<std::complex<double>>()).cwiseAbs().maxCoeff();
+      std::vector<Cell>& row = numbers.rows.emplace_back(
+          std::vector<Cell>{static_cast<double>(n), static_cast<double>(omega), difference});
+      for (int i = 0; i < 9; ++i) row.emplace_back(printed(i / 3, i % 3));
+      for (int i = 0; i < 9; ++i) row.emplace_back(ours(i / 3, i % 3).real());
       worst = std::max(worst, difference);
     }
   }
+  const std::string equal = worst < kRounding ? "equal" : "different";
   return page.add_table(
       {"§4, frequency blocks", "sqrt3-blocks"},
       {{"block", "printed", "limn"},
-       {"ω = 0", "[2/3 − α, 0, 0; 7/9 − α, 1/9, 1/18; 2/3 − α, 1/3, 0]", "equal"},
-       {"ω > 0", "[2/3 k_ω, 0, 0; 2/3 + 1/9 k_2ω, 1/9 k_ω, 1/18; 2/3 k_ω, 1/3, 0]", "equal"}},
+       {"ω = 0", "[2/3 − α, 0, 0; 7/9 − α, 1/9, 1/18; 2/3 − α, 1/3, 0]", equal},
+       {"ω > 0", "[2/3 k_ω, 0, 0; 2/3 + 1/9 k_2ω, 1/9 k_ω, 1/18; 2/3 k_ω, 1/3, 0]", equal}},
       numbers,
       fmt::format("entry by entry at the valences 3 … {} and every frequency, the largest "
                   "difference is {:.1e}.",
@@ -83,14 +98,22 @@ Status add_formulas(PaperPage& page, const Scheme& scheme) {
     return Done{};
   }
   std::vector<std::vector<std::string>> rows{{"frequency", "ring", "eigenvalue"}};
+  DescribedTable numbers{{{"frequency", "ω, rotational"},
+                          {"and_above", "whether it holds for every larger one too"},
+                          {"ring", "the least that is invariant and has it"},
+                          {"eigenvalue", "a formula in the valence n, ω and the let alpha"}},
+                         {}};
   for (const FrequencyFormulas& frequency : formulas->valences.front().frequencies)
     for (const EigenFormula& one : frequency.eigenvalues) {
       const ClosedRoot& root = one.by_lets ? *one.by_lets : one.root;
       rows.push_back(
           {fmt::format("{}{}", frequency.frequency, frequency.and_above ? " and above" : ""),
            fmt::format("{}", one.ring), root.text});
+      numbers.rows.push_back({static_cast<double>(frequency.frequency),
+                              frequency.and_above ? "yes" : "no", static_cast<double>(one.ring),
+                              root.text});
     }
-  return page.add_table({"(13), derived", "sqrt3-formulas"}, rows, {{"row"}, {}},
+  return page.add_table({"(13), derived", "sqrt3-formulas"}, rows, numbers,
                         "the factors of the characteristic polynomials: the paper's (13), and the "
                         "eigenvalues of the second ring, which it does not print.");
 }
@@ -102,7 +125,13 @@ Status add_parameter(PaperPage& page, const Scheme& scheme) {
   if (!freed) return freed.error();
   const Result<SearchRange> range = SearchRange::parse("0,3/5");
   if (!range) return range.error();
-  DataTable numbers{{"valence", "alpha", "paper", "difference", "is the cup"}, {}};
+  DescribedTable numbers{{{"valence", "v, edges of the vertex"},
+                          {"alpha", "the vertex rule's parameter, solved from μ0 = μ1²"},
+                          {"paper", "the same by the paper's formula"},
+                          {"difference", "of the two"},
+                          {"holds", "whether the cup's eigenvalue is then the tangent's squared"},
+                          {"remark", "of the solver"}},
+                         {}};
   std::vector<std::vector<std::string>> rows{{"n", "α printed", "α solved", "remark"}};
   for (int n = kFirst; n <= kLastValence; ++n) {
     const double printed = 2 / 9. * (2 - std::cos(2 * std::numbers::pi / n));
@@ -110,7 +139,8 @@ Status add_parameter(PaperPage& page, const Scheme& scheme) {
     if (!found) return found.error();
     for (const Solution& solution : found->solutions) {
       numbers.rows.push_back({static_cast<double>(n), solution.value, printed,
-                              solution.value - printed, solution.holds == Truth::yes ? 1.0 : 0.0});
+                              solution.value - printed, std::string(to_string(solution.holds)),
+                              solution.reason});
       rows.push_back({fmt::format("{}", n), fmt::format("{:.15f}", printed),
                       fmt::format("{:.15f}", solution.value), solution.reason});
     }
@@ -129,26 +159,6 @@ Status add_sqrt3(PaperPage& page) {
   if (!scheme) return scheme.error();
   for (const auto& add : {add_blocks, add_formulas, add_parameter})
     if (Status status = add(page, *scheme); !status) return status;
-  return Done{};
-}
-
-Status add_words(PaperPage& page) {
-  page.add_findings(
-      "Claims",
-      {{"§2.1", "a bare list of eigenvalues does not say which configuration each belongs to",
-        "Figure 1: three schemes with one list; the verdicts of `limn eigen` differ, because it "
-        "knows the frequencies."},
-       {"§4, (13)", "μ0 = 2/3 − α, μ1 = 2/3 k_1, μ2 = 2/3 k_2 are the dominant eigenvalues",
-        "at n = 3 block 0 is led by (1 + √7)/18 = .2025 of the second ring, more than μ1² = 1/9: "
-        "curvature is unbounded in spite of α. At n = 4 block 2 is led by 1/√54 = .1361, not by "
-        "μ2 = 0."},
-       {"§4", "the scheme's curvature is bounded by the choice of α",
-        "of the cup only: from n = 7 on the saddle μ2 exceeds μ1² (see the table of sqrt3)."}});
-  page.add_findings(
-      "Misprints",
-      {{"(10)", "exp(−2πiωl/n), divided by n", "by v: the valence is called v there."},
-       {"(11), DFT of a", "the sum over B_j runs from 0 to v", "to v − 1: v points."},
-       {"§2.2, (7)", "blocks S_{i,j} with i, j to n", "to v − 1 (or to the number of orbits)."}});
   return Done{};
 }
 

@@ -54,7 +54,7 @@ Result<SurfacePanel> plane_panel(const Scheme& scheme, const Mesh& control) {
   return panel;
 }
 
-/// A row of the table of numbers: the eigenvalues by shape [BGSK (4)–(6)].
+/// The eigenvalues by shape [BGSK (4)–(6)].
 std::vector<double> spectrum_row(const Eigencomponents& found) {
   const auto leader = [&](std::size_t frequency) {
     return found.spectra[frequency].eigenvalues.front().value.real();
@@ -80,7 +80,26 @@ Status add_variants(PaperPage& page) {
   const Mesh control = star(Lattice::triangle, kValence, kRings);
   Figure shaded(3);
   Figure lines(3);
-  DataTable numbers{{"row", "λ0", "λ1", "λ2", "λ3", "λ4", "λ5", "λ6", "λ7"}, {}};
+  DescribedTable numbers{{{"row", "of the figure"},
+                          {"λ0", "eigenvalue of the position"},
+                          {"λ1", "eigenvalue of the tangent plane"},
+                          {"λ2", "eigenvalue of the tangent plane"},
+                          {"λ3", "eigenvalue of the cup"},
+                          {"λ4", "eigenvalue of a saddle"},
+                          {"λ5", "eigenvalue of a saddle"},
+                          {"λ6", "dominant eigenvalue of frequency 3"},
+                          {"λ7", "dominant eigenvalue of frequency 3"},
+                          {"scheme", "its name"},
+                          {"spectrum", "of the paper's that it has"}},
+                         {}};
+  DescribedTable verdicts{{{"row", "of the figure"},
+                           {"scheme", "its name"},
+                           {"spectrum", "of the paper's that it has"},
+                           {"c1_necessary", "whether the necessary conditions of C1 hold"},
+                           {"bounded_curvature", "whether curvature is bounded at the vertex"},
+                           {"cup", "its eigenvalue against the tangent's squared"},
+                           {"saddle", "its eigenvalue against the tangent's squared"}},
+                          {}};
   std::string words;
   for (const Variant& variant : kVariants) {
     const Result<Scheme> scheme = find_scheme(variant.scheme);
@@ -103,9 +122,15 @@ Status add_variants(PaperPage& page) {
                "reflection lines");
     lines.add(ReflectionLinePanel{.scene = scene, .lights = lights},
               fmt::format("{}, spectrum {}", variant.scheme, variant.spectrum));
-    std::vector<double> row = spectrum_row(found);
-    row.insert(row.begin(), static_cast<double>(numbers.rows.size() + 1));
-    numbers.rows.push_back(std::move(row));
+    const double row_number = static_cast<double>(numbers.rows.size() + 1);
+    std::vector<Cell>& row = numbers.rows.emplace_back(std::vector<Cell>{row_number});
+    for (const double value : spectrum_row(found)) row.emplace_back(value);
+    row.insert(row.end(), {Cell{variant.scheme}, Cell{variant.spectrum}});
+    verdicts.rows.push_back({row_number, variant.scheme, variant.spectrum,
+                             std::string(to_string(found.verdict.c1_necessary)),
+                             std::string(to_string(found.verdict.bounded_curvature)),
+                             std::string(to_string(*found.verdict.cup)),
+                             std::string(to_string(*found.verdict.saddle))});
     words += fmt::format("{} {}: {}. ", variant.scheme, variant.spectrum, verdict_words(found));
   }
   Status status = page.add_figure(
@@ -115,7 +140,7 @@ Status add_variants(PaperPage& page) {
       "the same three behaviours, from scheme files made by `limn prescribe`. " + words);
   if (!status) return status;
   return page.add_figure(
-      {"Figure 1, right column, as curves", "fig01-lines"}, lines, numbers,
+      {"Figure 1, right column, as curves", "fig01-lines"}, lines, verdicts,
       "the right column is a picture of pixels.",
       "the reflection lines of the limit surface as curves: in row 1 they run smoothly through the "
       "vertex, in row 2 they break there, in row 3 the third frequency bends them.");

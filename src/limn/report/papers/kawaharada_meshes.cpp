@@ -67,13 +67,14 @@ Control cube_control() {
           26};
 }
 
-Control raised_control() {
-  Mesh mesh = star(Lattice::triangle, 6, kRings);
+Control raised_control(int valence) {
+  Mesh mesh = star(Lattice::triangle, valence, kRings);
   std::vector<Point3> points{{0, 0, 1}};
   for (Index ring = 1; ring <= kRings; ++ring)
-    for (Index sector = 0; sector < 6; ++sector)
+    for (Index sector = 0; sector < valence; ++sector)
       for (Index k = 0; k < ring; ++k) {
-        const double from = turn(sector / 6.0), to = turn((sector + 1) / 6.0);
+        const double from = turn(sector / static_cast<double>(valence));
+        const double to = turn((sector + 1) / static_cast<double>(valence));
         points.push_back({(ring - k) * std::cos(from) + k * std::cos(to),
                           (ring - k) * std::sin(from) + k * std::sin(to), 0});
       }

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "limn/mesh/mesh.h"
+#include "limn/report/figure/shaded_panel.h"
 #include "limn/report/figure/surface_scene.h"
 #include "limn/report/papers/paper_page.h"
 #include "limn/scheme/scheme.h"
@@ -26,7 +27,7 @@ struct Control {
 /// vertices have 3 edges and four have 6. Fig. 23: vertex 0 raised over a flat regular mesh.
 [[nodiscard]] Control torus_control();
 [[nodiscard]] Control cube_control();
-[[nodiscard]] Control raised_control();
+[[nodiscard]] Control raised_control(int valence = 6);
 
 /// A scheme of the paper, its parameter set: "laplacian-butterfly", {"b=3/16"}.
 struct Member {
@@ -74,16 +75,34 @@ struct SurfaceSize {
 };
 [[nodiscard]] SurfaceSize size_of(const SmoothSurface& surface);
 
+/// A mesh with flat faces.
+[[nodiscard]] ShadedPanel control_panel(const Control& control, const ViewFrame& frame);
+
 /// Figures 6-15, 23-34 and 37-46; the control meshes as files.
 [[nodiscard]] Status add_surfaces(PaperPage& page, Studio& studio);
 
-/// Figures 16-22: the stencils of new vertices, from the schemes' masks.
+/// Fig. 1: Loop's steps from a mesh to its limit surface. Figs. 2-5: the numbering round a vertex,
+/// the stencils of the 1-disc, of the Laplacian and of its pseudo inverse.
+[[nodiscard]] Status add_foundations(PaperPage& page, Studio& studio);
+
+/// Figures 16-22: the operator for interpolating schemes; the stencils of new vertices, from the
+/// schemes' rules.
 [[nodiscard]] Status add_stencils(PaperPage& page, const Members& members);
+
+/// Fig. 35: the eigenvalues of D_k and their circle.
+[[nodiscard]] Status add_circle(PaperPage& page, const Members& members);
 
 /// Fig. 36: the difference vectors round a vertex in the limit.
 [[nodiscard]] Status add_differences(PaperPage& page, const Members& members);
 
-/// The claims: confirmed, refined or contradicted.
+/// Differences in the limit from random vectors: how far they are from an affine image of the
+/// regular k-gon, and the ratio of the half-axes of the ellipse through them, 1 if it is regular.
+struct DifferenceFit {
+  double distance = 0, axes = 1;
+};
+[[nodiscard]] Result<DifferenceFit> difference_fit(const Members& members, int k);
+
+/// The claims with their verdicts; misprints.
 [[nodiscard]] Status add_claims(PaperPage& page, Studio& studio);
 
 }  // namespace limn::ks

@@ -28,27 +28,6 @@ SurfaceScene empty_scene(const Control& control, const ViewFrame& frame) {
   return scene;
 }
 
-/// The control mesh with flat faces.
-ShadedPanel control_panel(const Control& control, const ViewFrame& frame) {
-  SmoothSurface faces;
-  for (Index f = 0; f < control.mesh.face_count(); ++f) {
-    const Index first = control.mesh.face_begin(f);
-    std::array<Point3, 3> corner;
-    for (Index i = 0; i < 3; ++i) corner[i] = control.points[control.mesh.origin(first + i)];
-    const Point3 normal = cross(corner[1] - corner[0], corner[2] - corner[0]);
-    const int at = static_cast<int>(faces.vertices.size());
-    for (const Point3& p : corner) {
-      faces.vertices.push_back({p.x, p.y, p.z});
-      faces.normals.push_back({normal.x, normal.y, normal.z});
-    }
-    faces.triangles.push_back({at, at + 1, at + 2});
-  }
-  SurfaceScene scene = empty_scene(control, frame);
-  scene.surfaces.push_back(std::move(faces));
-  scene.net = control_net(control.mesh, control.points);
-  return {.scene = std::move(scene), .resolution = kResolution};
-}
-
 /// A figure of one control mesh: which of the paper's it holds, and what it says of them.
 struct Plate {
   PaperItem item;
@@ -59,16 +38,16 @@ struct Plate {
 };
 
 /// The numbers of a plate in words.
-std::string found_words(const Control& control, const Plate& plate, const DataTable& numbers) {
+std::string found_words(const Control& control, const Plate& plate,
+                        const std::vector<SurfaceSize>& sizes) {
   if (!plate.overlaid.empty())
     return "each surface is seen where it lies over the other; distances from limit points.";
   const bool open = control.mesh.has_boundary();
   std::string words = open ? "lowest and highest points: " : "enclosed volumes: ";
   for (std::size_t i = 0; i < plate.alone.size(); ++i) {
-    const std::vector<double>& row = numbers.rows[i];
     words += fmt::format("{}{} ", i == 0 ? "" : ", ", plate.alone[i].words);
-    words += open ? fmt::format("{:.4f} and {:.4f}", row[3] + 0.0, row[4])
-                  : fmt::format("{:.4f}", row[2]);
+    words += open ? fmt::format("{:.4f} and {:.4f}", sizes[i].lowest + 0.0, sizes[i].highest)
+                  : fmt::format("{:.4f}", sizes[i].volume);
   }
   return words + ".";
 }
@@ -89,9 +68,17 @@ Result<ViewFrame> frame_of(Studio& studio, const Control& control, const Plate& 
   return limn::frame_of(all);
 }
 
-Status add_alone(Figure& figure, DataTable& numbers, Studio& studio, const Control& control,
-                 const Plate& plate, const ViewFrame& frame) {
-  numbers.columns = {"surface", "area", "volume", "lowest", "highest"};
+Status add_alone(Figure& figure, DescribedTable& numbers, std::vector<SurfaceSize>& sizes,
+                 Studio& studio, const Control& control, const Plate& plate,
+                 const ViewFrame& frame) {
+  const std::string unit = fmt::format("[unit of {}.obj", control.name);
+  numbers.columns = {{"surface", "the scheme of the limit surface"},
+                     {"area", "of it " + unit + ", squared]"},
+                     {"volume", (control.mesh.has_boundary() ? "between it and z = 0 "
+                                                             : "enclosed ") +
+                                    unit + ", cubed]"},
+                     {"lowest", "least z " + unit + "]"},
+                     {"highest", "largest z " + unit + "]"}};
   for (const Member& member : plate.alone) {
     const auto surface = studio.surface(control, member);
     if (!surface) return surface.error();
@@ -99,8 +86,8 @@ Status add_alone(Figure& figure, DataTable& numbers, Studio& studio, const Contr
     scene.surfaces.push_back(**surface);
     figure.add(ShadedPanel{.scene = std::move(scene), .resolution = kResolution}, member.words);
     const SurfaceSize size = size_of(**surface);
-    numbers.rows.push_back({static_cast<double>(numbers.rows.size() + 1), size.area, size.volume,
-                            size.lowest, size.highest});
+    sizes.push_back(size);
+    numbers.rows.push_back({member.words, size.area, size.volume, size.lowest, size.highest});
   }
   return Done{};
 }
@@ -127,9 +114,14 @@ SmoothSurface far_half(const SmoothSurface& surface, const Control& control) {
   return half;
 }
 
-Status add_overlays(Figure& figure, DataTable& numbers, Studio& studio, const Control& control,
+Status add_overlays(Figure& figure, DescribedTable& numbers, Studio& studio, const Control& control,
                     const Plate& plate, const ViewFrame& frame) {
-  numbers.columns = {"pair", "largest_distance", "mean_distance", "diagonal"};
+  const std::string unit = fmt::format("[unit of {}.obj]", control.name);
+  numbers.columns = {{"green", "the scheme of the green limit surface"},
+                     {"pink", "the scheme of the pink one"},
+                     {"largest_distance", "between the two " + unit},
+                     {"mean_distance", "between the two " + unit},
+                     {"diagonal", "of the box round both " + unit}};
   for (const auto& [green, pink] : plate.overlaid) {
     const auto first = studio.surface(control, green), second = studio.surface(control, pink);
     if (!first) return first.error();
@@ -148,24 +140,25 @@ Status add_overlays(Figure& figure, DataTable& numbers, Studio& studio, const Co
       panel.outlines = false;
       figure.add(std::move(panel), "the same without the near half of the green one");
     }
-    numbers.rows.push_back({static_cast<double>(numbers.rows.size() + 1), apart->largest,
-                            apart->mean, apart->diagonal});
+    numbers.rows.push_back(
+        {green.words, pink.words, apart->largest, apart->mean, apart->diagonal});
   }
   return Done{};
 }
 
 Status add_plate(PaperPage& page, Studio& studio, const Control& control, const Plate& plate) {
   Figure figure(2);
-  DataTable numbers;
+  DescribedTable numbers;
+  std::vector<SurfaceSize> sizes;
   const Result<ViewFrame> frame = frame_of(studio, control, plate);
   if (!frame) return frame.error();
   if (plate.shows_control) figure.add(control_panel(control, *frame), control.title);
   Status status = plate.overlaid.empty()
-                      ? add_alone(figure, numbers, studio, control, plate, *frame)
+                      ? add_alone(figure, numbers, sizes, studio, control, plate, *frame)
                       : add_overlays(figure, numbers, studio, control, plate, *frame);
   if (!status) return status;
   return page.add_figure(plate.item, figure, numbers, plate.printed,
-                         found_words(control, plate, numbers));
+                         found_words(control, plate, sizes));
 }
 
 /// The figures of one section, in the paper's order.
@@ -202,7 +195,7 @@ Status add_torus_and_cube(PaperPage& page, Studio& studio) {
 Status add_profiles(PaperPage& page, Studio& studio) {
   const Members& m = studio.members;
   Figure figure(2);
-  DataTable numbers{{"x"}, {}};
+  DescribedTable numbers{{{"x", "along a line of edges [control edges]"}}, {}};
   for (const auto& list : {std::vector<Member>{m.butterfly, m.eighth, m.sixteenths},
                            {m.loop, m.optimal_high, m.optimal, m.optimal_low}}) {
     ChartPanel panel;
@@ -219,9 +212,9 @@ Status add_profiles(PaperPage& page, Studio& studio) {
         series.x.push_back(points[i].first);
         series.y.push_back(points[i].second);
         if (numbers.columns.size() == 1) numbers.rows.push_back({points[i].first});
-        numbers.rows[i].push_back(points[i].second);
+        numbers.rows[i].emplace_back(points[i].second);
       }
-      numbers.columns.push_back(member.words);
+      numbers.columns.push_back({member.words, "height of its basis function over x"});
       panel.series.push_back(std::move(series));
     }
     figure.add(std::move(panel));
@@ -303,6 +296,26 @@ Status add_control_files(PaperPage& page, const Studio& studio) {
 }
 
 }  // namespace
+
+ShadedPanel control_panel(const Control& control, const ViewFrame& frame) {
+  SmoothSurface faces;
+  for (Index f = 0; f < control.mesh.face_count(); ++f) {
+    const Index first = control.mesh.face_begin(f);
+    std::array<Point3, 3> corner;
+    for (Index i = 0; i < 3; ++i) corner[i] = control.points[control.mesh.origin(first + i)];
+    const Point3 normal = cross(corner[1] - corner[0], corner[2] - corner[0]);
+    const int at = static_cast<int>(faces.vertices.size());
+    for (const Point3& p : corner) {
+      faces.vertices.push_back({p.x, p.y, p.z});
+      faces.normals.push_back({normal.x, normal.y, normal.z});
+    }
+    faces.triangles.push_back({at, at + 1, at + 2});
+  }
+  SurfaceScene scene = empty_scene(control, frame);
+  scene.surfaces.push_back(std::move(faces));
+  scene.net = control_net(control.mesh, control.points);
+  return {.scene = std::move(scene), .resolution = kResolution};
+}
 
 SurfaceSize size_of(const SmoothSurface& surface) {
   SurfaceSize size{.lowest = kFar, .highest = -kFar};

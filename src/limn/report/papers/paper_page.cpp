@@ -23,7 +23,23 @@ td.code, code { font-family: "DejaVu Sans Mono", monospace; font-size: .82rem; }
 a { color: #15558f; }
 )css";
 
+std::string number_links(const std::string& stem) {
+  return fmt::format("<a href=\"{0}.csv\">CSV</a>, <a href=\"{0}.json\">JSON</a>", stem);
+}
+
 }  // namespace
+
+std::string_view to_string(Judgement judgement) {
+  switch (judgement) {
+    case Judgement::confirmed: return "confirmed";
+    case Judgement::supported: return "supported";
+    case Judgement::refined: return "refined";
+    case Judgement::contradicted: return "contradicted";
+    case Judgement::depends: return "depends on the measure";
+    case Judgement::undecided: break;
+  }
+  return "undecided";
+}
 
 std::string html_escaped(const std::string& text) {
   std::string result;
@@ -58,25 +74,32 @@ void PaperPage::add_paragraph(const std::string& text) {
   body_ += fmt::format("<p>{}</p>\n", html_escaped(text));
 }
 
-Status PaperPage::write_numbers(const std::string& stem, const DataTable& numbers) const {
-  for (const char* extension : {".csv", ".json"})
-    if (Status status = write_table(path(stem + extension), numbers); !status) return status;
-  return Done{};
+Result<std::string> PaperPage::write_numbers(const std::string& stem,
+                                             const DescribedTable& numbers) {
+  const std::string csv = csv_text(numbers);
+  const auto [known, fresh] = stems_.try_emplace(csv, stem);
+  if (!fresh) return known->second;
+  if (Status status = write_file(path(stem + ".csv"), csv); !status) return status.error();
+  if (Status status = write_file(path(stem + ".json"), json_text(numbers)); !status)
+    return status.error();
+  return stem;
 }
 
-Status PaperPage::add_figure(const PaperItem& item, const Figure& figure, const DataTable& numbers,
-                             const std::string& printed, const std::string& found) {
+Status PaperPage::add_figure(const PaperItem& item, const Figure& figure,
+                             const DescribedTable& numbers, const std::string& printed,
+                             const std::string& found) {
   if (progress_) progress_(item.label);
   const Canvas canvas = figure.canvas();
   for (const char* extension : {".pdf", ".svg"})
     if (Status status = canvas.write(path(item.stem + extension)); !status) return status;
-  if (Status status = write_numbers(item.stem, numbers); !status) return status;
+  const Result<std::string> data = write_numbers(item.stem, numbers);
+  if (!data) return data.error();
   body_ += fmt::format(
       "<figure id=\"{0}\">\n<img src=\"{0}.svg\" alt=\"{1}\">\n<figcaption><b>{1}.</b> "
       "<b>Printed:</b> {2} <b>limn:</b> {3}<br><a href=\"{0}.pdf\">PDF</a> · <a "
-      "href=\"{0}.svg\">SVG</a> · numbers: <a href=\"{0}.csv\">CSV</a>, <a "
-      "href=\"{0}.json\">JSON</a></figcaption>\n</figure>\n",
-      item.stem, html_escaped(item.label), html_escaped(printed), html_escaped(found));
+      "href=\"{0}.svg\">SVG</a> · numbers: {4}</figcaption>\n</figure>\n",
+      item.stem, html_escaped(item.label), html_escaped(printed), html_escaped(found),
+      number_links(*data));
   return Done{};
 }
 
@@ -94,26 +117,40 @@ void PaperPage::append_rows(const std::vector<std::vector<std::string>>& rows) {
 
 Status PaperPage::add_table(const PaperItem& item,
                             const std::vector<std::vector<std::string>>& rows,
-                            const DataTable& numbers, const std::string& found) {
+                            const DescribedTable& numbers, const std::string& found) {
   if (progress_) progress_(item.label);
-  if (Status status = write_numbers(item.stem, numbers); !status) return status;
+  const Result<std::string> data = write_numbers(item.stem, numbers);
+  if (!data) return data.error();
   body_ += fmt::format("<figure id=\"{}\">\n<figcaption><b>{}.</b> {}</figcaption>\n", item.stem,
                        html_escaped(item.label), html_escaped(found));
   append_rows(rows);
-  body_ += fmt::format(
-      "<p>numbers: <a href=\"{0}.csv\">CSV</a>, <a href=\"{0}.json\">JSON</a></p>\n</figure>\n",
-      item.stem);
+  body_ += fmt::format("<p>numbers: {}</p>\n</figure>\n", number_links(*data));
   return Done{};
 }
 
-void PaperPage::add_findings(const std::string& heading,
-                             const std::vector<PaperFinding>& findings) {
-  add_heading(heading);
-  body_ += "<table>\n<tr><th>place</th><th>the paper</th><th>limn</th></tr>\n";
-  for (const auto& [place, printed, found] : findings)
-    body_ += fmt::format("<tr><td>{}</td><td>{}</td><td>{}</td></tr>\n", html_escaped(place),
-                         html_escaped(printed), html_escaped(found));
-  body_ += "</table>\n";
+Status PaperPage::add_findings(const PaperItem& item, const std::vector<PaperFinding>& findings) {
+  const bool judged = !findings.empty() && findings.front().judgement.has_value();
+  DescribedTable table{{{"place", "where in the paper"}, {"paper", "what it says"}}, {}};
+  if (judged) table.columns.push_back({"verdict", "what the evidence shows of it"});
+  table.columns.push_back({"limn", "what limn finds"});
+  add_heading(item.label);
+  body_ += fmt::format("<table id=\"{}\">\n<tr>", item.stem);
+  for (const DescribedColumn& column : table.columns)
+    body_ += fmt::format("<th>{}</th>", html_escaped(column.name));
+  body_ += "</tr>\n";
+  for (const auto& [place, printed, found, judgement] : findings) {
+    std::vector<Cell>& row = table.rows.emplace_back(std::vector<Cell>{place, printed});
+    if (judged) row.emplace_back(std::string(judgement ? to_string(*judgement) : ""));
+    row.emplace_back(found);
+    body_ += "<tr>";
+    for (const Cell& cell : row)
+      body_ += fmt::format("<td>{}</td>", html_escaped(std::get<std::string>(cell)));
+    body_ += "</tr>\n";
+  }
+  const Result<std::string> data = write_numbers(item.stem, table);
+  if (!data) return data.error();
+  body_ += fmt::format("</table>\n<p>as files: {}</p>\n", number_links(*data));
+  return Done{};
 }
 
 Status PaperPage::add_file(const std::string& name, const std::string& content,

@@ -3,6 +3,8 @@
 /// each what the paper prints and what limn finds.
 
 #include <functional>
+#include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -20,11 +22,23 @@ struct PaperItem {
   std::string stem;
 };
 
+/// What the evidence beside a claim shows.
+enum class Judgement {
+  confirmed,     ///< it holds, by what is shown
+  supported,     ///< it holds wherever it was computed; it says more than that
+  refined,       ///< it holds in part, or in another form, which is given
+  contradicted,  ///< a case is shown in which it does not hold
+  depends,       ///< the measures that it leaves open disagree
+  undecided
+};
+[[nodiscard]] std::string_view to_string(Judgement judgement);
+
 /// A line of a list of claims or misprints.
 struct PaperFinding {
   std::string place;    ///< where in the paper
   std::string printed;  ///< what it says
   std::string found;    ///< what limn finds
+  std::optional<Judgement> judgement = {};  ///< of a claim; computed from the numbers in `found`
 };
 
 class PaperPage {
@@ -36,16 +50,19 @@ class PaperPage {
   void add_paragraph(const std::string& text);
 
   /// Writes the figure as .pdf and .svg and its numbers as .csv and .json, and puts it on the page.
+  /// Numbers that the folder holds already are not written twice: the page leads to the first.
   [[nodiscard]] Status add_figure(const PaperItem& item, const Figure& figure,
-                                  const DataTable& numbers, const std::string& printed,
+                                  const DescribedTable& numbers, const std::string& printed,
                                   const std::string& found);
 
   /// A table of text, its first row the header; and its numbers as .csv and .json.
   [[nodiscard]] Status add_table(const PaperItem& item,
                                  const std::vector<std::vector<std::string>>& rows,
-                                 const DataTable& numbers, const std::string& found);
+                                 const DescribedTable& numbers, const std::string& found);
 
-  void add_findings(const std::string& heading, const std::vector<PaperFinding>& findings);
+  /// A table of claims or misprints under a heading, and as .csv and .json.
+  [[nodiscard]] Status add_findings(const PaperItem& item,
+                                    const std::vector<PaperFinding>& findings);
 
   /// Any further file, linked from the page.
   [[nodiscard]] Status add_file(const std::string& name, const std::string& content,
@@ -56,10 +73,13 @@ class PaperPage {
 
  private:
   [[nodiscard]] std::string path(const std::string& name) const;
-  [[nodiscard]] Status write_numbers(const std::string& stem, const DataTable& numbers) const;
+  /// Gives the stem of the files that hold the numbers.
+  [[nodiscard]] Result<std::string> write_numbers(const std::string& stem,
+                                                  const DescribedTable& numbers);
   void append_rows(const std::vector<std::vector<std::string>>& rows);
 
   std::string directory_, title_, citation_, body_;
+  std::map<std::string, std::string> stems_;  ///< of the tables that are written, by their text
   PaperProgress progress_;
 };
 

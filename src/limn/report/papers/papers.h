@@ -12,6 +12,7 @@ struct Paper {
   std::string name;  ///< in commands, and of its folder
   std::string authors, title;
   std::string picture;  ///< one of its figures, to show on the list
+  std::string content;  ///< what of it its page holds
   /// Makes the folder with index.html.
   Status (*write)(const std::string& directory, const PaperProgress& progress);
 };
