@@ -39,14 +39,16 @@ class Box {
       for (int x = 0; x < size_[0]; ++x)
         for (int y = 0; y < size_[1]; ++y) add(atom, {x, y});
     }
-    if (hull_.spans()) axis_norms_ = hull_.axis_norms();
+    if (!hull_.spans()) return;
+    axis_norms_ = hull_.axis_norms();
+    start_ = hull_.start_at(hull_.first_basis());
   }
 
   /// The norm of a sequence in the box, rounded up.
   [[nodiscard]] double norm(const Laurent& v) const {
     if (!hull_.spans()) return std::numeric_limits<double>::infinity();
     const Eigen::VectorXd u = coordinates(v, {0, 0});
-    const SymmetricHull::Combination found = hull_.least_combination(u, hull_.first_basis(), 0);
+    const SymmetricHull::Combination found = hull_.least_combination(u, start_, 0);
     const Eigen::VectorXd slack = u.cwiseAbs() * rounding_error(2);
     return inflated(found.norm + hull_.residual_bound(u, slack, found).dot(axis_norms_));
   }
@@ -76,6 +78,7 @@ class Box {
   LatticeVector size_;
   SymmetricHull hull_;
   Eigen::VectorXd axis_norms_;
+  SymmetricHull::Start start_;
 };
 
 LatticeVector size_of(const std::set<Laurent>& sequences, int order) {
@@ -88,7 +91,8 @@ LatticeVector size_of(const std::set<Laurent>& sequences, int order) {
 
 }  // namespace
 
-std::vector<double> difference_norms(const Mask& mask, int order, int most_steps, double enough) {
+std::vector<double> difference_norms(const Mask& mask, int order, int most_steps, double enough,
+                                     const Stop& stop) {
   const Laurent a = integer_offsets(mask);
   const std::vector<LatticeVector> digits = cosets(mask.dilation);
   std::set<Laurent> sequences;
@@ -98,8 +102,10 @@ std::vector<double> difference_norms(const Mask& mask, int order, int most_steps
   for (int k = 1; k <= most_steps; ++k) {
     std::set<Laurent> next;
     for (const Laurent& v : sequences)
-      for (const LatticeVector digit : digits)
+      for (const LatticeVector digit : digits) {
+        if (asked(stop)) return norms;
         next.insert(standard(transition(a, mask.dilation, digit, v)));
+      }
     next.erase(Laurent{});
     sequences = std::move(next);
     const LatticeVector size = size_of(sequences, order);
@@ -111,9 +117,10 @@ std::vector<double> difference_norms(const Mask& mask, int order, int most_steps
     parallel_for(
         std::size_t{0}, list.size(),
         [&](std::size_t first, std::size_t last) {
-          for (std::size_t i = first; i < last; ++i) each[i] = box.norm(list[i]);
+          for (std::size_t i = first; i < last && !asked(stop); ++i) each[i] = box.norm(list[i]);
         },
         kGrain);
+    if (asked(stop)) break;
     norms.push_back(each.empty() ? 0 : *std::max_element(each.begin(), each.end()));
     if (norms.back() < std::pow(enough, k)) break;
   }

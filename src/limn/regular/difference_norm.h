@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "limn/base/time_budget.h"
 #include "limn/scheme/mask.h"
 
 namespace limn {
@@ -14,8 +15,8 @@ namespace limn {
 /// of the control data. It is the ∞-norm of k steps of the difference scheme, the one with the
 /// least norm where several belong to one mask; a linear program for each kind of refined
 /// difference. Precondition: sum rules of that order. Ends early: with the first c below
-/// `enough`^k, and before a k that would cost more than some seconds.
+/// `enough`^k, before a k that would cost more than some seconds, and where `stop` asks for it.
 [[nodiscard]] std::vector<double> difference_norms(const Mask& mask, int order, int most_steps,
-                                                   double enough);
+                                                   double enough, const Stop& stop = {});
 
 }  // namespace limn

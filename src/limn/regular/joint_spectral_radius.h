@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "limn/base/time_budget.h"
 #include "limn/regular/invariant_subspaces.h"
 
 namespace limn {
@@ -18,6 +19,8 @@ struct JointSpectralRadiusOptions {
   double tolerance = 3e-3;  ///< upper/lower - 1 below which little more is sought
   /// Called with what is done next, if given.
   std::function<void(const std::string&)> progress;
+  /// Asks for the end of the search: what was reached is given, all of it proved.
+  Stop stop;
 };
 
 struct JointSpectralRadius {
@@ -36,6 +39,7 @@ struct JointSpectralRadius {
   std::optional<Rational> eigenvalue;  ///< of the product, where it is rational
   bool exact = false;  ///< ρ is |eigenvalue|^(1/length), or 0: all blocks of size 1
   std::vector<Block> blocks;
+  bool time_ended = false;  ///< `stop` asked for an end: more time would narrow the bracket
 };
 
 /// Precondition: at least one matrix, all square and of one size ≥ 1. Deterministic.
