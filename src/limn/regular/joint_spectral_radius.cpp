@@ -147,6 +147,8 @@ class Enclosure {
     };
     for (const double more : kLevels) {
       if (more <= options_.tolerance) break;
+      // where the level before was easy, the next coarse one would teach little
+      if (more > kFine && last > 0 && kJump * last <= options_.budget) continue;
       if (!reaches(more, options_.budget) && more <= kFine) return;
       if (more <= kFine && kJump * last <= options_.budget) break;
       if (2 * last > options_.budget) return;

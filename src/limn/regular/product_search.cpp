@@ -9,6 +9,7 @@ namespace limn {
 namespace {
 
 constexpr double kBetter = 1 + 1e-9;  // a longer product has to be better than a shorter by this
+constexpr std::size_t kAskedTo = 2;   // factors up to which it is asked whether to stop
 
 /// Whether no rotation of the word comes before it, and none but the whole one is equal.
 bool stands_for_its_rotations(const std::vector<int>& word) {
@@ -26,7 +27,7 @@ double spectral_radius(const Eigen::MatrixXd& a) { return a.eigenvalues().cwiseA
 void search(const std::vector<Eigen::MatrixXd>& matrices, std::size_t length,
             std::vector<int>& word, const Eigen::MatrixXd& product, Product& best,
             const Stop& stop) {
-  if (!best.factors.empty() && asked(stop)) return;
+  if (word.size() <= kAskedTo && !best.factors.empty() && asked(stop)) return;
   if (word.size() == length) {
     if (!stands_for_its_rotations(word)) return;
     const double growth = std::pow(spectral_radius(product), 1.0 / static_cast<double>(length));

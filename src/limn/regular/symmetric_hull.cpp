@@ -162,7 +162,7 @@ struct SymmetricHull::Tableau {
       return true;
     }
     const Eigen::RowVectorXd row = inverse.row(leaving) / column(leaving);
-    inverse -= column * row;
+    inverse.noalias() -= column * row;
     inverse.row(leaving) = row;
     for (Eigen::VectorXd* coordinates : {&c, &searching}) {
       const double length = (*coordinates)(leaving) / column(leaving);
