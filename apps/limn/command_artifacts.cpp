@@ -121,7 +121,7 @@ Status check_map(const ArtifactOptions& options) {
 
 Result<nlohmann::ordered_json> analysis_json(const NamedAnalysis& scheme,
                                              const ArtifactOptions& options, Frequency f,
-                                             double tolerance) {
+                                             double tolerance, SamplingDensities& densities) {
   nlohmann::ordered_json json;
   if (options.wants_values()) {
     const Result<nlohmann::ordered_json> values = artifacts_json(scheme, f, options.stage());
@@ -130,7 +130,7 @@ Result<nlohmann::ordered_json> analysis_json(const NamedAnalysis& scheme,
   }
   if (options.map) json.update({{"scheme", scheme.name}, {"map", *options.map}});
   if (options.wants_sampling()) {
-    const Result<nlohmann::ordered_json> sampling = sampling_json(scheme, tolerance);
+    const Result<nlohmann::ordered_json> sampling = sampling_json(scheme, tolerance, densities);
     if (!sampling) return sampling.error();
     json.update(*sampling);
   }
@@ -143,7 +143,8 @@ int print_text(const std::vector<NamedAnalysis>& schemes, const ArtifactOptions&
   Result<std::string> sampling = std::string();
   if (options.wants_values()) values = artifacts_text(schemes, f, options.stage());
   if (!values) return report(values.error());
-  if (options.wants_sampling()) sampling = sampling_text(schemes, tolerance);
+  SamplingDensities densities;
+  if (options.wants_sampling()) sampling = sampling_text(schemes, tolerance, densities);
   if (!sampling) return report(sampling.error());
   if (options.map) fmt::print("{}: a map of {}\n", *options.map, schemes.front().name);
   fmt::print("{}{}", *values, *sampling);
@@ -171,8 +172,9 @@ int analyse(const ArtifactOptions& options) {
         !status)
       return report(status.error());
   if (!options.json) return print_text(*schemes, options, *f, *tolerance);
+  SamplingDensities densities;
   return print_all(*schemes, [&](const NamedAnalysis& scheme) {
-    return analysis_json(scheme, options, *f, *tolerance);
+    return analysis_json(scheme, options, *f, *tolerance, densities);
   });
 }
 

@@ -9,6 +9,7 @@
 #include "limn/report/compare_report.h"
 #include "limn/report/figure/visibility.h"
 #include "scheme_argument.h"
+#include "time_option.h"
 #include "valences.h"
 #include "view_options.h"
 
@@ -21,6 +22,7 @@ struct CompareOptions {
   std::string valence = "3..12";
   double tolerance = 1;
   int budget = RegularityOptions{}.budget;
+  double seconds = kDefaultSeconds;
   std::string mesh;
   int steps = 4;
   std::string output;
@@ -102,6 +104,7 @@ int compare(const CompareOptions& options) {
                        .tolerance = options.tolerance,
                        .progress = [&](const std::string& what) { line.show(what); }};
   record.regularity.budget = options.budget;
+  record.regularity.seconds = time_limit(options.seconds);
   for (const auto& [label, scheme] : schemes)
     comparison.schemes.push_back(approx_record(label, scheme, record));
   if (options.json)
@@ -154,6 +157,7 @@ void declare_compare(CLI::App& parser, Action& action) {
                    "artifacts in percent of the signal, for which sampling densities are given")
       ->type_name("PERCENT")
       ->capture_default_str();
+  declare_time(*command, options->seconds, "how long to look for each scheme's regularity");
   command
       ->add_option("--budget", options->budget,
                    "of the bracket for the Hölder exponent: more is slower and tighter")

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "command.h"
+#include "limn/base/progress.h"
 #include "limn/extraordinary/eigencomponents.h"
 #include "limn/extraordinary/least_valence.h"
 #include "limn/regular/second_differences.h"
@@ -18,6 +19,9 @@ namespace limn::app {
 namespace {
 
 constexpr int kMostRings = 6;
+constexpr int kMostSectors = 2000;  // of all maps of one figure together
+constexpr int kMapSteps = 4;        // with which maps are judged: 16 faces along each edge
+constexpr int kFineSectors = 125;   // drawn with all steps; four times as many with a step less
 
 struct EigenOptions {
   SchemeOptions scheme;
@@ -30,13 +34,41 @@ struct EigenOptions {
   bool latex = false;
 };
 
+/// Sectors of the maps at all these valences, n at each.
+long long sectors_of(Valences range) {
+  const long long last = range.last, first = range.first;
+  return (last * (last + 1) - first * (first - 1)) / 2;
+}
+
+/// Steps with which maps are drawn, so that a figure of many has no more faces than one of few.
+int drawn_steps(long long sectors) {
+  int steps = kMapSteps;
+  for (long long most = kFineSectors; sectors > most; most *= 4) --steps;
+  return steps;
+}
+
+Status check_map(const EigenOptions& options, Valences range) {
+  if (options.map.empty()) return Done{};
+  if (const Result<FigureFormat> format = figure_format(options.map); !format)
+    return format.error();
+  if (sectors_of(range) <= kMostSectors) return Done{};
+  return Error{fmt::format("--map: the maps at the valences {}..{} have {} sectors together, and a "
+                           "figure holds {} at most",
+                           range.first, range.last, sectors_of(range), kMostSectors),
+               "draw fewer valences at a time, as 3..60, or leave out --map",
+               {},
+               0,
+               0};
+}
+
 /// What is printed of one valence, gathered as text or as JSON.
 class Output {
  public:
-  Output(const EigenOptions& options, const Scheme& scheme)
+  Output(const EigenOptions& options, const Scheme& scheme, int map_steps)
       : options_(options),
         scheme_(scheme),
         regular_(find_regular_part(scheme)),
+        map_steps_(map_steps),
         text_(scheme.name + "\n" + regular_part_text(regular_) + eigen_heading()) {}
 
   void add(const FrequencyBlocks& blocks) {
@@ -47,14 +79,14 @@ class Output {
     if (options_.vectors && options_.json) add_vectors_json(blocks, components, json);
     if (options_.vectors) text_ += vectors_text(blocks, components);
     if (!options_.map.empty()) {
-      Result<CharacteristicMap> map = approx_characteristic_map(scheme_, blocks.valence);
+      Result<CharacteristicMap> map = approx_characteristic_map(scheme_, blocks.valence, kMapSteps);
       const std::string regular(to_string(map ? map->regular : Truth::undecided));
       const std::string reason = map ? map->reason : map.error().message;
       json["characteristic_map"] = {{"regular", regular}, {"reason", reason}};
       if (map) json["characteristic_map"]["turned_over"] = map->turned_over;
       text_ += fmt::format("           characteristic map regular, by samples: {} ({})\n", regular,
                            reason);
-      if (map) maps_.push_back(std::move(*map));
+      if (map) keep(std::move(*map));
     }
     list_.push_back(std::move(json));
   }
@@ -74,9 +106,19 @@ class Output {
   }
 
  private:
+  /// Judged with all steps, a map may be drawn with fewer.
+  void keep(CharacteristicMap map) {
+    if (map_steps_ < kMapSteps)
+      if (Result<CharacteristicMap> coarse =
+              approx_characteristic_map(scheme_, map.valence, map_steps_))
+        map.image = std::move(coarse->image);
+    maps_.push_back(std::move(map));
+  }
+
   const EigenOptions& options_;
   const Scheme& scheme_;
   RegularPart regular_;
+  int map_steps_;
   nlohmann::ordered_json list_ = nlohmann::ordered_json::array();
   std::string text_;
   std::vector<CharacteristicMap> maps_;
@@ -103,17 +145,17 @@ int print_formulas(const EigenOptions& options) {
 }
 
 int analyse(const EigenOptions& options) {
-  if (!options.map.empty())
-    if (const Result<FigureFormat> format = figure_format(options.map); !format)
-      return report(format.error());
   if (Status status = check_outputs({options.map}); !status) return report(status.error());
   const Result<Scheme> scheme = options.scheme.load();
   if (!scheme) return report(scheme.error());
   const Result<Valences> range = read_valences(options.valence, least_valence(*scheme->split));
   if (!range) return report(range.error());
+  if (Status status = check_map(options, *range); !status) return report(status.error());
   FrequencyAnalysis analysis(*scheme, options.rings);
-  Output output(options, *scheme);
+  Output output(options, *scheme, drawn_steps(sectors_of(*range)));
+  ProgressLine line;
   for (int n = range->first; n <= range->last; ++n) {
+    line.show(fmt::format("valence {}", n));
     const Result<FrequencyBlocks> blocks = analysis.blocks(n);
     if (!blocks) return report(blocks.error());
     output.add(*blocks);

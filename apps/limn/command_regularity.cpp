@@ -7,6 +7,7 @@
 #include "limn/base/progress.h"
 #include "limn/regular/regular_mask.h"
 #include "limn/report/regularity_report.h"
+#include "time_option.h"
 
 namespace limn::app {
 namespace {
@@ -16,6 +17,7 @@ constexpr int kMostBudget = 1'000'000;
 struct RegularityCommand {
   SchemeOptions scheme;
   RegularityOptions options;
+  double seconds = kDefaultSeconds;
   bool json = false;
 };
 
@@ -26,6 +28,7 @@ int analyse(const RegularityCommand& command) {
   if (!mask) return report(mask.error());
   ProgressLine line;
   RegularityOptions options = command.options;
+  options.seconds = time_limit(command.seconds);
   options.progress = [&line](const std::string& what) { line.show(what); };
   Result<Regularity> regularity = enclose_regularity(*mask, options);
   if (!regularity) {
@@ -58,11 +61,12 @@ void declare_regularity(CLI::App& parser, Action& action) {
                    "width of the Hölder bracket below which little more is sought")
       ->check(CLI::Range(1e-6, 1.0))
       ->capture_default_str();
+  declare_time(*command, chosen->seconds, "how long to look for more; what was reached is given");
   command->add_flag("--json", chosen->json, "print one JSON object");
   command->footer(
       "Example: limn regularity butterfly\n"
       "         limn regularity laplacian-loop -p a=1/16 --json\n"
-      "         limn regularity optimal-low --tolerance 0.002 --budget 30000");
+      "         limn regularity optimal-low --tolerance 0.002 --budget 30000 --time 60");
   command->callback([&action, chosen] { action = [chosen] { return analyse(*chosen); }; });
 }
 

@@ -122,6 +122,18 @@ TEST(ArtifactsCommand, RefusesBadInputWithTheReason) {
   expect_refused(folder.limn("artifacts skew.toml -f 0,0"), "skew.toml");
 }
 
+TEST(ArtifactsCommand, RefusesMasksThatAreTooWideBeforeTheWork) {
+  const Folder folder;
+  folder.write(
+      "wide.toml",
+      "split = \"sqrt3\"\n[factors]\nstages = 4\ndirections = [ { step = [1, 0], count = 6 "
+      "}, { step = [0, 1], count = 6 } ]\n");
+  // 1 GB of addresses, where the whole matrices would take 6
+  expect_refused(folder.limn("artifacts wide.toml -f 0.1,0.1", "ulimit -v 1000000;"),
+                 {"too wide", "800"});
+  EXPECT_EQ(folder.limn("artifacts wide.toml -f 0.1,0.1 --steps 1", "ulimit -v 1000000;").code, 0);
+}
+
 TEST(ArtifactsCommand, RefusesASchemeWithoutLimitButShowsItsSteps) {
   const Folder folder;
   const std::string scheme = "artifacts laplacian-loop -p a=1 -f .1,.1 --json ";

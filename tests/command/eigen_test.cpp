@@ -8,6 +8,16 @@
 namespace limn::test {
 namespace {
 
+TEST(EigenCommand, DrawsManyMapsInBoundedMemoryOrRefusesThemBeforeTheWork) {
+  const Folder folder;
+  if (folder.limn("eigen loop --valence 3 --map m.pdf").code != 0) GTEST_SKIP() << "no figures";
+  // 1.2 GB where every map kept all its faces
+  EXPECT_EQ(folder.limn("eigen loop --valence 3..45 --map m.pdf", "ulimit -v 700000;").code, 0);
+  expect_refused(folder.limn("eigen loop --valence 3..200 --map many.pdf"),
+                 {"--map", "3..200", "fewer valences"});
+  EXPECT_EQ(folder.count(), 1);
+}
+
 TEST(EigenCommand, GivesTheContractsJson) {
   const Folder folder;
   const Outcome outcome = folder.limn("eigen loop --valence 3..7 --json");

@@ -1,6 +1,10 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <chrono>
 #include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
 
 #include "run_command.h"
 
@@ -46,12 +50,75 @@ TEST(RegularityCommand, TakesParametersBudgetAndTolerance) {
   EXPECT_LT(lower("--tolerance 0.05"), lower(""));
 }
 
+TEST(RegularityCommand, ListsAllDerivativesThatThereAre) {
+  const Folder folder;
+  const auto quintic =
+      nlohmann::json::parse(folder.limn("regularity box-spline-quad -p i=6 -p j=6 --json").out);
+  const nlohmann::json expected{"yes", "yes", "yes", "yes", "yes", "no"};
+  EXPECT_EQ(quintic.at("smoothness"), expected);
+  EXPECT_TRUE(quintic.at("proofs").contains("c4"));
+  const Outcome text = folder.limn("regularity box-spline-quad -p i=6 -p j=6");
+  EXPECT_NE(text.out.find("\nC4  yes"), std::string::npos) << text.out;
+}
+
+/// A mask of size × size weights without pattern, symmetric through its centre; each coset sums to
+/// 1.
+std::string generic_mask(int size) {
+  std::vector<std::vector<int>> rows(static_cast<std::size_t>(size),
+                                     std::vector<int>(static_cast<std::size_t>(size)));
+  const auto at = [&](int i, int j) -> int& {
+    return rows[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)];
+  };
+  const int middle = size / 2;
+  for (int i = 0; i < size; ++i)
+    for (int j = 0; j < size; ++j) {
+      const int a = std::min(i * size + j, size * size - 1 - i * size - j);
+      at(i, j) = 1 + a * a * 7 % 23;
+    }
+  for (const int p : {0, 1})
+    for (const int q : {0, 1}) {
+      int sum = 0;
+      for (int i = (middle + p) % 2; i < size; i += 2)
+        for (int j = (middle + q) % 2; j < size; j += 2) sum += at(i, j);
+      const int rest = 4000 - sum;  // split between the weights nearest to the centre
+      for (const int di : p == 0 ? std::vector<int>{0} : std::vector<int>{-1, 1})
+        for (const int dj : q == 0 ? std::vector<int>{0} : std::vector<int>{-1, 1})
+          at(middle + di, middle + dj) += rest / ((1 + p) * (1 + q));
+      at(middle + p, middle + q) += rest % ((1 + p) * (1 + q));
+    }
+  std::string text = "split = \"quad-dyadic\"\n[mask]\nscale = \"1/4000\"\nrows = [";
+  for (const auto& row : rows) {
+    text += "[";
+    for (const int value : row) text += std::to_string(value) + ", ";
+    text += "],";
+  }
+  return text + "]\n";
+}
+
+TEST(RegularityCommand, EndsInTimeWithWhatItReached) {
+  const Folder folder;
+  for (const int size : {9, 13}) {
+    folder.write("generic.toml", generic_mask(size));
+    const auto start = std::chrono::steady_clock::now();
+    const Outcome outcome = folder.limn("regularity generic.toml --time 1 --json");
+    const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    const nlohmann::json found = nlohmann::json::parse(outcome.out);
+    EXPECT_EQ(found.at("time_ended"), true) << size;
+    EXPECT_LT(took.count(), 60) << size;  // without an end: minutes
+    if (const auto& upper = found.at("holder").at("upper"); !upper.is_null()) {
+      EXPECT_LE(double(found.at("holder").at("lower")), double(upper));
+    }
+  }
+}
+
 TEST(RegularityCommand, RefusesBadInputWithTheReason) {
   const Folder folder;
   expect_refused(folder.limn("regularity nosuch"), "nosuch");
   expect_refused(folder.limn("regularity"), "SCHEME");
   expect_refused(folder.limn("regularity loop --budget 0"), "--budget");
   expect_refused(folder.limn("regularity loop --tolerance x"), "--tolerance");
+  expect_refused(folder.limn("regularity loop --time -1"), "--time");
   expect_refused(folder.limn("regularity loop -p nosuch=1"), "nosuch");
 }
 

@@ -7,6 +7,7 @@
 #include <random>
 
 #include "limn/regular/artifact_map.h"
+#include "limn/regular/regular_mask.h"
 #include "limn/regular/sampling_density.h"
 #include "regular/wave_oracle.h"
 
@@ -122,6 +123,23 @@ TEST(SamplingDensity, IsWhereTheMeasureMeetsTheTolerance) {
   for (const double tolerance : {.05, 5., 30., 100.}) {
     expect_density("loop", tolerance, ArtifactMeasure::total_energy);
     expect_density("interpolating-loop", tolerance, ArtifactMeasure::mean_energy);
+  }
+}
+
+TEST(SamplingDensity, OfMasksWithoutTheLatticesSymmetriesIsThatOfEachDirection) {
+  for (const std::vector<std::string>& counts : std::vector<std::vector<std::string>>{
+           {"i=3", "j=1", "k3=1"}, {"i=2", "j=2", "k3=4"}, {"i=5", "j=3", "k3=1"}}) {
+    Scheme scheme = find_scheme("box-spline-triangle").value();
+    ASSERT_TRUE(set_parameters(scheme, counts).ok());
+    const ArtifactAnalysis analysis = ArtifactAnalysis::of(regular_mask(scheme).value()).value();
+    for (const ArtifactMeasure measure :
+         {ArtifactMeasure::mean_energy, ArtifactMeasure::total_energy})
+      for (const SamplingDensity density = sampling_density(analysis, 2, measure).value();
+           const DirectionalDensity& here : density.directions)
+        if (here.reached) {
+          EXPECT_NEAR(measured(analysis, measure, here.direction, here.frequency), 2, 1e-4)
+              << here.direction;
+        }
   }
 }
 

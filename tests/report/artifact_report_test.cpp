@@ -17,6 +17,28 @@ NamedAnalysis named(const std::string& name) {
   return {name, ArtifactAnalysis::of(regular_mask(find_scheme(name).value()).value()).value()};
 }
 
+TEST(SamplingDensities, AreFoundOnceForEachMask) {
+  // five schemes of Loop's mask, and the butterfly twice
+  std::vector<NamedAnalysis> schemes;
+  for (const char* name : {"loop", "loop-warren", "loop-7-flat", "butterfly", "loop-7-bounded",
+                           "loop-7-shrinking", "butterfly-modified"})
+    schemes.push_back(named(name));
+  SamplingDensities densities;
+  const std::string text = sampling_text(schemes, 1, densities).value();
+  EXPECT_EQ(densities.computed(), 4U);  // two masks, two measures
+  for (const NamedAnalysis& scheme : schemes) {
+    const SamplingDensity alone =
+        sampling_density(scheme.analysis, 1, ArtifactMeasure::mean_energy).value();
+    const SamplingDensity shared =
+        densities.at(scheme.analysis, 1, ArtifactMeasure::mean_energy).value();
+    EXPECT_EQ(shared.worst.frequency, alone.worst.frequency) << scheme.name;
+    EXPECT_EQ(shared.best.direction, alone.best.direction) << scheme.name;
+  }
+  EXPECT_EQ(densities.computed(), 4U);
+  EXPECT_NE(densities.at(schemes[0].analysis, 2, ArtifactMeasure::mean_energy)->worst.frequency,
+            densities.at(schemes[0].analysis, 1, ArtifactMeasure::mean_energy)->worst.frequency);
+}
+
 double area(const TriangleGrid& grid) {
   double sum = 0;
   for (const auto& [a, b, c] : grid.triangles) {

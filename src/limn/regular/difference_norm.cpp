@@ -42,14 +42,16 @@ class Box {
       for (int x = 0; x < size_[0]; ++x)
         for (int y = 0; y < size_[1]; ++y) add(atom, {x, y});
     }
-    if (hull_.spans()) axis_norms_ = hull_.axis_norms();
+    if (!hull_.spans()) return;
+    axis_norms_ = hull_.axis_norms();
+    start_ = hull_.start_at(hull_.first_basis());
   }
 
   /// The norm of a sequence in the box, rounded up.
   [[nodiscard]] double norm(const Laurent& v) const {
     if (!hull_.spans()) return std::numeric_limits<double>::infinity();
     const Eigen::VectorXd u = coordinates(v, {0, 0});
-    const SymmetricHull::Combination found = hull_.least_combination(u, hull_.first_basis(), 0);
+    const SymmetricHull::Combination found = hull_.least_combination(u, start_, 0);
     const Eigen::VectorXd slack = u.cwiseAbs() * rounding_error(2);
     return inflated(found.norm + hull_.residual_bound(u, slack, found).dot(axis_norms_));
   }
@@ -119,6 +121,7 @@ class Box {
   LatticeVector size_;
   SymmetricHull hull_;
   Eigen::VectorXd axis_norms_;
+  SymmetricHull::Start start_;
 };
 
 LatticeVector size_of(const std::set<Laurent>& sequences, int order) {
@@ -138,13 +141,17 @@ class RefinedDifferences {
       sequences_.insert(standard(v));
   }
 
-  void step() {
+  /// False where it was stopped before it was done.
+  bool step(const Stop& stop = {}) {
     std::set<Laurent> next;
     for (const Laurent& v : sequences_)
-      for (const LatticeVector digit : digits_)
+      for (const LatticeVector digit : digits_) {
+        if (asked(stop)) return false;
         next.insert(standard(transition(a_, mask_.dilation, digit, v)));
+      }
     next.erase(Laurent{});
     sequences_ = std::move(next);
+    return true;
   }
   /// Of measuring them all.
   [[nodiscard]] double work() const {
@@ -177,14 +184,16 @@ class RefinedDifferences {
 
 }  // namespace
 
-std::vector<double> difference_norms(const Mask& mask, int order, int most_steps, double enough) {
+std::vector<double> difference_norms(const Mask& mask, int order, int most_steps, double enough,
+                                     const Stop& stop) {
   RefinedDifferences differences(mask, order);
   std::vector<double> norms;
   for (int k = 1; k <= most_steps; ++k) {
-    differences.step();
+    if (!differences.step(stop)) return norms;
     if (differences.work() > kMostWork) break;
-    const std::vector<double> each =
-        differences.each<double>([](const Box& box, const Laurent& v) { return box.norm(v); });
+    const std::vector<double> each = differences.each<double>(
+        [&stop](const Box& box, const Laurent& v) { return asked(stop) ? 0 : box.norm(v); });
+    if (asked(stop)) break;
     norms.push_back(each.empty() ? 0 : *std::max_element(each.begin(), each.end()));
     if (norms.back() < std::pow(enough, k)) break;
   }

@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "limn/base/time_budget.h"
 #include "limn/scheme/mask.h"
 
 namespace limn {
@@ -15,9 +16,9 @@ namespace limn {
 /// of the control data. It is the ∞-norm of k steps of the difference scheme, the one with the
 /// least norm where several belong to one mask; a linear program for each kind of refined
 /// difference. Precondition: sum rules of that order. Ends early: with the first c below
-/// `enough`^k, and before a k that would cost more than some seconds.
+/// `enough`^k, before a k that would cost more than some seconds, and where `stop` asks for it.
 [[nodiscard]] std::vector<double> difference_norms(const Mask& mask, int order, int most_steps,
-                                                   double enough);
+                                                   double enough, const Stop& stop = {});
 
 /// The least k ≤ most_steps for which k steps of the second differences have a norm, in the sense
 /// above, of at most |det M|^{-k}, in exact rationals: then second differences over h² are bounded

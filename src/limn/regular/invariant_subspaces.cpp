@@ -165,7 +165,7 @@ std::optional<Halves> split_trivially(const std::vector<RationalMatrix>& matrice
   return std::nullopt;
 }
 
-Verdict split(const std::vector<RationalMatrix>& matrices) {
+Verdict split(const std::vector<RationalMatrix>& matrices, const Stop& stop) {
   if (matrices.front().size() == 1) return {std::nullopt, true};
   const std::optional<ModularFamily> family = shadow(matrices);
   if (!family) return {};
@@ -173,7 +173,7 @@ Verdict split(const std::vector<RationalMatrix>& matrices) {
   if (std::optional<Halves> halves = split_trivially(matrices, *family, dual))
     return {halves, false};
   Random random;
-  for (int number = 0; number < kTries; ++number) {
+  for (int number = 0; number < kTries && !asked(stop); ++number) {
     const FieldMatrix<Modular> a = element(*family, number, random);
     for (const Modular root : eigenvalues_in_field(a, kRootsForEach)) {
       Verdict verdict = try_root(matrices, *family, dual, a, root);
@@ -185,11 +185,11 @@ Verdict split(const std::vector<RationalMatrix>& matrices) {
 
 }  // namespace
 
-std::vector<DiagonalBlock> diagonal_blocks(std::vector<RationalMatrix> matrices) {
-  Verdict verdict = split(matrices);
+std::vector<DiagonalBlock> diagonal_blocks(std::vector<RationalMatrix> matrices, const Stop& stop) {
+  Verdict verdict = split(matrices, stop);
   if (!verdict.halves) return {{std::move(matrices), verdict.irreducible}};
-  std::vector<DiagonalBlock> blocks = diagonal_blocks(std::move(verdict.halves->sub));
-  for (DiagonalBlock& block : diagonal_blocks(std::move(verdict.halves->quotient)))
+  std::vector<DiagonalBlock> blocks = diagonal_blocks(std::move(verdict.halves->sub), stop);
+  for (DiagonalBlock& block : diagonal_blocks(std::move(verdict.halves->quotient), stop))
     blocks.push_back(std::move(block));
   return blocks;
 }

@@ -4,6 +4,7 @@
 /// triangular, and their joint spectral radius is the greatest of those of the diagonal blocks.
 
 #include "limn/base/rational.h"
+#include "limn/base/time_budget.h"
 #include "limn/regular/echelon.h"
 
 namespace limn {
@@ -21,6 +22,8 @@ struct DiagonalBlock {
 /// Precondition: at least one matrix, all square and of one size ≥ 1. Subspaces are sought
 /// modulo a prime and verified over the rationals; those whose basis needs integers above 2³⁰, or
 /// irrational numbers, are not found. Deterministic. Cost: about size³ operations for each try.
-[[nodiscard]] std::vector<DiagonalBlock> diagonal_blocks(std::vector<RationalMatrix> matrices);
+/// Where `stop` asks for an end no further block is split.
+[[nodiscard]] std::vector<DiagonalBlock> diagonal_blocks(std::vector<RationalMatrix> matrices,
+                                                         const Stop& stop = {});
 
 }  // namespace limn

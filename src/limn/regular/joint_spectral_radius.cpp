@@ -3,11 +3,13 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 #include <fmt/core.h>
 #include <Eigen/Dense>
 
 #include "limn/regular/approx_matrix.h"
+#include "limn/regular/determinant.h"
 #include "limn/regular/polytope_bound.h"
 #include "limn/regular/product_search.h"
 #include "limn/regular/rounding.h"
@@ -42,12 +44,11 @@ int product_length(std::size_t matrices, std::size_t size) {
   return length;
 }
 
-RationalMatrix product_of(const std::vector<RationalMatrix>& matrices,
-                          const std::vector<int>& factors) {
-  RationalMatrix result = matrices[static_cast<std::size_t>(factors.front())];
-  for (std::size_t i = 1; i < factors.size(); ++i)
-    result = product(result, matrices[static_cast<std::size_t>(factors[i])]);
-  return result;
+RationalMatrix product_along(const std::vector<RationalMatrix>& matrices,
+                             const std::vector<int>& factors) {
+  std::vector<const RationalMatrix*> list;
+  for (const int factor : factors) list.push_back(&matrices[static_cast<std::size_t>(factor)]);
+  return product_of(list);
 }
 
 /// ρ ≤ the greatest norm of one matrix: the largest sum of a row.
@@ -61,27 +62,40 @@ double norm_bound(const std::vector<Eigen::MatrixXd>& matrices) {
 class Enclosure {
  public:
   Enclosure(const std::vector<RationalMatrix>& matrices, const JointSpectralRadiusOptions& options)
-      : options_(options), blocks_(diagonal_blocks(matrices)) {}
+      : options_(options), blocks_(diagonal_blocks(matrices, options.stop)) {}
 
   JointSpectralRadius run() {
     for (const DiagonalBlock& block : blocks_) look_at(block);
+    tell("joint spectral radius: a lower bound");
     for (std::size_t b = 0; b < blocks_.size(); ++b) raise_lower(b);
     result_.upper = result_.lower;
     result_.exact = true;
-    for (std::size_t b = 0; b < blocks_.size(); ++b) bound(b);
+    std::vector<std::size_t> small_first(blocks_.size());  // the time may end
+    std::iota(small_first.begin(), small_first.end(), std::size_t{0});
+    std::stable_sort(small_first.begin(), small_first.end(), [&](std::size_t a, std::size_t b) {
+      return blocks_[a].size() < blocks_[b].size();
+    });
+    for (const std::size_t b : small_first) bound(b);
     if (result_.exact) result_.upper = result_.lower * (1 + kRoot);
     if (result_.lower == 0 && result_.exact) result_.upper = 0;
+    result_.time_ended = !result_.exact && asked(options_.stop);
     return std::move(result_);
   }
 
  private:
+  void tell(const std::string& what) const {
+    if (options_.progress) options_.progress(what);
+  }
+
   /// The best product of the block, approximately.
   void look_at(const DiagonalBlock& block) {
+    tell(fmt::format("joint spectral radius: products of {} rows", block.size()));
     Work& work = work_.emplace_back();
     for (const RationalMatrix& matrix : block.matrices)
       work.matrices.push_back(approx_matrix(matrix));
     work.best = approx_best_product(
-        work.matrices, block.size() == 1 ? 1 : product_length(block.matrices.size(), block.size()));
+        work.matrices, block.size() == 1 ? 1 : product_length(block.matrices.size(), block.size()),
+        options_.stop);
     result_.blocks.push_back({static_cast<int>(block.size()), work.best.growth,
                               std::numeric_limits<double>::infinity(), 0, block.irreducible});
   }
@@ -91,7 +105,7 @@ class Enclosure {
     const Product& best = work_[b].best;
     if (!(best.growth > result_.lower * (1 + 1e-12)) || best.factors.empty()) return;
     const SpectralRadiusBound proved =
-        lower_spectral_radius(product_of(blocks_[b].matrices, best.factors));
+        lower_spectral_radius(product_along(blocks_[b].matrices, best.factors), options_.stop);
     double root = proved.lower;
     if (best.factors.size() > 1)  // a root is off by a unit in the last place or two
       root = std::pow(root, 1.0 / static_cast<double>(best.factors.size())) * (1 - kRoot);
@@ -120,10 +134,13 @@ class Enclosure {
   /// Whether a polytope bounds the block's ρ by the level, or nearly.
   bool polytope_reaches(const Work& work, JointSpectralRadius::Block& block, double level, int most,
                         int& made) const {
-    if (options_.progress)
-      options_.progress(
-          fmt::format("joint spectral radius of {} rows: is it below {:.6f}?", block.size, level));
-    const PolytopeBound found = polytope_bound(work.matrices, level, work.best.leading, most);
+    const PolytopeLimits limits{most, options_.stop, [&](int vertices) {
+                                  tell(
+                                      fmt::format("joint spectral radius of {} rows: is it below "
+                                                  "{:.6f}? {} vertices",
+                                                  block.size, level, vertices));
+                                }};
+    const PolytopeBound found = polytope_bound(work.matrices, level, work.best.leading, limits);
     made = found.vertices;
     block.vertices = std::max(block.vertices, found.vertices);
     block.upper = std::min(block.upper, found.upper);
@@ -152,6 +169,8 @@ class Enclosure {
     };
     for (const double more : kLevels) {
       if (more <= options_.tolerance) break;
+      // where the level before was easy, the next coarse one would teach little
+      if (more > kFine && last > 0 && kJump * last <= options_.budget) continue;
       if (!reaches(more, options_.budget) && more <= kFine) return;
       if (more <= kFine && kJump * last <= options_.budget) break;
       if (2 * last > options_.budget) return;

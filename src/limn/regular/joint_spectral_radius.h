@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "limn/base/time_budget.h"
 #include "limn/regular/invariant_subspaces.h"
 
 namespace limn {
@@ -21,6 +22,8 @@ struct JointSpectralRadiusOptions {
   /// If given, nothing is asked but whether ρ is below this: `upper` is brought below it or left
   /// coarse, and left coarse at once where `lower` comes near it.
   std::optional<double> target = {};
+  /// Asks for the end of the search: what was reached is given, all of it proved.
+  Stop stop = {};
 };
 
 struct JointSpectralRadius {
@@ -39,6 +42,7 @@ struct JointSpectralRadius {
   std::optional<Rational> eigenvalue;  ///< of the product, where it is rational
   bool exact = false;  ///< ρ is |eigenvalue|^(1/length), or 0: all blocks of size 1
   std::vector<Block> blocks;
+  bool time_ended = false;  ///< `stop` asked for an end: more time would narrow the bracket
 };
 
 /// Precondition: at least one matrix, all square and of one size ≥ 1. Deterministic.

@@ -16,13 +16,15 @@
 namespace limn {
 namespace {
 
-constexpr std::size_t kMostExactValues = 80;  // a few seconds of rational elimination
+constexpr std::size_t kMostExactValues = 80;    // a few seconds of rational elimination
+constexpr std::size_t kMostApproxValues = 800;  // some seconds, and 100 MB, of dense eigenvalues
 
 Error no_limit(const std::string& why) {
   return {"the limit values are not determined: " + why, {}, {}, 0, 0};
 }
 
-/// The symmetries S of φ among the lattice's: a∘S = a, and M S M⁻¹ is another of them.
+}  // namespace
+
 std::vector<LatticeMatrix> symmetries(const Mask& mask) {
   std::vector<LatticeMatrix> kept;
   for (const LatticeMatrix& s : isometries(mask.lattice)) {
@@ -44,6 +46,8 @@ std::vector<LatticeMatrix> symmetries(const Mask& mask) {
   if (std::all_of(kept.begin(), kept.end(), conjugate_kept)) return kept;
   return {LatticeMatrix{{{{1, 0}, {0, 1}}}}};
 }
+
+namespace {
 
 /// The points (doubled coordinates) where φ may differ from 0, one of each orbit under its
 /// symmetries, and how many there are in each.
@@ -79,20 +83,31 @@ Points points_of(const Mask& mask) {
   return points;
 }
 
-/// T, row by row, with value(orbit i) = Σ T_ij value(orbit j).
 using Rows = std::vector<std::vector<Rational>>;
+
+/// Row i of T, where value(orbit i) = Σ T_ij value(orbit j), by j; without zeros.
+std::map<std::size_t, Rational> transition_row(const Mask& mask, const Points& points,
+                                               std::size_t i) {
+  std::map<std::size_t, Rational> row;
+  const LatticeVector image = mask.dilation.apply(points.representative[i]);
+  for (const auto& [k, value] : mask.coefficients) {
+    const auto to = points.orbit_of.find({image[0] - k[0], image[1] - k[1]});
+    if (to != points.orbit_of.end()) row[to->second] += value;
+  }
+  return row;
+}
 
 Rows transition_matrix(const Mask& mask, const Points& points) {
   const std::size_t n = points.representative.size();
   Rows rows(n, std::vector<Rational>(n, Rational(0)));
-  for (std::size_t i = 0; i < n; ++i) {
-    const LatticeVector image = mask.dilation.apply(points.representative[i]);
-    for (const auto& [k, value] : mask.coefficients) {
-      const auto to = points.orbit_of.find({image[0] - k[0], image[1] - k[1]});
-      if (to != points.orbit_of.end()) rows[i][to->second] += value;
-    }
-  }
+  for (std::size_t i = 0; i < n; ++i)
+    for (const auto& [j, value] : transition_row(mask, points, i)) rows[i][j] = value;
   return rows;
+}
+
+Error too_many(std::size_t n, std::size_t most, const char* how) {
+  return no_limit(
+      fmt::format("the mask is too wide: {} different ones, {} at most {}", n, most, how));
 }
 
 /// The only solution of the rows (coefficients, then right side); nothing where there is none or
@@ -163,8 +178,7 @@ Status check_convergence(const Mask& mask, const Points& points) {
 
 Result<std::vector<Rational>> exact_values(const Mask& mask, const Points& points) {
   const std::size_t n = points.representative.size();
-  if (n > kMostExactValues)
-    return no_limit(fmt::format("{} different ones are too many to be found exactly", n));
+  if (n > kMostExactValues) return too_many(n, kMostExactValues, "can be found exactly");
   if (Status status = check_convergence(mask, points); !status) return status.error();
   Rows rows = transition_matrix(mask, points);
   rows.emplace_back(n, Rational(0));
@@ -181,12 +195,13 @@ Result<std::vector<Rational>> exact_values(const Mask& mask, const Points& point
 
 Result<Eigen::VectorXd> approx_values(const Mask& mask, const Points& points) {
   const auto n = static_cast<Eigen::Index>(points.representative.size());
+  if (points.representative.size() > kMostApproxValues)
+    return too_many(points.representative.size(), kMostApproxValues, "are sought");
   if (Status status = check_convergence(mask, points); !status) return status.error();
-  const Rows rows = transition_matrix(mask, points);
-  Eigen::MatrixXd system(n + 1, n);
+  Eigen::MatrixXd system = Eigen::MatrixXd::Zero(n + 1, n);
   for (Eigen::Index i = 0; i < n; ++i)
-    for (Eigen::Index j = 0; j < n; ++j)
-      system(i, j) = to_double(rows[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)]);
+    for (const auto& [j, value] : transition_row(mask, points, static_cast<std::size_t>(i)))
+      system(i, static_cast<Eigen::Index>(j)) = to_double(value);
   int not_less_than_1 = 0;
   for (const std::complex<double> value : system.topRows(n).eigenvalues())
     not_less_than_1 += std::abs(value) > 1 - 1e-9 ? 1 : 0;

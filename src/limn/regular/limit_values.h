@@ -13,14 +13,19 @@
 
 namespace limn {
 
+/// The symmetries S of φ about its centre among the lattice's, φ∘S = φ: where a∘S = a, and M S M⁻¹
+/// is another such. A group; the identity alone where the mask's do not form one.
+[[nodiscard]] std::vector<LatticeMatrix> symmetries(const Mask& mask);
+
 /// The limit stencil exactly, by twice the offset from the control point (even pairs); sums
 /// to 1. Fails where the mask has none: where no value, or more than one, is fixed by it
 /// (discontinuous φ), and where more than 80 different values would have to be found.
 [[nodiscard]] Result<Laurent> limit_stencil(const Mask& mask);
 
-/// The same in double precision, by offset, for masks of any width. Fails as above, and where the
-/// scheme does not converge: another eigenvalue of the transition matrix is greater than 1, or, on
-/// data with the mask's symmetries, not less than 1.
+/// The same in double precision, by offset. Fails as above, where more than 800 different values
+/// would have to be found (before any work), and where the scheme does not converge: another
+/// eigenvalue of the transition matrix is greater than 1, or, on data with the mask's symmetries,
+/// not less than 1.
 [[nodiscard]] Result<std::map<LatticeVector, double>> approx_limit_stencil(const Mask& mask);
 
 /// ⟨φ, φ(·-j)⟩ for φ with integral 1, by j in the control lattice, per area of a control cell;

@@ -15,15 +15,13 @@ namespace {
 constexpr double kInside = 3e-9;  // images may leave the polytope by this part
 constexpr double kProved = 1e-7;  // with all that rounding may have added
 constexpr std::ptrdiff_t kGrain = 8;
+constexpr int kBatch = 256;  // images between two reports of progress
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 class Growth {
  public:
-  Growth(const std::vector<Eigen::MatrixXd>& matrices, double level, int most_vertices)
-      : matrices_(matrices),
-        level_(level),
-        most_vertices_(most_vertices),
-        hull_(matrices.front().rows()) {}
+  Growth(const std::vector<Eigen::MatrixXd>& matrices, double level, const PolytopeLimits& limits)
+      : matrices_(matrices), level_(level), limits_(limits), hull_(matrices.front().rows()) {}
 
   PolytopeBound run(const std::vector<Eigen::VectorXd>& start) {
     for (const Eigen::VectorXd& v : start) hull_.add(v);
@@ -34,7 +32,7 @@ class Growth {
       for (; done < hull_.count(); ++done)
         for (Image& image : images_of(done)) images.push_back(std::move(image));
       take_in(images);
-      if (made() > most_vertices_) return {kInfinity, made()};
+      if (must_end()) return {kInfinity, made()};
       images.clear();
     }
     return {inflated(level_ * greatest_), made()};
@@ -50,6 +48,12 @@ class Growth {
   };
 
   [[nodiscard]] int made() const { return static_cast<int>(hull_.count()); }
+  [[nodiscard]] bool must_end() const {
+    return made() > limits_.most_vertices || asked(limits_.stop);
+  }
+  void tell() const {
+    if (limits_.progress) limits_.progress(made());
+  }
 
   std::vector<Image> images_of(Eigen::Index vertex) const {
     const Eigen::VectorXd v = hull_.points().col(vertex);
@@ -80,14 +84,14 @@ class Growth {
     }
     axis_norms_ = hull_.axis_norms();
     for (const Image& image : exact_) count_vertex(image);
-    basis_ = hull_.first_basis();
+    start_ = hull_.start_at(hull_.first_basis());
   }
 
   void count_vertex(const Image& image) {
     greatest_ = std::max(greatest_, inflated(1 + image.slack.dot(axis_norms_)));
   }
 
-  void measure(Image& image, const SymmetricHull::Basis& begin, double too_much) const {
+  void measure(Image& image, const SymmetricHull::Start& begin, double too_much) const {
     image.found = hull_.least_combination(image.value, begin, 1 + kInside / 2, too_much);
     image.norm = kInfinity;
     if (image.found.outside || image.found.norm > 1 + kInside) return;
@@ -97,12 +101,17 @@ class Growth {
 
   /// One generation. What lies farthest outside is added first, so that less of the rest does.
   void take_in(std::vector<Image>& images) {
-    parallel_for(
-        std::size_t{0}, images.size(),
-        [&](std::size_t first, std::size_t last) {
-          for (std::size_t i = first; i < last; ++i) measure(images[i], basis_, 1 + kInside);
-        },
-        kGrain);
+    for (std::size_t begin = 0; begin < images.size() && !asked(limits_.stop); begin += kBatch) {
+      tell();
+      parallel_for(
+          begin, std::min(begin + kBatch, images.size()),
+          [&](std::size_t first, std::size_t last) {
+            for (std::size_t i = first; i < last && !asked(limits_.stop); ++i)
+              measure(images[i], start_, 1 + kInside);
+          },
+          kGrain);
+    }
+    if (must_end()) return;
     std::stable_sort(images.begin(), images.end(),
                      [](const Image& a, const Image& b) { return a.found.norm > b.found.norm; });
     std::set<Eigen::Index> used;
@@ -110,35 +119,37 @@ class Growth {
       used.insert(image.found.points.begin(), image.found.points.end());
     hull_.prefer({used.begin(), used.end()});
     for (Image& image : images) {
-      if (!image.inside()) measure(image, image.found.points, 1 + kInside);
+      if (!image.inside()) measure(image, hull_.start_at(image.found.points), 1 + kInside);
       if (image.inside()) {
         greatest_ = std::max(greatest_, image.norm);
         continue;
       }
       count_vertex(image);
       hull_.add(image.value);
-      if (made() > most_vertices_) return;
+      if (must_end()) return;
+      if (made() % kBatch == 0) tell();
     }
-    basis_ = images.front().found.points;
+    start_ = hull_.start_at(images.front().found.points);
   }
 
   const std::vector<Eigen::MatrixXd>& matrices_;
   double level_;
-  int most_vertices_;
+  const PolytopeLimits& limits_;
   SymmetricHull hull_;
   Eigen::Index next_ = 0;       // the vertex whose images come next
   std::vector<Image> waiting_;  // images within the span of a hull that was still flat
   std::vector<Image> exact_;    // images that were made vertices meanwhile
   Eigen::VectorXd axis_norms_;
-  SymmetricHull::Basis basis_;  // where searches begin
+  SymmetricHull::Start start_;  // where searches begin
   double greatest_ = 1;         // norm of an image
 };
 
 }  // namespace
 
 PolytopeBound polytope_bound(const std::vector<Eigen::MatrixXd>& matrices, double level,
-                             const std::vector<Eigen::VectorXd>& start, int most_vertices) {
-  return Growth(matrices, level, most_vertices).run(start);
+                             const std::vector<Eigen::VectorXd>& start,
+                             const PolytopeLimits& limits) {
+  return Growth(matrices, level, limits).run(start);
 }
 
 }  // namespace limn

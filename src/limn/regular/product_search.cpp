@@ -9,6 +9,7 @@ namespace limn {
 namespace {
 
 constexpr double kBetter = 1 + 1e-9;  // a longer product has to be better than a shorter by this
+constexpr std::size_t kAskedTo = 2;   // factors up to which it is asked whether to stop
 
 /// Whether no rotation of the word comes before it, and none but the whole one is equal.
 bool stands_for_its_rotations(const std::vector<int>& word) {
@@ -24,7 +25,9 @@ double spectral_radius(const Eigen::MatrixXd& a) { return a.eigenvalues().cwiseA
 
 /// Tries all words of exactly `length` that begin with `word`.
 void search(const std::vector<Eigen::MatrixXd>& matrices, std::size_t length,
-            std::vector<int>& word, const Eigen::MatrixXd& product, Product& best) {
+            std::vector<int>& word, const Eigen::MatrixXd& product, Product& best,
+            const Stop& stop) {
+  if (word.size() <= kAskedTo && !best.factors.empty() && asked(stop)) return;
   if (word.size() == length) {
     if (!stands_for_its_rotations(word)) return;
     const double growth = std::pow(spectral_radius(product), 1.0 / static_cast<double>(length));
@@ -35,20 +38,21 @@ void search(const std::vector<Eigen::MatrixXd>& matrices, std::size_t length,
     word.push_back(static_cast<int>(i));
     // a word that begins with more than one of its rotations would is not the first of them
     if (word.back() >= word.front())
-      search(matrices, length, word, (product * matrices[i]).eval(), best);
+      search(matrices, length, word, (product * matrices[i]).eval(), best, stop);
     word.pop_back();
   }
 }
 
 }  // namespace
 
-Product approx_best_product(const std::vector<Eigen::MatrixXd>& matrices, int length) {
+Product approx_best_product(const std::vector<Eigen::MatrixXd>& matrices, int length,
+                            const Stop& stop) {
   const Eigen::Index size = matrices.front().rows();
   Product best;
   for (int n = 1; n <= length; ++n) {
     std::vector<int> word;
-    search(matrices, static_cast<std::size_t>(n), word, Eigen::MatrixXd::Identity(size, size),
-           best);
+    search(matrices, static_cast<std::size_t>(n), word, Eigen::MatrixXd::Identity(size, size), best,
+           stop);
   }
   Eigen::MatrixXd product = Eigen::MatrixXd::Identity(size, size);
   for (const int factor : best.factors) product *= matrices[static_cast<std::size_t>(factor)];

@@ -4,6 +4,8 @@
 #include <Eigen/Core>
 #include <vector>
 
+#include "limn/base/time_budget.h"
+
 namespace limn {
 
 struct Product {
@@ -12,8 +14,10 @@ struct Product {
   std::vector<Eigen::VectorXd> leading;  ///< a leading eigenvector, or its real and imaginary part
 };
 
-/// The best of all products of up to so many factors, the shortest of equals. Cost: (number of
-/// matrices)^length eigenvalue problems over the length.
-[[nodiscard]] Product approx_best_product(const std::vector<Eigen::MatrixXd>& matrices, int length);
+/// The best of all products of up to so many factors, the shortest of equals; where `stop` asks for
+/// an end, of those looked at, among them a matrix at least. Cost: (number of matrices)^length
+/// eigenvalue problems over the length.
+[[nodiscard]] Product approx_best_product(const std::vector<Eigen::MatrixXd>& matrices, int length,
+                                          const Stop& stop = {});
 
 }  // namespace limn

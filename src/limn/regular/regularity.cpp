@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 
 #include <fmt/core.h>
 
@@ -17,6 +18,9 @@ namespace {
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kLogarithms =
     4e-15;  // what quotients of logarithms are off by, relatively, and more
+
+constexpr int kAlways = 2;                // C1 and C2 are always asked for
+constexpr double kShareOfBracket = 0.75;  // of the time; the rest is for the difference schemes
 
 /// qᵏ
 Rational power(const Rational& q, int k) {
@@ -66,7 +70,10 @@ Status check_cosets(const Mask& mask) {
 class Analysis {
  public:
   Analysis(const Mask& mask, const RegularityOptions& options)
-      : mask_(mask), options_(options), growth_(mask.dilation.growth()) {}
+      : mask_(mask),
+        options_(options),
+        time_(options.seconds, options.clock),
+        growth_(mask.dilation.growth()) {}
 
   Result<Regularity> run() {
     if (Status status = check_cosets(mask_); !status) return status.error();
@@ -75,9 +82,11 @@ class Analysis {
         transition_operators(mask_, result_.orders.sum_rules);
     if (!operators) return operators.error();
     bracket(*operators);
-    Smoothness& continuity = result_.smoothness[0];
-    decide_convergence(continuity);
-    if (continuity.verdict == Truth::yes) {
+    if (result_.holder.radius.time_ended) raise_by_norms();
+    decide_convergence(result_.smoothness.emplace_back());
+    find_power(0);
+    if (result_.smoothness.front().verdict == Truth::yes) {
+      tell("stability of the shifts");
       const Stability stability = prove_stability(mask_);
       result_.stable = stability.verdict;
       result_.stability_reason = stability.reason;
@@ -85,16 +94,22 @@ class Analysis {
       result_.stability_reason = "asked only of schemes that converge";
     }
     bound_above();
-    for (int r = 1; r <= 2; ++r) decide(r);
-    for (int r = 0; r <= 2; ++r) find_power(r);
+    for (int r = 1; r <= kAlways || result_.smoothness.back().verdict == Truth::yes; ++r) decide(r);
+    for (int r = 1; r < static_cast<int>(result_.smoothness.size()); ++r) find_power(r);
+    result_.time_ended = result_.holder.radius.time_ended || time_.ended();
     return std::move(result_);
   }
 
  private:
+  void tell(const std::string& what) const {
+    if (options_.progress) options_.progress(what);
+  }
+
   void bracket(const TransitionOperators& operators) {
     HolderBracket& holder = result_.holder;
-    const JointSpectralRadiusOptions options{
-        options_.budget, std::pow(growth_, options_.tolerance / 2) - 1, options_.progress};
+    const JointSpectralRadiusOptions options{options_.budget,
+                                             std::pow(growth_, options_.tolerance / 2) - 1,
+                                             options_.progress, time_.stop(kShareOfBracket)};
     if (operators.on_differences.front().empty())
       holder.radius.exact = true;
     else
@@ -130,22 +145,26 @@ class Analysis {
           Truth::no, 0, 0,
           fmt::format("differences do not shrink in the steps with digits {}", product_text())};
     else
-      smoothness.reason = fmt::format("the joint spectral radius is known to [{}, {}] only",
+      smoothness.reason = fmt::format("the joint spectral radius is known to [{}, {}] only{}",
                                       rounded_down(result_.holder.radius.lower),
-                                      rounded_up(result_.holder.radius.upper));
+                                      rounded_up(result_.holder.radius.upper), why_no_more());
+  }
+
+  [[nodiscard]] std::string why_no_more() const {
+    return result_.holder.radius.time_ended ? ": the time ended" : "";
   }
 
   void decide(int r) {
-    Smoothness& smoothness = result_.smoothness[static_cast<std::size_t>(r)];
+    Smoothness& smoothness = result_.smoothness.emplace_back();
     const HolderBracket& holder = result_.holder;
     if (holder.lower > r) {
       smoothness = {Truth::yes, 0, 0, "Hölder exponent ≥ " + rounded_down(holder.lower)};
-    } else if (result_.smoothness[0].verdict == Truth::no) {
+    } else if (result_.smoothness.front().verdict == Truth::no) {
       smoothness = {Truth::no, 0, 0, "the scheme does not converge"};
     } else if (result_.stable != Truth::yes) {
       smoothness.reason =
-          fmt::format("Hölder exponent ≥ {}, and more is not excluded: stability is not proved",
-                      rounded_down(holder.lower));
+          fmt::format("Hölder exponent ≥ {}, and more is not excluded: stability is not proved{}",
+                      rounded_down(holder.lower), why_no_more());
     } else if (result_.orders.sum_rules <= r) {
       smoothness = {
           Truth::no, 0, 0,
@@ -158,22 +177,31 @@ class Analysis {
                                 "digits {}",
                                 r + 1, product_text())};
     } else {
-      smoothness.reason = fmt::format("the Hölder exponent is known to [{}, {}] only",
-                                      rounded_down(holder.lower), rounded_up(*holder.upper));
+      smoothness.reason =
+          fmt::format("the Hölder exponent is known to [{}, {}] only{}", rounded_down(holder.lower),
+                      rounded_up(*holder.upper), why_no_more());
     }
+  }
+
+  /// Norms of the differences of order r + 1, power after power; found once.
+  const std::vector<double>& norms(int r) {
+    const auto [at, fresh] = norms_.try_emplace(r);
+    if (!fresh) return at->second;
+    tell(fmt::format("steps that shrink for C{}", r));
+    const double step = std::pow(growth_, r / 2.0) * (1 + kLogarithms);
+    at->second = difference_norms(mask_, r + 1, options_.most_steps, 1 / (step * (1 + kLogarithms)),
+                                  time_.stop());
+    return at->second;
   }
 
   /// The classical proof beside the bracket's.
   void find_power(int r) {
     Smoothness& smoothness = result_.smoothness[static_cast<std::size_t>(r)];
     if (smoothness.verdict == Truth::no || result_.orders.sum_rules <= r) return;
-    if (options_.progress) options_.progress(fmt::format("steps that shrink for C{}", r));
+    if (norms(r).empty()) return;
     const double step = std::pow(growth_, r / 2.0) * (1 + kLogarithms);
-    const std::vector<double> norms =
-        difference_norms(mask_, r + 1, options_.most_steps, 1 / (step * (1 + kLogarithms)));
-    if (norms.empty()) return;
-    const int power = static_cast<int>(norms.size());
-    const double norm = norms.back() * std::pow(step, power) * (1 + kLogarithms);
+    const int power = static_cast<int>(norms(r).size());
+    const double norm = norms(r).back() * std::pow(step, power) * (1 + kLogarithms);
     if (!(norm < 1)) return;
     smoothness.power = power;
     smoothness.norm = norm;
@@ -182,10 +210,24 @@ class Analysis {
     smoothness.reason = "the divided differences shrink";
   }
 
+  /// Where the time ended before there was a bracket worth the name: norms bound the joint spectral
+  /// radius on differences of each order, and with it the exponent, up to that order.
+  void raise_by_norms() {
+    for (int r = 0; r < result_.orders.sum_rules; ++r) {
+      double best = -kInfinity;
+      for (std::size_t k = 0; k < norms(r).size(); ++k)
+        best = std::max(best, exponent(norms(r)[k], growth_, -1) / static_cast<double>(k + 1));
+      result_.holder.lower = std::max(result_.holder.lower, std::min<double>(best, r + 1));
+      if (!(best > r)) return;
+    }
+  }
+
   const Mask& mask_;
   const RegularityOptions& options_;
+  TimeBudget time_;
   int growth_;
   Regularity result_;
+  std::map<int, std::vector<double>> norms_;  // by r
 };
 
 }  // namespace

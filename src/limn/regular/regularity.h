@@ -14,12 +14,13 @@
 /// common invariant subspaces have been split off exactly. All that is called proved rests on exact
 /// rationals or on doubles rounded outwards.
 
-#include <array>
 #include <functional>
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "limn/base/time_budget.h"
 #include "limn/base/truth.h"
 #include "limn/regular/joint_spectral_radius.h"
 #include "limn/regular/polynomial_orders.h"
@@ -34,6 +35,9 @@ struct RegularityOptions {
   int most_steps = 4;       ///< of the difference schemes, tried for a norm below 1; 0: none
   /// Called with what is done next, if given.
   std::function<void(const std::string&)> progress;
+  /// Infinite: without end. When the time ends what was reached is given, proved all the same.
+  double seconds = std::numeric_limits<double>::infinity();
+  TimeBudget::Clock clock = steady_seconds;
 };
 
 struct HolderBracket {
@@ -58,15 +62,19 @@ struct Smoothness {
 struct Regularity {
   PolynomialOrders orders;
   HolderBracket holder;
-  std::array<Smoothness, 3> smoothness;  ///< C0, C1, C2
+  /// C0, C1, C2, and as long as the one before is proved: C3, C4, ….
+  std::vector<Smoothness> smoothness;
   /// Whether the shifts of φ are stable: yes where proved, else undecided.
   Truth stable = Truth::undecided;
   std::string stability_reason;
+  bool time_ended = false;  ///< the time budget ended the search: more time might tell more
 };
 
-/// Brackets the regularity of a mask. Deterministic, whatever the number of threads. Cost: seconds
-/// at the default options for masks of radius 3. Fails where a coset of the mask does not sum to 1,
-/// and where the mask is so wide that more than 400 control points would have to be followed.
+/// Brackets the regularity of a mask. Deterministic, whatever the number of threads, as long as the
+/// time does not end. Cost: seconds at the default options for masks of radius 3 that have a
+/// factor or two, minutes for wider ones: then bound the time. Fails where a coset of the mask does
+/// not sum to 1, and where the mask is so wide that more than 400 control points would have to be
+/// followed.
 [[nodiscard]] Result<Regularity> enclose_regularity(const Mask& mask,
                                                     const RegularityOptions& options = {});
 

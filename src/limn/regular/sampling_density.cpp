@@ -1,11 +1,13 @@
 #include "limn/regular/sampling_density.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
 #include <fmt/core.h>
 
 #include "limn/base/parallel.h"
+#include "limn/regular/limit_values.h"
 
 namespace limn {
 namespace {
@@ -13,6 +15,25 @@ namespace {
 constexpr int kDirections = 180;
 constexpr int kSteps = 256;
 constexpr double kDegree = std::numbers::pi / 180;
+
+/// For each whole degree the first direction that a symmetry of the mask carries it to: waves along
+/// both have the same artifacts.
+std::vector<std::size_t> first_alike(const Mask& mask) {
+  std::vector<std::size_t> list(kDirections, kDirections);
+  for (const LatticeMatrix& s : symmetries(mask)) {
+    const LatticeVector image = s.apply({1, 0});
+    const std::array<double, 2> x =
+        cartesian(mask.lattice, {static_cast<double>(image[0]), static_cast<double>(image[1])});
+    const int turn = static_cast<int>(std::lround(std::atan2(x[1], x[0]) / kDegree));
+    const int sense = s.determinant() > 0 ? 1 : -1;
+    for (int degrees = 0; degrees < kDirections; ++degrees) {
+      const int to = ((turn + sense * degrees) % kDirections + kDirections) % kDirections;
+      std::size_t& first = list[static_cast<std::size_t>(degrees)];
+      first = std::min(first, static_cast<std::size_t>(to));
+    }
+  }
+  return list;
+}
 
 class Search {
  public:
@@ -80,13 +101,18 @@ Result<SamplingDensity> sampling_density(const ArtifactAnalysis& analysis, doubl
   SamplingDensity result;
   result.tolerance = tolerance;
   result.directions.resize(kDirections);
+  const std::vector<std::size_t> same_as = first_alike(analysis.mask());
   parallel_for(
       std::size_t{0}, result.directions.size(),
       [&](std::size_t first, std::size_t last) {
         for (std::size_t i = first; i < last; ++i)
-          result.directions[i] = search.along(static_cast<double>(i));
+          if (same_as[i] == i) result.directions[i] = search.along(static_cast<double>(i));
       },
-      8);
+      1);
+  for (std::size_t i = 0; i < result.directions.size(); ++i) {
+    result.directions[i] = result.directions[same_as[i]];
+    result.directions[i].direction = static_cast<double>(i);
+  }
   for (int degrees = 0; degrees < kDirections; ++degrees) {
     const DirectionalDensity& density = result.directions[static_cast<std::size_t>(degrees)];
     if (degrees == 0 || density.frequency < result.worst.frequency - 1e-12) result.worst = density;

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "limn/regular/approx_matrix.h"
+#include "limn/regular/determinant.h"
 #include "limn/regular/rounding.h"
 
 namespace limn {
@@ -46,36 +47,15 @@ RationalMatrix shifted(RationalMatrix a, const Rational& by) {
   return a;
 }
 
-int sign_of_determinant(RationalMatrix a) {
-  int sign = 1;
-  for (std::size_t c = 0; c < a.size(); ++c) {
-    std::size_t pivot = c;
-    while (pivot < a.size() && a[pivot][c] == 0) ++pivot;
-    if (pivot == a.size()) return 0;
-    if (pivot != c) {
-      std::swap(a[pivot], a[c]);
-      sign = -sign;
-    }
-    if (a[c][c] < 0) sign = -sign;
-    for (std::size_t r = c + 1; r < a.size(); ++r) {
-      if (a[r][c] == 0) continue;
-      const Rational factor = a[r][c] / a[c][c];
-      for (std::size_t k = c; k < a.size(); ++k)
-        if (a[c][k] != 0) a[r][k] -= factor * a[c][k];
-    }
-  }
-  return sign;
-}
-
 /// The monic polynomial of least degree that annihilates the vector: coefficients from a Krylov
 /// sequence. It divides the characteristic polynomial, but repeats no root of a diagonalisable
-/// matrix.
-std::vector<Rational> annihilating_polynomial(const RationalMatrix& a) {
+/// matrix. Nothing where `stop` asked for an end.
+std::vector<Rational> annihilating_polynomial(const RationalMatrix& a, const Stop& stop) {
   const std::size_t n = a.size();
   FieldVector<Rational> x;
   for (std::size_t i = 0; i < n; ++i) x.emplace_back(static_cast<int>(i * i % 7 + 1));
   Echelon<Rational> powers(2 * n + 1);  // aᵏ x, and which k it is
-  for (std::size_t k = 0;; ++k) {
+  for (std::size_t k = 0; !asked(stop); ++k) {
     FieldVector<Rational> labelled = x;
     labelled.resize(2 * n + 1, Rational(0));
     labelled[n + k] = 1;
@@ -87,17 +67,21 @@ std::vector<Rational> annihilating_polynomial(const RationalMatrix& a) {
     powers.insert(labelled);
     x = product(a, x);
   }
+  return {};
 }
 
 /// Whether a real eigenvalue has the sign of `root` and at least the size `least`: the
 /// determinant of t - a is positive for large t, so it vanishes above where it is negative.
-bool has_root_beyond(const RationalMatrix& a, double root, double least) {
+bool has_root_beyond(const RationalMatrix& a, double root, double least, const Stop& stop) {
   RationalMatrix matrix = a;  // least - |a|, where |a| stands for a or -a
   for (FieldVector<Rational>& row : matrix)
     for (Rational& entry : row)
       if (root > 0) entry = -entry;
-  if (sign_of_determinant(shifted(matrix, Rational(-least))) < 0) return true;
-  const std::vector<Rational> polynomial = annihilating_polynomial(matrix);
+  const std::optional<int> sign = sign_of_determinant(shifted(matrix, Rational(-least)), stop);
+  if (!sign) return false;
+  if (*sign < 0) return true;
+  const std::vector<Rational> polynomial = annihilating_polynomial(matrix, stop);
+  if (polynomial.empty()) return false;
   Rational value = 0;
   for (std::size_t k = polynomial.size(); k-- > 0;)
     value = value * Rational(-least) + polynomial[k];
@@ -131,12 +115,13 @@ double bound_of_traces(const Eigen::MatrixXd& approx, double scale) {
 
 /// A rational eigenvalue next to `root`, exactly; eigenvalues that belong to Jordan blocks come
 /// with large errors.
-std::optional<Rational> rational_eigenvalue(const RationalMatrix& a, double root) {
+std::optional<Rational> rational_eigenvalue(const RationalMatrix& a, double root,
+                                            const Stop& stop) {
   std::optional<Rational> last;
   for (const double part : {1e-13, 1e-9, 1e-6, 1e-4}) {
     std::optional<Rational> fraction = simple_fraction(root, part);
     if (!fraction || fraction == last) continue;
-    if (sign_of_determinant(shifted(a, *fraction)) == 0) return fraction;
+    if (is_singular(shifted(a, *fraction), stop) == true) return fraction;
     last = fraction;
   }
   return std::nullopt;
@@ -144,7 +129,7 @@ std::optional<Rational> rational_eigenvalue(const RationalMatrix& a, double root
 
 }  // namespace
 
-SpectralRadiusBound lower_spectral_radius(const RationalMatrix& a) {
+SpectralRadiusBound lower_spectral_radius(const RationalMatrix& a, const Stop& stop) {
   const Eigen::MatrixXd approx = approx_matrix(a);
   const Eigen::VectorXcd values = approx.eigenvalues();
   const double radius = values.cwiseAbs().maxCoeff();
@@ -153,11 +138,11 @@ SpectralRadiusBound lower_spectral_radius(const RationalMatrix& a) {
   for (const std::complex<double> value : values) {
     const double root = value.real();
     if (std::abs(root) < radius * (1 - 1e-3)) continue;
-    const std::optional<Rational> found = rational_eigenvalue(a, root);
+    const std::optional<Rational> found = rational_eigenvalue(a, root, stop);
     if (found && (!bound.eigenvalue || abs(*found) > abs(*bound.eigenvalue)))
       bound.eigenvalue = found;
     const double least = radius * kBelow;
-    if (std::abs(root) > least && bound.lower < least && has_root_beyond(a, root, least))
+    if (std::abs(root) > least && bound.lower < least && has_root_beyond(a, root, least, stop))
       bound.lower = least;
   }
   if (bound.eigenvalue && abs(*bound.eigenvalue) >= Rational(bound.lower)) {

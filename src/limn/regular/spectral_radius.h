@@ -3,6 +3,7 @@
 
 #include <optional>
 
+#include "limn/base/time_budget.h"
 #include "limn/regular/invariant_subspaces.h"
 
 namespace limn {
@@ -14,7 +15,8 @@ struct SpectralRadiusBound {
 
 /// A rational leading eigenvalue is one exactly (the determinant vanishes); a real one is enclosed
 /// to about 10⁻¹² by a sign of an exact determinant; else the traces of powers tell,
-/// |tr Aᵐ| ≤ size · ρᵐ, and about 10⁻³ is lost.
-[[nodiscard]] SpectralRadiusBound lower_spectral_radius(const RationalMatrix& a);
+/// |tr Aᵐ| ≤ size · ρᵐ, and about 10⁻³ is lost. Traces alone are left where `stop` asks for an end.
+[[nodiscard]] SpectralRadiusBound lower_spectral_radius(const RationalMatrix& a,
+                                                        const Stop& stop = {});
 
 }  // namespace limn

@@ -64,9 +64,10 @@ struct SymmetricHull::Tableau {
   Eigen::VectorXd searching;  // of next_to_u
   int updates = 0;
 
-  Tableau(const SymmetricHull& of, const Eigen::VectorXd& vector, const Basis& begin)
-      : hull(of), u(vector), next_to_u(vector), basis(begin) {
-    factorise();
+  Tableau(const SymmetricHull& of, const Eigen::VectorXd& vector, const Start& begin)
+      : hull(of), u(vector), next_to_u(vector), basis(begin.basis), inverse(begin.inverse) {
+    c = inverse * u;
+    refine();
     const double size = kAside * c.lpNorm<1>() / static_cast<double>(hull.dimension_);
     double part = 0;
     for (Eigen::Index i = 0; i < hull.dimension_; ++i) {
@@ -78,27 +79,35 @@ struct SymmetricHull::Tableau {
   }
 
   void factorise() {
-    Eigen::MatrixXd matrix(hull.dimension_, hull.dimension_);
-    for (Eigen::Index i = 0; i < hull.dimension_; ++i)
-      matrix.col(i) = hull.points_.col(basis[static_cast<std::size_t>(i)]);
-    inverse = matrix.inverse();
+    inverse = hull.matrix_of(basis).inverse();
     c = inverse * u;
-    c += inverse * (u - matrix * c);
+    refine();
     searching = inverse * next_to_u;
     updates = 0;
   }
 
-  /// Whether c still gives u; true where nothing can be mended.
-  [[nodiscard]] bool is_accurate() const {
-    if (updates == 0) return true;
+  /// What c leaves of u.
+  [[nodiscard]] Eigen::VectorXd rest() const {
     Eigen::VectorXd rest = u;
+    for (Eigen::Index i = 0; i < hull.dimension_; ++i)
+      rest -= c(i) * hull.points_.col(basis[static_cast<std::size_t>(i)]);
+    return rest;
+  }
+  void refine() { c += inverse * rest(); }
+
+  /// Whether c still gives u, perhaps after a correction; true where nothing can be mended.
+  [[nodiscard]] bool is_accurate() {
+    if (updates == 0) return true;
     double sizes = u.lpNorm<Eigen::Infinity>();
-    for (Eigen::Index i = 0; i < hull.dimension_; ++i) {
-      const auto point = hull.points_.col(basis[static_cast<std::size_t>(i)]);
-      rest -= c(i) * point;
-      sizes = std::max(sizes, std::abs(c(i)) * point.lpNorm<Eigen::Infinity>());
-    }
-    return rest.lpNorm<Eigen::Infinity>() <= kAccurate * sizes;
+    for (Eigen::Index i = 0; i < hull.dimension_; ++i)
+      sizes = std::max(
+          sizes,
+          std::abs(c(i)) *
+              hull.points_.col(basis[static_cast<std::size_t>(i)]).lpNorm<Eigen::Infinity>());
+    const auto fits = [&] { return rest().lpNorm<Eigen::Infinity>() <= kAccurate * sizes; };
+    if (fits()) return true;
+    refine();
+    return fits();
   }
 
   /// The point v with the greatest |y·v|, where y·v = ±1 on the signed basis: of the preferred ones
@@ -153,16 +162,30 @@ struct SymmetricHull::Tableau {
       return true;
     }
     const Eigen::RowVectorXd row = inverse.row(leaving) / column(leaving);
-    inverse -= column * row;
+    inverse.noalias() -= column * row;
     inverse.row(leaving) = row;
-    c = inverse * u;
-    searching = inverse * next_to_u;
+    for (Eigen::VectorXd* coordinates : {&c, &searching}) {
+      const double length = (*coordinates)(leaving) / column(leaving);
+      *coordinates -= length * column;
+      (*coordinates)(leaving) = length;
+    }
     return true;
   }
 };
 
+Eigen::MatrixXd SymmetricHull::matrix_of(const Basis& basis) const {
+  Eigen::MatrixXd matrix(dimension_, dimension_);
+  for (Eigen::Index i = 0; i < dimension_; ++i)
+    matrix.col(i) = points_.col(basis[static_cast<std::size_t>(i)]);
+  return matrix;
+}
+
+SymmetricHull::Start SymmetricHull::start_at(const Basis& basis) const {
+  return {basis, matrix_of(basis).inverse()};
+}
+
 SymmetricHull::Combination SymmetricHull::least_combination(const Eigen::VectorXd& u,
-                                                            const Basis& begin, double enough,
+                                                            const Start& begin, double enough,
                                                             double too_much) const {
   Tableau tableau(*this, u, begin);
   const auto most_steps = static_cast<int>(20 * dimension_ + 200);
@@ -180,14 +203,13 @@ SymmetricHull::Combination SymmetricHull::least_combination(const Eigen::VectorX
     if (!stuck) break;
     if (ended) tableau.factorise();  // and see again, without the updates' errors
   }
-  if (stuck && begin != basis_) return least_combination(u, basis_, enough, too_much);
+  if (stuck && begin.basis != basis_)
+    return least_combination(u, start_at(basis_), enough, too_much);
   return {tableau.c.lpNorm<1>(), outside, std::move(tableau.basis), std::move(tableau.c)};
 }
 
 Eigen::VectorXd SymmetricHull::axis_norms() const {
-  Eigen::MatrixXd matrix(dimension_, dimension_);
-  for (Eigen::Index i = 0; i < dimension_; ++i)
-    matrix.col(i) = points_.col(basis_[static_cast<std::size_t>(i)]);
+  const Eigen::MatrixXd matrix = matrix_of(basis_);
   const Eigen::MatrixXd inverse = matrix.inverse();
   const Eigen::MatrixXd identity = Eigen::MatrixXd::Identity(dimension_, dimension_);
   // e_i = matrix · inverse · e_i + rest_i

@@ -27,6 +27,14 @@ class SymmetricHull {
   using Basis = std::vector<Eigen::Index>;  ///< numbers of linearly independent points
   [[nodiscard]] const Basis& first_basis() const { return basis_; }
 
+  /// A basis to begin searches at, with the inverse of its matrix.
+  struct Start {
+    Basis basis;
+    Eigen::MatrixXd inverse;
+  };
+  /// Cost: dimension³.
+  [[nodiscard]] Start start_at(const Basis& basis) const;
+
   struct Combination {
     double norm = 0;       ///< Σ|c| in double precision; not the least if the search ended early
     bool outside = false;  ///< the least was seen to exceed `too_much`
@@ -37,7 +45,7 @@ class SymmetricHull {
   /// ≤ enough, or is seen to exceed `too_much`. Precondition: spans(). Several threads may search
   /// at once.
   [[nodiscard]] Combination least_combination(
-      const Eigen::VectorXd& u, const Basis& begin, double enough,
+      const Eigen::VectorXd& u, const Start& begin, double enough,
       double too_much = std::numeric_limits<double>::infinity()) const;
 
   /// Names points that are tried before all others, for speed alone.
@@ -54,6 +62,7 @@ class SymmetricHull {
 
  private:
   struct Tableau;
+  [[nodiscard]] Eigen::MatrixXd matrix_of(const Basis& basis) const;
 
   Eigen::Index dimension_;
   Eigen::Index count_ = 0;

@@ -148,18 +148,33 @@ nlohmann::ordered_json density_json(const SamplingDensity& density) {
   return {{"worst", direction_json(density.worst)}, {"best", direction_json(density.best)}};
 }
 
-Result<nlohmann::ordered_json> sampling_json(const NamedAnalysis& scheme, double tolerance) {
+Result<SamplingDensity> SamplingDensities::at(const ArtifactAnalysis& analysis, double tolerance,
+                                              ArtifactMeasure measure) {
+  const Mask& mask = analysis.mask();
+  for (const Known& known : known_)
+    if (known.measure == measure && known.density.tolerance == tolerance &&
+        known.mask.lattice == mask.lattice && known.mask.dilation.rows == mask.dilation.rows &&
+        known.mask.coefficients == mask.coefficients)
+      return known.density;
+  Result<SamplingDensity> density = sampling_density(analysis, tolerance, measure);
+  if (density) known_.push_back({mask, measure, *density});
+  return density;
+}
+
+Result<nlohmann::ordered_json> sampling_json(const NamedAnalysis& scheme, double tolerance,
+                                             SamplingDensities& densities) {
   Json json{{"scheme", scheme.name}, {"tolerance_percent", tolerance}};
   for (const auto& [key, measure] : {std::pair{"total_energy", ArtifactMeasure::total_energy},
                                      std::pair{"mean_energy", ArtifactMeasure::mean_energy}}) {
-    const Result<SamplingDensity> density = sampling_density(scheme.analysis, tolerance, measure);
+    const Result<SamplingDensity> density = densities.at(scheme.analysis, tolerance, measure);
     if (!density) return named(scheme, density.error());
     json["sampling"][key] = density_json(*density);
   }
   return json;
 }
 
-Result<std::string> sampling_text(const std::vector<NamedAnalysis>& schemes, double tolerance) {
+Result<std::string> sampling_text(const std::vector<NamedAnalysis>& schemes, double tolerance,
+                                  SamplingDensities& densities) {
   const std::size_t width = longest_name(schemes);
   std::string text = fmt::format(
       "control edges per wavelength that keep artifacts within {:g} % of the signal\n"
@@ -170,7 +185,7 @@ Result<std::string> sampling_text(const std::vector<NamedAnalysis>& schemes, dou
     text += fmt::format("{:<{}}", scheme.name, width);
     for (const ArtifactMeasure measure :
          {ArtifactMeasure::total_energy, ArtifactMeasure::mean_energy}) {
-      const Result<SamplingDensity> density = sampling_density(scheme.analysis, tolerance, measure);
+      const Result<SamplingDensity> density = densities.at(scheme.analysis, tolerance, measure);
       if (!density) return named(scheme, density.error());
       text += fmt::format("  {}   {}  ", density_text(density->worst), density_text(density->best));
     }

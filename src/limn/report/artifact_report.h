@@ -65,15 +65,34 @@ class StageValuesAt {
 [[nodiscard]] Result<std::string> artifacts_text(const std::vector<NamedAnalysis>& schemes,
                                                  Frequency f, Stage stage);
 
+/// Sampling densities of many schemes: those with one mask share theirs, which is found once.
+class SamplingDensities {
+ public:
+  /// As sampling_density.
+  [[nodiscard]] Result<SamplingDensity> at(const ArtifactAnalysis& analysis, double tolerance,
+                                           ArtifactMeasure measure);
+  /// How many were computed.
+  [[nodiscard]] std::size_t computed() const { return known_.size(); }
+
+ private:
+  struct Known {
+    Mask mask;
+    ArtifactMeasure measure;
+    SamplingDensity density;
+  };
+  std::vector<Known> known_;
+};
+
 /// {"worst", "best"}, each {"direction_degrees", "frequency", "edges_per_wavelength", "reached"}.
 [[nodiscard]] nlohmann::ordered_json density_json(const SamplingDensity& density);
 
 /// {"scheme", "tolerance_percent", "sampling": {"total_energy", "mean_energy"}}, each as
 /// density_json.
 [[nodiscard]] Result<nlohmann::ordered_json> sampling_json(const NamedAnalysis& scheme,
-                                                           double tolerance);
+                                                           double tolerance,
+                                                           SamplingDensities& densities);
 /// Side by side, a line a scheme.
 [[nodiscard]] Result<std::string> sampling_text(const std::vector<NamedAnalysis>& schemes,
-                                                double tolerance);
+                                                double tolerance, SamplingDensities& densities);
 
 }  // namespace limn

@@ -93,30 +93,37 @@ std::string to_string(const HolderBracket& bracket) {
 Json regularity_json(const std::string& name, const Regularity& regularity) {
   const HolderBracket& holder = regularity.holder;
   const auto& smoothness = regularity.smoothness;
+  Json verdicts = Json::array();
+  Json proofs;
+  for (std::size_t r = 0; r < smoothness.size(); ++r) {
+    verdicts.push_back(to_string(smoothness[r].verdict));
+    proofs[fmt::format("c{}", r)] = proof_json(smoothness[r]);
+  }
   return {
       {"scheme", name},
       {"holder", {{"lower", holder.lower}, {"upper", holder.upper ? Json(*holder.upper) : Json()}}},
       {"c0", to_string(smoothness[0].verdict)},
       {"c1", to_string(smoothness[1].verdict)},
       {"c2", to_string(smoothness[2].verdict)},
+      {"smoothness", std::move(verdicts)},
       {"sum_rules", regularity.orders.sum_rules},
       {"reproduction", regularity.orders.reproduction},
       {"stable",
        {{"verdict", to_string(regularity.stable)}, {"reason", regularity.stability_reason}}},
-      {"proofs",
-       {{"c0", proof_json(smoothness[0])},
-        {"c1", proof_json(smoothness[1])},
-        {"c2", proof_json(smoothness[2])}}},
+      {"proofs", std::move(proofs)},
+      {"time_ended", regularity.time_ended},
       {"joint_spectral_radius", radius_json(holder)}};
 }
 
 std::string regularity_text(const std::string& name, const Regularity& regularity) {
   std::string text = fmt::format("{}\n{}\nHölder exponent {}\n", name,
                                  orders_text(regularity.orders), to_string(regularity.holder));
-  for (int r = 0; r <= 2; ++r)
-    text += smoothness_text(r, regularity.smoothness[static_cast<std::size_t>(r)]);
+  for (std::size_t r = 0; r < regularity.smoothness.size(); ++r)
+    text += smoothness_text(static_cast<int>(r), regularity.smoothness[r]);
   text += fmt::format("stable shifts: {} ({})\n", to_string(regularity.stable),
                       regularity.stability_reason);
+  if (regularity.time_ended)
+    text += "the time ended before the bracket was as narrow as was asked: more time tells more\n";
   return text + radius_text(regularity.holder);
 }
 

@@ -9,8 +9,10 @@
 namespace limn {
 
 /// {"scheme", "holder": {"lower", "upper": number or null}, "c0", "c1", "c2": "yes|no|undecided",
+/// "smoothness": [the verdicts of C0, C1, C2 and, as long as the one before is yes, C3, …],
 /// "sum_rules", "reproduction", "stable": {"verdict", "reason"}, "proofs": {"c0": {"reason",
-/// "power", "norm": both null where no norm below 1 was found}, …}, "joint_spectral_radius":
+/// "power", "norm": both null where no norm below 1 was found}, …}, "time_ended": whether the time
+/// budget ended the search, "joint_spectral_radius":
 /// {"lower", "upper", "exact", "product": [[digit]], "eigenvalue": "p/q" or null, "blocks":
 /// [{"size", "lower", "upper", "vertices", "irreducible"}]}}.
 [[nodiscard]] nlohmann::ordered_json regularity_json(const std::string& name,

@@ -1,0 +1,37 @@
+#pragma once
+/// How long work may take that could go on for minutes: what was reached is given when it ends.
+/// Results are the same in every run as long as no budget ends.
+
+#include <functional>
+
+namespace limn {
+
+/// Whether long work should end with what it has. Asked often, by several threads at once; no
+/// function at all: never.
+using Stop = std::function<bool()>;
+[[nodiscard]] inline bool asked(const Stop& stop) { return stop && stop(); }
+
+[[nodiscard]] double steady_seconds();  ///< since some moment
+
+/// Copies share the start.
+class TimeBudget {
+ public:
+  using Clock = std::function<double()>;  ///< seconds since some moment; never falls
+
+  /// Without end.
+  TimeBudget() = default;
+  /// Begins now. Infinite seconds: without end.
+  explicit TimeBudget(double seconds, Clock clock = steady_seconds);
+
+  [[nodiscard]] bool is_limited() const { return clock_ != nullptr; }
+  /// Whether that share of it has passed.
+  [[nodiscard]] bool ended(double share = 1) const;
+  /// Asks for the end of a share of it.
+  [[nodiscard]] Stop stop(double share = 1) const;
+
+ private:
+  double start_ = 0, seconds_ = 0;
+  Clock clock_;
+};
+
+}  // namespace limn
