@@ -6,12 +6,23 @@
 
 #include <fmt/core.h>
 
+#include "limn/base/printable.h"
+#include "limn/base/utf8.h"
+#include "scheme_argument.h"
+
 namespace limn::app {
 
 int report(const Error& error) {
-  std::fprintf(stderr, "limn: %s\n", error.text().c_str());
+  const std::string text = error.text();
+  for (std::size_t begin = 0; begin <= text.size();) {  // a line for each fault
+    const std::size_t end = std::min(text.find('\n', begin), text.size());
+    std::fprintf(stderr, "limn: %s\n", text.substr(begin, end - begin).c_str());
+    begin = end + 1;
+  }
   return kBadInput;
 }
+
+void print_text(const std::string& text) { fmt::print("{}", printable_lines(text)); }
 
 void report_warnings(const Warnings& warnings) {
   for (const Error& warning : warnings)
@@ -26,23 +37,32 @@ void SchemeOptions::declare_parameters(CLI::App& command) {
       ->allow_extra_args(false);  // one after each -p, and -p as often as one likes
 }
 
-Result<Scheme> SchemeOptions::load() const {
-  Result<Scheme> scheme = find_scheme(name);
-  if (!scheme) return scheme;
-  if (Status status = set_parameters(*scheme, parameters); !status) return status.error();
-  return scheme;
-}
+Result<Scheme> SchemeOptions::load() const { return scheme_argument(name, parameters); }
 
 Status check_scheme_path(const std::string& path) {
   if (std::filesystem::path(path).extension() == ".toml") return Done{};
   return Error{fmt::format("'{}' is no scheme file's name", path), "it ends in .toml", {}, 0, 0};
 }
 
-std::string extends_name(const std::string& scheme, const std::string& path) {
+Result<std::string> extends_name(const std::string& scheme, const std::string& path) {
   namespace fs = std::filesystem;
   const std::vector<std::string> shipped = shipped_schemes();
-  if (std::find(shipped.begin(), shipped.end(), scheme) != shipped.end()) return scheme;
-  return fs::proximate(scheme, fs::absolute(path).parent_path()).string();
+  const std::string name = scheme_name_of(scheme);
+  if (std::find(shipped.begin(), shipped.end(), name) != shipped.end()) return name;
+  const std::string base = fs::proximate(name, fs::absolute(path).parent_path()).string();
+  for (std::string_view rest = base; !rest.empty(); rest.remove_prefix(utf8_length(rest)))
+    if (utf8_length(rest) == 0)
+      return Error{fmt::format("no scheme file can extend '{}': its name is not UTF-8", base),
+                   "rename it",
+                   {},
+                   0,
+                   0};
+  return base;
+}
+
+Error unwritten(const Error& fault, const std::string& path) {
+  const std::string first = fault.message.substr(0, fault.message.find('\n'));
+  return {fmt::format("'{}' is not written: {}", path, first), fault.hint, {}, 0, 0};
 }
 
 }  // namespace limn::app

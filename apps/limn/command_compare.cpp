@@ -9,6 +9,7 @@
 #include "limn/mesh/io/mesh_file.h"
 #include "limn/report/compare_report.h"
 #include "limn/report/figure/visibility.h"
+#include "number_option.h"
 #include "scheme_argument.h"
 #include "valences.h"
 #include "view_options.h"
@@ -35,13 +36,6 @@ struct CompareOptions {
 Status check(const CompareOptions& options) {
   if (options.schemes.size() < 2)
     return Error{"one scheme alone cannot be compared", "name two or more", {}, 0, 0};
-  if (!(options.tolerance >= kLeastTolerance && options.tolerance <= 100))
-    return Error{fmt::format("--tolerance: {:g} is not between {:g} and 100 percent",
-                             options.tolerance, kLeastTolerance),
-                 {},
-                 {},
-                 0,
-                 0};
   if (!options.mesh.empty())
     if (Status status = check_readable(options.mesh); !status) return status;
   if (options.output.empty()) return Done{};
@@ -60,6 +54,10 @@ Result<MeshComparison> compare_surfaces(const CompareOptions& options,
   MeshOptions mesh_options;
   mesh_options.steps = options.steps;
   mesh_options.progress = [&](const std::string& what) { line.show(what); };
+  if (Status status = check_steps(schemes, control->mesh, mesh_options); !status) {
+    status.error().file = options.mesh;
+    return status.error();
+  }
   return compare_on_mesh(schemes, options.mesh, control->mesh, control->points, mesh_options);
 }
 
@@ -102,7 +100,7 @@ int compare(const CompareOptions& options) {
   if (options.json)
     fmt::print("{}\n", compare_json(comparison).dump());
   else
-    fmt::print("{}", compare_text(comparison, options.differences));
+    print_text(compare_text(comparison, options.differences));
   return kDone;
 }
 
@@ -120,8 +118,10 @@ void declare_mesh(CLI::App& command, CompareOptions& options) {
       ->needs(mesh);
   command
       .add_option("-o,--output", options.output,
-                  "a picture of the surfaces, overlaid and coloured by their distance: .pdf, .svg "
-                  "or .png")
+                  fmt::format("also draw the surfaces, overlaid and coloured by their distance, "
+                              "into FILE ({})",
+                              kFigureFiles))
+      ->type_name("FILE")
       ->needs(mesh);
   options.view.declare(command);
   command
@@ -148,7 +148,8 @@ void declare_compare(CLI::App& parser, Action& action) {
       ->add_option("--tolerance", options->tolerance,
                    "artifacts in percent of the signal, for which sampling densities are given")
       ->type_name("PERCENT")
-      ->capture_default_str();
+      ->capture_default_str()
+      ->check(number_between(kLeastTolerance, 100));
   command
       ->add_option("--budget", options->budget,
                    "of the bracket for the Hölder exponent: more is slower and tighter")

@@ -5,11 +5,13 @@
 #include <nlohmann/json.hpp>
 
 #include "command.h"
+#include "limn/base/printable.h"
 #include "limn/extraordinary/eigencomponents.h"
 #include "limn/report/eigen_figures.h"
 #include "limn/report/eigen_formula_report.h"
 #include "limn/report/eigen_report.h"
 #include "limn/report/eigenvector_report.h"
+#include "scheme_argument.h"
 #include "valences.h"
 
 namespace limn::app {
@@ -22,7 +24,7 @@ struct EigenOptions {
   std::string valence = "3..12";
   int rings = 0;
   bool vectors = false;
-  std::string map;
+  std::string map, chart, table;
   bool json = false;
   bool formulas = false;
   bool latex = false;
@@ -32,7 +34,9 @@ struct EigenOptions {
 class Output {
  public:
   Output(const EigenOptions& options, const Scheme& scheme)
-      : options_(options), scheme_(scheme), text_(scheme.name + "\n" + eigen_heading()) {}
+      : options_(options),
+        scheme_(scheme),
+        text_(printable(scheme.name) + "\n" + eigen_heading()) {}
 
   void add(const FrequencyBlocks& blocks) {
     const Eigencomponents components = approx_eigencomponents(blocks);
@@ -50,6 +54,7 @@ class Output {
       if (map) maps_.push_back(std::move(*map));
     }
     list_.push_back(std::move(json));
+    all_.push_back(components);
   }
 
   [[nodiscard]] Status finish() const {
@@ -57,11 +62,20 @@ class Output {
       if (Status status = characteristic_maps_figure(scheme_.name, maps_).write(options_.map);
           !status)
         return status;
-    if (options_.json)
+    const DataTable table = eigenvalue_table(all_);
+    if (!options_.chart.empty())
+      if (Status status = eigenvalue_figure(scheme_.name, table).write(options_.chart); !status)
+        return status;
+    if (!options_.table.empty())
+      if (Status status = write_eigenvalues(options_.table, scheme_.name, table); !status)
+        return status;
+    if (options_.latex)
+      print_text(eigenvalue_latex(scheme_.name, table));
+    else if (options_.json)
       fmt::print("{}\n",
                  nlohmann::ordered_json{{"scheme", scheme_.name}, {"valences", list_}}.dump());
     else
-      fmt::print("{}", text_);
+      print_text(text_);
     return Done{};
   }
 
@@ -71,34 +85,38 @@ class Output {
   nlohmann::ordered_json list_ = nlohmann::ordered_json::array();
   std::string text_;
   std::vector<CharacteristicMap> maps_;
+  std::vector<Eigencomponents> all_;
 };
 
 /// Parameters that the command line gives a value have it in the formulas too.
 int print_formulas(const EigenOptions& options) {
   const Result<Scheme> scheme = options.scheme.load();
   if (!scheme) return report(scheme.error());
-  std::set<std::string> given;
-  for (const std::string& assignment : options.scheme.parameters) {
-    std::string name = assignment.substr(0, assignment.find('='));
-    std::erase(name, ' ');
-    given.insert(std::move(name));
-  }
+  const std::set<std::string> given =
+      given_parameters(options.scheme.name, options.scheme.parameters);
   const Result<EigenFormulas> formulas = eigen_formulas(*scheme, given, options.rings);
   if (!formulas) return report(formulas.error());
   if (options.json)
     fmt::print("{}\n", eigen_formulas_json(scheme->name, *formulas).dump());
   else
-    fmt::print("{}", eigen_formulas_text(scheme->name, *formulas,
-                                         options.latex ? Notation::latex : Notation::text));
+    print_text(eigen_formulas_text(scheme->name, *formulas,
+                                   options.latex ? Notation::latex : Notation::text));
   return kDone;
 }
 
 int analyse(const EigenOptions& options) {
   const Result<Valences> range = read_valences(options.valence);
   if (!range) return report(range.error());
-  if (!options.map.empty())
-    if (const Result<FigureFormat> format = figure_format(options.map); !format)
-      return report(format.error());
+  for (const std::string& figure : {options.map, options.chart})
+    if (!figure.empty())
+      if (const Result<FigureFormat> format = figure_format(figure); !format)
+        return report(format.error());
+  if (!options.table.empty() && !is_eigenvalue_path(options.table))
+    return report({fmt::format("--table: '{}' is no table", options.table),
+                   "it ends in .csv, .json or .tex",
+                   {},
+                   0,
+                   0});
   const Result<Scheme> scheme = options.scheme.load();
   if (!scheme) return report(scheme.error());
   FrequencyAnalysis analysis(*scheme, options.rings);
@@ -118,8 +136,7 @@ void declare_eigen(CLI::App& parser, Action& action) {
   CLI::App* command = parser.add_subcommand(
       "eigen", "frequency blocks, labelled eigencomponents and verdicts at extraordinary vertices");
   const auto options = std::make_shared<EigenOptions>();
-  command->add_option("SCHEME", options->scheme.name, "a shipped scheme, or a scheme file")
-      ->required();
+  command->add_option("SCHEME", options->scheme.name, kSchemeArgumentHelp)->required();
   CLI::Option* const valence =
       command->add_option("--valence", options->valence, "a valence, or a range of them")
           ->type_name("N or A..B")
@@ -133,8 +150,21 @@ void declare_eigen(CLI::App& parser, Action& action) {
                         "also the eigenvectors, and the stencils of limit point and tangents");
   CLI::Option* const map = command->add_option(
       "--map", options->map,
-      "draw the characteristic maps into this file (.pdf, .svg or .png), and say "
-      "whether samples of them fold");
+      fmt::format("also draw the characteristic maps into FILE ({}), and say whether samples of "
+                  "them fold",
+                  kFigureFiles));
+  map->type_name("FILE");
+  CLI::Option* const chart =
+      command
+          ->add_option("--chart", options->chart,
+                       fmt::format("also draw the eigenvalues over the valences into FILE ({})",
+                                   kFigureFiles))
+          ->type_name("FILE");
+  CLI::Option* const table =
+      command
+          ->add_option("--table", options->table,
+                       "also write the eigenvalues over the valences to FILE (.csv, .json or .tex)")
+          ->type_name("FILE");
   options->scheme.declare_parameters(*command);
   CLI::Option* const json = command->add_flag("--json", options->json, "print one JSON object");
   CLI::Option* const formulas =
@@ -142,14 +172,19 @@ void declare_eigen(CLI::App& parser, Action& action) {
           ->add_flag("--formulas", options->formulas, "closed formulas, for all valences at once")
           ->excludes(valence)
           ->excludes(vectors)
-          ->excludes(map);
-  command->add_flag("--latex", options->latex, "formulas as LaTeX")
-      ->needs(formulas)
+          ->excludes(map)
+          ->excludes(chart)
+          ->excludes(table);
+  command
+      ->add_flag("--latex", options->latex,
+                 "print LaTeX: the table of eigenvalues, or with --formulas the formulas")
+      ->excludes(vectors)
       ->excludes(json);
   command->footer(
       "Example: limn eigen loop --valence 3..12\n"
       "         limn eigen catmull-clark --valence 5 --vectors\n"
       "         limn eigen sqrt3 --valence 3..10 --map maps.pdf\n"
+      "         limn eigen butterfly --valence 3..20 --chart chart.svg --table numbers.csv\n"
       "         limn eigen catmull-clark --formulas");
   command->callback([&action, options] {
     action = [options] { return options->formulas ? print_formulas(*options) : analyse(*options); };

@@ -7,6 +7,7 @@
 
 #include "command.h"
 #include "control_mesh.h"
+#include "limn/base/printable.h"
 #include "limn/base/progress.h"
 #include "limn/extraordinary/fast_limit.h"
 #include "limn/extraordinary/limit_points.h"
@@ -51,9 +52,10 @@ void print_result(const RefineOptions& options, const Scheme& scheme, const Poly
     fmt::print("{}\n", json.dump());
     return;
   }
-  fmt::print("{}: {} vertices, {} faces, after {} level{} of {} in {:.3g} s\n", options.output,
-             result.vertex_count(), result.face_count(), options.levels,
-             options.levels == 1 ? "" : "s", scheme.name, seconds);
+  print_text(fmt::format("{}: {} vertices, {} faces, after {} level{} of {} in {:.3g} s\n",
+                         printable(options.output), result.vertex_count(), result.face_count(),
+                         options.levels, options.levels == 1 ? "" : "s", printable(scheme.name),
+                         seconds));
 }
 
 /// A row for each vertex of the refined mesh; empty numbers where there is no curvature.
@@ -195,22 +197,25 @@ void declare_refine(CLI::App& parser, Action& action) {
   CLI::App* command = parser.add_subcommand("refine", "refine a mesh with a scheme");
   const auto options = std::make_shared<RefineOptions>();
   command->add_option("MESH", options->mesh, "control mesh: .obj, .off, .ply or .stl")->required();
-  command->add_option("-s,--scheme", options->scheme.name, "a shipped scheme, or a scheme file")
-      ->required();
+  command->add_option("-s,--scheme", options->scheme.name, kSchemeArgumentHelp)->required();
   command->add_option("-n,--levels", options->levels, "refinement steps")
       ->capture_default_str()
       ->check(CLI::Range(0, 64));
   command
       ->add_option("-o,--output", options->output,
-                   "where the refined mesh goes: .obj, .off, .ply, .stl or .glb")
+                   "write the refined mesh to FILE (.obj, .off, .ply, .stl or .glb)")
+      ->type_name("FILE")
       ->required();
   options->scheme.declare_parameters(*command);
   command->add_flag("--limit", options->limit, "move the refined vertices to the limit surface");
   command->add_flag("--normals", options->normals,
                     "write the limit surface's normals (.obj, .off, .ply, .glb)");
-  command->add_option("--curvatures", options->curvatures,
-                      "write the limit surface's principal curvatures to this .csv or .json, "
-                      "where they are bounded");
+  command
+      ->add_option("--curvatures", options->curvatures,
+                   fmt::format("also write the limit surface's principal curvatures, where "
+                               "they are bounded, to FILE ({})",
+                               kTableFiles))
+      ->type_name("FILE");
   command->add_flag("--triangulate", options->triangulate,
                     "cut polygons into triangles first, each from its first corner");
   command

@@ -4,6 +4,8 @@
 
 #include <cstdio>
 
+#include "limn/base/printable.h"
+
 namespace limn {
 
 ProgressLine::ProgressLine(bool wanted)
@@ -20,7 +22,7 @@ void ProgressLine::show(const std::string& text) {
 
 void ProgressLine::show_now(const std::string& text) {
   if (!enabled_) return;
-  std::fprintf(stderr, "\r\033[K%s", text.c_str());
+  std::fprintf(stderr, "\r\033[K%s", printable(text).c_str());
   std::fflush(stderr);
   shown_ = true;
 }

@@ -1,16 +1,12 @@
-#include <cmath>
-#include <limits>
-
 #include <fmt/core.h>
 
 #include "limn/extraordinary/eigencomponents.h"
+#include "limn/report/eigen_figures.h"
 #include "limn/report/papers/barthe_parts.h"
 #include "limn/scheme/check.h"
 
 namespace limn::bgsk {
 namespace {
-
-constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
 /// Schemes given by a mask or factors alone have no rules at extraordinary vertices.
 bool has_rules(const Scheme& scheme) { return !scheme.mask && !scheme.factors; }
@@ -32,47 +28,6 @@ Result<Study> study(const std::string& name) {
     result.valences.push_back(approx_eigencomponents(*blocks));
   }
   return result;
-}
-
-/// The largest modulus that is none of position, tangent, cup and saddle.
-double largest_other(const Eigencomponents& found) {
-  double largest = 0;
-  for (const BlockSpectrum& spectrum : found.spectra) {
-    const std::size_t labelled = spectrum.frequency == 0 ? 2 : spectrum.frequency <= 2 ? 1 : 0;
-    if (labelled < spectrum.eigenvalues.size())
-      largest = std::max(largest, std::abs(spectrum.eigenvalues[labelled].value));
-  }
-  return largest;
-}
-
-DataTable numbers_of(const Study& study) {
-  DataTable numbers{{"valence", "tangent", "tangent squared", "cup", "saddle", "largest other"},
-                    {}};
-  for (const Eigencomponents& found : study.valences) {
-    const double tangent = found.tangent.value_or(kNone);
-    numbers.rows.push_back({static_cast<double>(found.valence), tangent, tangent * tangent,
-                            found.cup.value_or(kNone), found.saddle.value_or(kNone),
-                            largest_other(found)});
-  }
-  return numbers;
-}
-
-ChartPanel chart(const DataTable& numbers, const std::string& title) {
-  ChartPanel panel;
-  panel.title = title;
-  panel.x_label = "valence /{n}";
-  panel.y_label = "eigenvalue";
-  panel.y_low = 0;
-  const std::vector<std::string> names{"tangent", "tangent²", "cup", "saddle", "largest other"};
-  for (std::size_t column = 1; column < numbers.columns.size(); ++column) {
-    ChartPanel::Series series{.name = names[column - 1], .markers = true};
-    for (const std::vector<double>& row : numbers.rows) {
-      series.x.push_back(row[0]);
-      series.y.push_back(std::abs(row[column]));
-    }
-    panel.series.push_back(std::move(series));
-  }
-  return panel;
 }
 
 std::string number_text(std::optional<double> value) {
@@ -125,11 +80,9 @@ Status add_schemes(PaperPage& page) {
     const Result<Study> found = study(name);
     if (!found) return found.error();
     if (found->valences.empty()) continue;
-    const DataTable numbers = numbers_of(*found);
-    Figure figure(1, 300);
-    figure.add(chart(numbers, name));
-    Status status = page.add_figure({name, "eigenvalues-" + name}, figure, numbers,
-                                    "(not in the paper)", summary(*found));
+    const DataTable numbers = eigenvalue_table(found->valences);
+    Status status = page.add_figure({name, "eigenvalues-" + name}, eigenvalue_figure(name, numbers),
+                                    numbers, "(not in the paper)", summary(*found));
     if (!status) return status;
     status =
         page.add_table({name, "table-" + name}, table_rows(*found), numbers, found->scheme.source);
