@@ -69,9 +69,7 @@ class Output {
     if (!options_.table.empty())
       if (Status status = write_eigenvalues(options_.table, scheme_.name, table); !status)
         return status;
-    if (options_.latex)
-      print_text(eigenvalue_latex(scheme_.name, table));
-    else if (options_.json)
+    if (options_.json)
       fmt::print("{}\n",
                  nlohmann::ordered_json{{"scheme", scheme_.name}, {"valences", list_}}.dump());
     else
@@ -175,10 +173,8 @@ void declare_eigen(CLI::App& parser, Action& action) {
           ->excludes(map)
           ->excludes(chart)
           ->excludes(table);
-  command
-      ->add_flag("--latex", options->latex,
-                 "print LaTeX: the table of eigenvalues, or with --formulas the formulas")
-      ->excludes(vectors)
+  command->add_flag("--latex", options->latex, "formulas as LaTeX (eigenvalues: --table FILE.tex)")
+      ->needs(formulas)
       ->excludes(json);
   command->footer(
       "Example: limn eigen loop --valence 3..12\n"

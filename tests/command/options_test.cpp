@@ -152,6 +152,7 @@ TEST(Options, NearWordsAreSuggested) {
   suggests("tune sqrt3 --free alhpa --require 'cup = tangent^2'", "alpha?");
   suggests("tune sqrt3 --free alpha --require 'cpu = tangent^2'", "cup?");
   suggests("papers bathe -o x", "barthe?");
+  suggests("refnie", "refine?");
 }
 
 }  // namespace

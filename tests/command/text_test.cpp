@@ -50,7 +50,6 @@ TEST(CommandText, ControlCharactersInNamesAreShownEscaped) {
       "show evil.toml",
       "show evil.toml --latex",
       "eigen evil.toml --valence 5",
-      "eigen evil.toml --valence 5..6 --latex",
       "eigen evil.toml --formulas",
       "eigen evil.toml --formulas --latex",
       "eigen evil.toml --valence 5 --map 'm\x1b.svg' --chart 'c\x1b.svg' --table 't\x1b.tex'",
@@ -170,8 +169,6 @@ TEST(CommandText, EigenvaluesAsChartTableAndLatex) {
   EXPECT_EQ(nlohmann::json::parse(folder.read("t.json")).at("rows").size(), 2U);
   EXPECT_EQ(folder.limn("eigen loop --valence 3..4 --table t.tex").code, 0);
   EXPECT_EQ(latex_fault(folder.read("t.tex")), "");
-  const Outcome latex = folder.limn("eigen loop --valence 3..4 --latex");
-  EXPECT_EQ(latex.out, folder.read("t.tex"));
   expect_refused(folder.limn("eigen loop --chart c.csv"), ".svg");
   expect_refused(folder.limn("eigen loop --table t.pdf"), {"--table", ".tex"});
   expect_refused(folder.limn("eigen loop --formulas --table t.csv"), "--table");

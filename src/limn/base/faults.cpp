@@ -25,18 +25,23 @@ void Faults::add(Error fault) {
     faults_.push_back(std::move(fault));
 }
 
-Error Faults::joined() const {
-  std::vector<Error> sorted = faults_;
-  std::stable_sort(sorted.begin(), sorted.end(), [](const Error& a, const Error& b) {
+std::vector<Error> Faults::sorted() const {
+  std::vector<Error> list = faults_;
+  std::stable_sort(list.begin(), list.end(), [](const Error& a, const Error& b) {
     return std::tie(a.line, a.column) < std::tie(b.line, b.column);
   });
-  Error first = sorted.front();
-  if (sorted.size() == 1) return first;
+  return list;
+}
+
+Error Faults::joined() const {
+  const std::vector<Error> faults = sorted();
+  Error first = faults.front();
+  if (faults.size() == 1) return first;
   first.message = printable(first.message);
   if (!first.hint.empty()) first.message += " (" + printable(first.hint) + ")";
   first.hint.clear();
-  const std::size_t shown = std::min(sorted.size(), kMostShown);
-  for (std::size_t i = 1; i < shown; ++i) first.message += "\n" + sorted[i].text();
+  const std::size_t shown = std::min(faults.size(), kMostShown);
+  for (std::size_t i = 1; i < shown; ++i) first.message += "\n" + faults[i].text();
   if (count() > shown) first.message += "\nand " + std::to_string(count() - shown) + " more faults";
   return first;
 }

@@ -292,8 +292,6 @@ class SchemeFileReader {
   /// Nothing where the role is not known or was faulty when it was defined.
   std::optional<Walk> find_role(RuleKind kind, const toml::key& key) {
     const std::string name(key.str());
-    if (const auto own = own_roles_.find({kind, name}); own != own_roles_.end())
-      return own->second ? checked(kind, *own->second, key) : std::nullopt;
     if (scheme_.split == nullptr) {
       if (!has_faulty_split_)
         in_.fail(Error{"a file that extends another and states rules must name its split",
@@ -302,6 +300,8 @@ class SchemeFileReader {
       has_faulty_split_ = true;  // told once
       return std::nullopt;
     }
+    if (const auto own = own_roles_.find({kind, name}); own != own_roles_.end())
+      return own->second ? checked(kind, *own->second, key) : std::nullopt;
     std::vector<std::string> known{"when"};
     for (const NamedRole& role : named_roles(kind, scheme_.split->lattice)) {
       if (role.name == name) return checked(kind, parse_walk(role.walk).value(), key);
@@ -322,7 +322,7 @@ class SchemeFileReader {
     return scheme_.split->births_faces && !scheme_.split->trisects_boundary;
   }
 
-  /// Fails at `at` where the walk makes no sense in the rule.
+  /// Fails at `at` where the walk makes no sense in the rule. Precondition: the split is known.
   void check_role(RuleKind kind, std::string_view name, const Walk& walk, const Place& at) {
     const Split& split = *scheme_.split;
     const Result<Placement> placement = place(kind, split.lattice, walk);
@@ -359,7 +359,7 @@ class SchemeFileReader {
     }
     Faults of_base;
     std::optional<Scheme> base = extended_(name, of_base);
-    for (Error fault : of_base.list()) {
+    for (Error fault : of_base.sorted()) {
       std::string hint = std::exchange(fault.hint, {});
       fail(fmt::format("extends '{}': {}", name, fault.text()), std::move(hint));
     }
