@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <tuple>
 
+#include "limn/base/fault_order.h"
 #include "limn/base/printable.h"
 
 namespace limn {
@@ -25,16 +26,15 @@ void Faults::add(Error fault) {
     faults_.push_back(std::move(fault));
 }
 
-std::vector<Error> Faults::sorted() const {
-  std::vector<Error> list = faults_;
-  std::stable_sort(list.begin(), list.end(), [](const Error& a, const Error& b) {
+std::vector<Error> by_place(std::vector<Error> faults) {
+  std::stable_sort(faults.begin(), faults.end(), [](const Error& a, const Error& b) {
     return std::tie(a.line, a.column) < std::tie(b.line, b.column);
   });
-  return list;
+  return faults;
 }
 
 Error Faults::joined() const {
-  const std::vector<Error> faults = sorted();
+  const std::vector<Error> faults = by_place(faults_);
   Error first = faults.front();
   if (faults.size() == 1) return first;
   first.message = printable(first.message);

@@ -20,9 +20,6 @@ class Faults {
   /// In the order in which they were found.
   [[nodiscard]] const std::vector<Error>& list() const { return faults_; }
 
-  /// In the order of their places.
-  [[nodiscard]] std::vector<Error> sorted() const;
-
   /// One error for all of them: that of the first place, whose message goes on with a line for each
   /// of the next ones in the order of their places, twenty in all, and says how many more there
   /// are. A single fault is returned as it is. Precondition: !none().

@@ -242,6 +242,13 @@ Place place_without(const Scheme& scheme, RuleKind kind) {
   return {scheme.file, 1, 1};
 }
 
+/// Whether the fault is one of a whole case: its sum, or that none applies.
+bool is_of_case(const Rule& rule, const Error& fault) {
+  return std::any_of(rule.begin(), rule.end(), [&](const RuleCase& one) {
+    return one.place.line == fault.line && one.place.column == fault.column;
+  });
+}
+
 }  // namespace
 
 Error missing_rule(const Scheme& scheme, RuleKind kind, int n) {
@@ -289,13 +296,17 @@ void check_rules(const Scheme& scheme, const std::set<std::string>& valueless,
   for (int i = 0; i < kRuleKinds; ++i) {
     const auto kind = static_cast<RuleKind>(i);
     if (!scheme.rule(kind)) continue;
-    const bool left_out = is_left_out(kind) || uses_any(*scheme.rule(kind), valueless);
+    bool left_out = is_left_out(kind) || uses_any(*scheme.rule(kind), valueless);
     const auto [first, last] = checked_valences(scheme, kind);
     for (int n = first; n <= last; ++n) {
       for (const Parameter& parameter : scheme.parameters)
         if (!uses_any(parameter, valueless) && !note(check_parameter(scheme, parameter, kind, n)))
           return;
-      if (!left_out && !note(check_case(scheme, kind, n))) return;
+      if (left_out) continue;
+      const Status status = check_case(scheme, kind, n);
+      if (!note(status)) return;
+      // what fails within a weight may fail at another place of it at the next valence
+      left_out = !status && !is_of_case(*scheme.rule(kind), status.error());
     }
   }
 }

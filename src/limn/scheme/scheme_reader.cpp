@@ -6,6 +6,7 @@
 #include <fmt/core.h>
 #include <fmt/ranges.h>
 
+#include "limn/base/fault_order.h"
 #include "limn/base/near_word.h"
 #include "limn/scheme/placement.h"
 #include "limn/scheme/scheme_reader.h"
@@ -359,7 +360,7 @@ class SchemeFileReader {
     }
     Faults of_base;
     std::optional<Scheme> base = extended_(name, of_base);
-    for (Error fault : of_base.sorted()) {
+    for (Error fault : by_place(of_base.list())) {
       std::string hint = std::exchange(fault.hint, {});
       fail(fmt::format("extends '{}': {}", name, fault.text()), std::move(hint));
     }

@@ -150,9 +150,9 @@ void read_fact(TomlReader& in, const toml::node& node, Scheme& scheme) {
   if (!in.unharmed_since(before)) return;
   if (same.scheme.empty() && !same.with.empty())
     in.fail(node, "the fact sets parameters of no scheme", "add same = \"NAME\"");
-  if (!fact.values.empty() && fact.first == 0)
+  else if (!fact.values.empty() && fact.first == 0)
     in.fail(node, "the fact names no valence", "add valence = 7 or valence = \"3..12\"");
-  if (fact.values.empty() && !states_mask && same.scheme.empty())
+  else if (fact.values.empty() && !states_mask && same.scheme.empty())
     in.fail(node, "the fact states nothing", "add tangent, cup, saddle, mask or same");
   same.source = fact.source;
   if (!same.scheme.empty()) scheme.equivalences.push_back(std::move(same));
