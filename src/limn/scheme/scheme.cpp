@@ -51,10 +51,8 @@ void check_rules_fit(const Scheme& scheme, const Unread& unread, Faults& faults)
     const auto kind = static_cast<RuleKind>(i);
     const bool used = has_use_for(split, kind);
     const bool optional = kind >= RuleKind::boundary_vertex || kind == RuleKind::edge_end;
-    // what could not be read may be that rule, by another name
-    const bool may_be_there = unread.tables || std::any_of(unread.rules.begin(), unread.rules.end(),
-                                                           [](bool any) { return any; });
-    if (used && !optional && !given_by_mask && !scheme.rule(kind) && !may_be_there)
+    if (unread.something && !scheme.rule(kind)) continue;  // it may be that rule, by another name
+    if (used && !optional && !given_by_mask && !scheme.rule(kind))
       faults.add(missing_rule(scheme, kind, regular_valence(kind, split.lattice)));
     if (!used && scheme.rule(kind)) {
       const Place& place = scheme.rule(kind)->front().place;
@@ -112,7 +110,7 @@ std::optional<Scheme> parse_in_chain(const SchemeText& file, const SchemeLoader&
     return std::nullopt;
   }
   const auto extended = [&](const std::string& name, Faults& of_base) -> std::optional<Scheme> {
-    const Result<SchemeText> base = load(name, file.path);
+    const Result<SchemeText> base = load(name, file.path.empty() ? "." : file.path);
     if (base) return parse_in_chain(*base, load, chain, of_base);
     of_base.add(base.error());
     return std::nullopt;

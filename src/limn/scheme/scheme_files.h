@@ -17,7 +17,8 @@ struct SchemeText {
   std::string id;    ///< the same for two names of one file, so that circles are seen
 };
 
-/// The file that is called `name` in the file `from` (empty: on a command line).
+/// The file that is called `name` in the file `from` ("." where that has no path; empty: on a
+/// command line).
 using SchemeLoader =
     std::function<Result<SchemeText>(const std::string& name, const std::string& from)>;
 

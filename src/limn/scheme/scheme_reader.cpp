@@ -36,6 +36,7 @@ class SchemeFileReader {
     read_rules(root);
     if (extends_) inherit(*extends_);
     check_given_once();
+    unread_.something = in_.faults() > 0;
     return {std::move(scheme_), std::move(unread_)};
   }
 

@@ -17,6 +17,7 @@ namespace limn {
 /// told as several.
 struct Unread {
   bool everything = false;            ///< no TOML, or what it extends is missing
+  bool something = false;             ///< there were faults at all
   bool tables = false;                ///< tables of unknown names: they may hold anything
   std::set<std::string> definitions;  ///< lets and parameters, by name
   std::array<bool, kRuleKinds> rules{};
