@@ -59,7 +59,7 @@ const std::vector<Mesh>& meshes(Lattice lattice) {
 void check_error(const limn::Error& error, const std::string& text) {
   check(!error.message.empty(), "an error has a message");
   for (const char c : error.text())
-    check(static_cast<unsigned char>(c) >= ' ', "a message is one line of text");
+    check(static_cast<unsigned char>(c) >= ' ' || c == '\n', "a message is lines of text");
   if (error.file != kPath) return;  // in a scheme that the text extends
   const auto lines = std::count(text.begin(), text.end(), '\n') + 2;
   check(error.line >= 0 && error.line <= lines, "the line is one of the text");

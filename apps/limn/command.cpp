@@ -11,6 +11,10 @@
 #include "limn/base/progress.h"
 #include "limn/scheme/scheme_size.h"
 
+#include "limn/base/printable.h"
+#include "limn/base/utf8.h"
+#include "scheme_argument.h"
+
 namespace limn::app {
 namespace {
 
@@ -20,9 +24,16 @@ std::string current_step = "limn";
 }  // namespace
 
 int report(const Error& error) {
-  std::fprintf(stderr, "limn: %s\n", error.text().c_str());
+  const std::string text = error.text();
+  for (std::size_t begin = 0; begin <= text.size();) {  // a line for each fault
+    const std::size_t end = std::min(text.find('\n', begin), text.size());
+    std::fprintf(stderr, "limn: %s\n", text.substr(begin, end - begin).c_str());
+    begin = end + 1;
+  }
   return kBadInput;
 }
+
+void print_text(const std::string& text) { fmt::print("{}", printable_lines(text)); }
 
 void report_warnings(const Warnings& warnings) {
   if (quiet) return;
@@ -84,12 +95,7 @@ void SchemeOptions::declare_parameters(CLI::App& command) {
       ->allow_extra_args(false);  // one after each -p, and -p as often as one likes
 }
 
-Result<Scheme> SchemeOptions::load() const {
-  Result<Scheme> scheme = load_scheme(name);
-  if (!scheme) return scheme;
-  if (Status status = set_parameters(*scheme, parameters); !status) return status.error();
-  return scheme;
-}
+Result<Scheme> SchemeOptions::load() const { return scheme_argument(name, parameters); }
 
 Status check_scheme_path(const std::string& path) {
   if (std::filesystem::path(path).extension() == ".toml") return Done{};
@@ -99,27 +105,28 @@ Status check_scheme_path(const std::string& path) {
 Result<std::string> extends_name(const std::string& scheme, const std::string& path) {
   namespace fs = std::filesystem;
   const std::vector<std::string> shipped = shipped_schemes();
-  if (std::find(shipped.begin(), shipped.end(), scheme) != shipped.end()) return scheme;
-  if (scheme == kStandardStream)
+  const std::string name = scheme_name_of(scheme);
+  if (std::find(shipped.begin(), shipped.end(), name) != shipped.end()) return name;
+  if (name == kStandardStream)
     return Error{"a scheme on standard input has no name that a file could extend",
                  "write it to a file first",
                  {},
                  0,
                  0};
-  const std::string name = fs::proximate(scheme, fs::absolute(path).parent_path()).string();
-  using Handler = nlohmann::json::error_handler_t;
-  const nlohmann::json text = name;
-  if (text.dump(-1, ' ', false, Handler::replace) != text.dump(-1, ' ', false, Handler::ignore))
-    return Error{fmt::format("no scheme file can extend '{}': its name is not UTF-8", name),
-                 "give it another name",
-                 {},
-                 0,
-                 0};
-  return name;
+  const std::string base = fs::proximate(name, fs::absolute(path).parent_path()).string();
+  for (std::string_view rest = base; !rest.empty(); rest.remove_prefix(utf8_length(rest)))
+    if (utf8_length(rest) == 0)
+      return Error{fmt::format("no scheme file can extend '{}': its name is not UTF-8", base),
+                   "rename it",
+                   {},
+                   0,
+                   0};
+  return base;
 }
 
-std::string whole_path(const std::string& path) {
-  return std::filesystem::absolute(path).lexically_normal().string();
+Error unwritten(const Error& fault, const std::string& path) {
+  const std::string first = fault.message.substr(0, fault.message.find('\n'));
+  return {fmt::format("'{}' is not written: {}", path, first), fault.hint, {}, 0, 0};
 }
 
 }  // namespace limn::app

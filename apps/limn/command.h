@@ -69,12 +69,26 @@ void print_json(const nlohmann::ordered_json& json);
 /// it is read, `step` names it.
 [[nodiscard]] Result<Scheme> load_scheme(const std::string& name_or_path);
 
+/// Prints text on standard output; control characters that a name brought along are escaped.
+void print_text(const std::string& text);
+
+/// What the help of an option says of SCHEME.
+inline constexpr const char* kSchemeArgumentHelp =
+    "a shipped scheme or a scheme file, with its parameters after a colon, as "
+    "laplacian-butterfly:b=3/16";
+
+/// What the help says of files, the same in every command: -o takes what the command makes; --map
+/// and --chart draw beside what it prints.
+inline constexpr const char* kFigureFiles = ".pdf, .svg or .png";
+inline constexpr const char* kTableFiles = ".csv or .json";
+
 /// SCHEME and its parameters, as several commands take them.
 struct SchemeOptions {
-  std::string name;
+  std::string name;                     // "NAME_OR_PATH[:name=value,…]"
   std::vector<std::string> parameters;  // "name=value"
 
   void declare_parameters(CLI::App& command);
+  /// Fails as scheme_argument (scheme_argument.h) does.
   [[nodiscard]] Result<Scheme> load() const;
 };
 
@@ -86,7 +100,7 @@ struct SchemeOptions {
 /// and standard input has no name.
 [[nodiscard]] Result<std::string> extends_name(const std::string& scheme, const std::string& path);
 
-/// `path` such that a chain of scheme files that leads back to it shows.
-[[nodiscard]] std::string whole_path(const std::string& path);
+/// What is wrong with a scheme file that therefore is not written: no places in it.
+[[nodiscard]] Error unwritten(const Error& fault, const std::string& path);
 
 }  // namespace limn::app

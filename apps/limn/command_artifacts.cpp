@@ -2,13 +2,16 @@
 #include <memory>
 #include <optional>
 
-#include <fast_float/fast_float.h>
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
 
 #include "command.h"
+#include "limn/base/printable.h"
 #include "limn/regular/regular_mask.h"
+#include "limn/regular/sampling_density.h"
 #include "limn/report/artifact_figures.h"
+#include "number_option.h"
+#include "scheme_argument.h"
 
 namespace limn::app {
 namespace {
@@ -33,12 +36,6 @@ struct ArtifactOptions {
     return {};
   }
 };
-
-/// The whole of `text` as one finite number.
-bool read_number(std::string_view text, double& value) {
-  const auto [end, fault] = fast_float::from_chars(text.data(), text.data() + text.size(), value);
-  return fault == std::errc() && end == text.data() + text.size() && std::isfinite(value);
-}
 
 Result<Frequency> read_frequency(const std::string& text) {
   Frequency f{};
@@ -75,9 +72,7 @@ Result<double> read_tolerance(const std::string& text) {
 Result<std::vector<NamedAnalysis>> load(const ArtifactOptions& options) {
   std::vector<NamedAnalysis> list;
   for (const std::string& name : options.schemes) {
-    SchemeOptions one = options.parameters;
-    one.name = name;
-    const Result<Scheme> scheme = one.load();
+    const Result<Scheme> scheme = scheme_argument(name, options.parameters.parameters);
     if (!scheme) return scheme.error();
     const Result<Mask> mask = regular_mask(*scheme);
     if (!mask) return mask.error();
@@ -86,7 +81,7 @@ Result<std::vector<NamedAnalysis>> load(const ArtifactOptions& options) {
       analysis.error().file = scheme->file;
       return analysis.error();
     }
-    list.push_back({scheme->name, *std::move(analysis)});
+    list.push_back({scheme_label(name, *scheme), *std::move(analysis)});
   }
   return list;
 }
@@ -137,8 +132,8 @@ Result<nlohmann::ordered_json> analysis_json(const NamedAnalysis& scheme,
   return json;
 }
 
-int print_text(const std::vector<NamedAnalysis>& schemes, const ArtifactOptions& options,
-               Frequency f, double tolerance) {
+int print_all_text(const std::vector<NamedAnalysis>& schemes, const ArtifactOptions& options,
+                   Frequency f, double tolerance) {
   Result<std::string> values = std::string();
   Result<std::string> sampling = std::string();
   if (options.wants_values()) values = artifacts_text(schemes, f, options.stage());
@@ -146,8 +141,10 @@ int print_text(const std::vector<NamedAnalysis>& schemes, const ArtifactOptions&
   SamplingDensities densities;
   if (options.wants_sampling()) sampling = sampling_text(schemes, tolerance, densities);
   if (!sampling) return report(sampling.error());
-  if (options.map) fmt::print("{}: a map of {}\n", *options.map, schemes.front().name);
-  fmt::print("{}{}", *values, *sampling);
+  if (options.map)
+    print_text(
+        fmt::format("{}: a map of {}\n", printable(*options.map), printable(schemes.front().name)));
+  print_text(*values + *sampling);
   return kDone;
 }
 
@@ -171,7 +168,7 @@ int analyse(const ArtifactOptions& options) {
     if (Status status = write_artifact_map(*options.map, schemes->front(), options.stage());
         !status)
       return report(status.error());
-  if (!options.json) return print_text(*schemes, options, *f, *tolerance);
+  if (!options.json) return print_all_text(*schemes, options, *f, *tolerance);
   SamplingDensities densities;
   return print_all(*schemes, [&](const NamedAnalysis& scheme) {
     return analysis_json(scheme, options, *f, *tolerance, densities);
@@ -184,7 +181,7 @@ void declare_artifacts(CLI::App& parser, Action& action) {
   CLI::App* command =
       parser.add_subcommand("artifacts", "ripples that no control point can remove, by frequency");
   const auto options = std::make_shared<ArtifactOptions>();
-  command->add_option("SCHEME", options->schemes, "shipped schemes, or scheme files")->required();
+  command->add_option("SCHEME", options->schemes, kSchemeArgumentHelp)->required();
   command
       ->add_option("-f,--frequency", options->frequency,
                    "a wave's frequency, Cartesian, in cycles per control edge")
@@ -201,11 +198,14 @@ void declare_artifacts(CLI::App& parser, Action& action) {
       ->add_option("--tolerance", options->tolerance,
                    "how densely to sample for artifacts of so many percent of the signal "
                    "(without --frequency: 1)")
-      ->type_name("PERCENT");
+      ->type_name("PERCENT")
+      ->check(number_between(kLeastTolerance, 100));
   command
-      ->add_option("--map", options->map,
-                   "draw signal and artifacts over all frequencies (.pdf, .svg, .png), or write "
-                   "the numbers (.csv, .json)")
+      ->add_option(
+          "--map", options->map,
+          fmt::format("also draw signal and artifacts over all frequencies into FILE ({}), "
+                      "or write their numbers to it ({})",
+                      kFigureFiles, kTableFiles))
       ->type_name("FILE");
   options->parameters.declare_parameters(*command);
   command->add_flag("--json", options->json, "print one JSON object");

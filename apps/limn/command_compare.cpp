@@ -8,6 +8,7 @@
 #include "limn/base/progress.h"
 #include "limn/report/compare_report.h"
 #include "limn/report/figure/visibility.h"
+#include "number_option.h"
 #include "scheme_argument.h"
 #include "time_option.h"
 #include "valences.h"
@@ -36,13 +37,6 @@ struct CompareOptions {
 Status check(const CompareOptions& options) {
   if (options.schemes.size() < 2)
     return Error{"one scheme alone cannot be compared", "name two or more", {}, 0, 0};
-  if (!(options.tolerance >= kLeastTolerance && options.tolerance <= 100))
-    return Error{fmt::format("--tolerance: {:g} is not between {:g} and 100 percent",
-                             options.tolerance, kLeastTolerance),
-                 {},
-                 {},
-                 0,
-                 0};
   if (!options.mesh.empty())
     if (Status status = check_mesh_path(options.mesh); !status) return status;
   if (options.output.empty()) return Done{};
@@ -67,6 +61,10 @@ Result<MeshComparison> compare_surfaces(const CompareOptions& options,
   MeshOptions mesh_options;
   mesh_options.steps = options.steps;
   mesh_options.progress = [&](const std::string& what) { line.show(what); };
+  if (Status status = check_steps(schemes, control->mesh, mesh_options); !status) {
+    status.error().file = options.mesh;
+    return status.error();
+  }
   return compare_on_mesh(schemes, options.mesh, control->mesh, control->points, mesh_options);
 }
 
@@ -110,7 +108,7 @@ int compare(const CompareOptions& options) {
   if (options.json)
     print_json(compare_json(comparison));
   else
-    fmt::print("{}", compare_text(comparison, options.differences));
+    print_text(compare_text(comparison, options.differences));
   return kDone;
 }
 
@@ -128,8 +126,10 @@ void declare_mesh(CLI::App& command, CompareOptions& options) {
       ->needs(mesh);
   command
       .add_option("-o,--output", options.output,
-                  "a picture of the surfaces, overlaid and coloured by their distance: .pdf, .svg "
-                  "or .png")
+                  fmt::format("also draw the surfaces, overlaid and coloured by their distance, "
+                              "into FILE ({})",
+                              kFigureFiles))
+      ->type_name("FILE")
       ->needs(mesh);
   options.view.declare(command);
   command
@@ -156,7 +156,8 @@ void declare_compare(CLI::App& parser, Action& action) {
       ->add_option("--tolerance", options->tolerance,
                    "artifacts in percent of the signal, for which sampling densities are given")
       ->type_name("PERCENT")
-      ->capture_default_str();
+      ->capture_default_str()
+      ->check(number_between(kLeastTolerance, 100));
   declare_time(*command, options->seconds, "how long to look for each scheme's regularity");
   command
       ->add_option("--budget", options->budget,

@@ -5,6 +5,7 @@
 
 #include "command.h"
 #include "control_mesh.h"
+#include "limn/base/printable.h"
 #include "limn/base/progress.h"
 #include "limn/report/figure/figure.h"
 #include "limn/report/figure/visibility.h"
@@ -85,8 +86,8 @@ int draw(const DrawOptions& options) {
                 {"levels", options.levels},
                 {"vertices", vertices}});
   else
-    fmt::print("{}: the limit surface of {} at {} points\n", options.output, scheme->name,
-               vertices);
+    print_text(fmt::format("{}: the limit surface of {} at {} points\n", printable(options.output),
+                           printable(scheme->name), vertices));
   return kDone;
 }
 
@@ -111,12 +112,13 @@ void declare_draw(CLI::App& parser, Action& action) {
       "draw", "a picture of a mesh's limit surface: shaded, or with reflection lines");
   const auto options = std::make_shared<DrawOptions>();
   command->add_option("MESH", options->mesh, kMeshArgumentHelp)->required();
-  command->add_option("-s,--scheme", options->scheme.name, "a shipped scheme, or a scheme file")
-      ->required();
+  command->add_option("-s,--scheme", options->scheme.name, kSchemeArgumentHelp)->required();
   command->add_option("-n,--levels", options->levels, "refinement steps before the limit is taken")
       ->capture_default_str()
       ->check(CLI::Range(0, 64));
-  command->add_option("-o,--output", options->output, "the picture: .pdf, .svg or .png")
+  command
+      ->add_option("-o,--output", options->output, fmt::format("draw into FILE ({})", kFigureFiles))
+      ->type_name("FILE")
       ->required();
   options->scheme.declare_parameters(*command);
   declare_look(*command, *options);

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "command.h"
+#include "limn/base/printable.h"
 #include "limn/base/progress.h"
 #include "limn/extraordinary/eigencomponents.h"
 #include "limn/extraordinary/least_valence.h"
@@ -13,6 +14,7 @@
 #include "limn/report/eigen_formula_report.h"
 #include "limn/report/eigen_report.h"
 #include "limn/report/eigenvector_report.h"
+#include "scheme_argument.h"
 #include "valences.h"
 
 namespace limn::app {
@@ -28,7 +30,7 @@ struct EigenOptions {
   std::string valence = "3..12";
   int rings = 0;
   bool vectors = false;
-  std::string map;
+  std::string map, chart, table;
   bool json = false;
   bool formulas = false;
   bool latex = false;
@@ -69,7 +71,7 @@ class Output {
         scheme_(scheme),
         regular_(find_regular_part(scheme)),
         map_steps_(map_steps),
-        text_(scheme.name + "\n" + regular_part_text(regular_) + eigen_heading()) {}
+        text_(printable(scheme.name) + "\n" + regular_part_text(regular_) + eigen_heading()) {}
 
   void add(const FrequencyBlocks& blocks) {
     const Eigencomponents components = approx_eigencomponents(blocks, regular_);
@@ -89,6 +91,7 @@ class Output {
       if (map) keep(std::move(*map));
     }
     list_.push_back(std::move(json));
+    all_.push_back(components);
   }
 
   [[nodiscard]] Status finish() const {
@@ -96,12 +99,19 @@ class Output {
       if (Status status = characteristic_maps_figure(scheme_.name, maps_).write(options_.map);
           !status)
         return status;
+    const DataTable table = eigenvalue_table(all_);
+    if (!options_.chart.empty())
+      if (Status status = eigenvalue_figure(scheme_.name, table).write(options_.chart); !status)
+        return status;
+    if (!options_.table.empty())
+      if (Status status = write_eigenvalues(options_.table, scheme_.name, table); !status)
+        return status;
     if (options_.json)
       print_json({{"scheme", scheme_.name},
                   {"regular_part", regular_part_json(regular_)},
                   {"valences", list_}});
     else
-      fmt::print("{}{}", text_, eigen_legend());
+      print_text(text_ + eigen_legend());
     return Done{};
   }
 
@@ -122,30 +132,38 @@ class Output {
   nlohmann::ordered_json list_ = nlohmann::ordered_json::array();
   std::string text_;
   std::vector<CharacteristicMap> maps_;
+  std::vector<Eigencomponents> all_;
 };
 
 /// Parameters that the command line gives a value have it in the formulas too.
 int print_formulas(const EigenOptions& options) {
   const Result<Scheme> scheme = options.scheme.load();
   if (!scheme) return report(scheme.error());
-  std::set<std::string> given;
-  for (const std::string& assignment : options.scheme.parameters) {
-    std::string name = assignment.substr(0, assignment.find('='));
-    std::erase(name, ' ');
-    given.insert(std::move(name));
-  }
+  const std::set<std::string> given =
+      given_parameters(options.scheme.name, options.scheme.parameters);
   const Result<EigenFormulas> formulas = eigen_formulas(*scheme, given, options.rings);
   if (!formulas) return report(formulas.error());
   if (options.json)
     print_json(eigen_formulas_json(scheme->name, *formulas));
   else
-    fmt::print("{}", eigen_formulas_text(scheme->name, *formulas,
-                                         options.latex ? Notation::latex : Notation::text));
+    print_text(eigen_formulas_text(scheme->name, *formulas,
+                                   options.latex ? Notation::latex : Notation::text));
   return kDone;
 }
 
 int analyse(const EigenOptions& options) {
-  if (Status status = check_outputs({options.map}); !status) return report(status.error());
+  if (Status status = check_outputs({options.map, options.chart, options.table}); !status)
+    return report(status.error());
+  for (const std::string& figure : {options.map, options.chart})
+    if (!figure.empty())
+      if (const Result<FigureFormat> format = figure_format(figure); !format)
+        return report(format.error());
+  if (!options.table.empty() && !is_eigenvalue_path(options.table))
+    return report({fmt::format("--table: '{}' is no table", options.table),
+                   "it ends in .csv, .json or .tex",
+                   {},
+                   0,
+                   0});
   const Result<Scheme> scheme = options.scheme.load();
   if (!scheme) return report(scheme.error());
   const Result<Valences> range = read_valences(options.valence, least_valence(*scheme->split));
@@ -170,8 +188,7 @@ void declare_eigen(CLI::App& parser, Action& action) {
   CLI::App* command = parser.add_subcommand(
       "eigen", "frequency blocks, labelled eigencomponents and verdicts at extraordinary vertices");
   const auto options = std::make_shared<EigenOptions>();
-  command->add_option("SCHEME", options->scheme.name, "a shipped scheme, or a scheme file")
-      ->required();
+  command->add_option("SCHEME", options->scheme.name, kSchemeArgumentHelp)->required();
   CLI::Option* const valence =
       command
           ->add_option("--valence", options->valence,
@@ -187,8 +204,21 @@ void declare_eigen(CLI::App& parser, Action& action) {
                         "also the eigenvectors, and the stencils of limit point and tangents");
   CLI::Option* const map = command->add_option(
       "--map", options->map,
-      "draw the characteristic maps into this file (.pdf, .svg or .png), and say "
-      "whether samples of them fold");
+      fmt::format("also draw the characteristic maps into FILE ({}), and say whether samples of "
+                  "them fold",
+                  kFigureFiles));
+  map->type_name("FILE");
+  CLI::Option* const chart =
+      command
+          ->add_option("--chart", options->chart,
+                       fmt::format("also draw the eigenvalues over the valences into FILE ({})",
+                                   kFigureFiles))
+          ->type_name("FILE");
+  CLI::Option* const table =
+      command
+          ->add_option("--table", options->table,
+                       "also write the eigenvalues over the valences to FILE (.csv, .json or .tex)")
+          ->type_name("FILE");
   options->scheme.declare_parameters(*command);
   CLI::Option* const json = command->add_flag("--json", options->json, "print one JSON object");
   CLI::Option* const formulas =
@@ -196,14 +226,17 @@ void declare_eigen(CLI::App& parser, Action& action) {
           ->add_flag("--formulas", options->formulas, "closed formulas, for all valences at once")
           ->excludes(valence)
           ->excludes(vectors)
-          ->excludes(map);
-  command->add_flag("--latex", options->latex, "formulas as LaTeX")
+          ->excludes(map)
+          ->excludes(chart)
+          ->excludes(table);
+  command->add_flag("--latex", options->latex, "formulas as LaTeX (eigenvalues: --table FILE.tex)")
       ->needs(formulas)
       ->excludes(json);
   command->footer(
       "Example: limn eigen loop --valence 3..12\n"
       "         limn eigen catmull-clark --valence 5 --vectors\n"
       "         limn eigen sqrt3 --valence 3..10 --map maps.pdf\n"
+      "         limn eigen butterfly --valence 3..20 --chart chart.svg --table numbers.csv\n"
       "         limn eigen catmull-clark --formulas");
   command->callback([&action, options] {
     action = [options] { return options->formulas ? print_formulas(*options) : analyse(*options); };

@@ -7,6 +7,7 @@
 
 #include "command.h"
 #include "control_mesh.h"
+#include "limn/base/printable.h"
 #include "limn/base/progress.h"
 #include "limn/report/fairness_report.h"
 #include "limn/report/spectrum_report.h"
@@ -127,8 +128,8 @@ int print_fairness(const FairnessCommand& options) {
     print_json(json);
     return kDone;
   }
-  fmt::print("{}", fairness_text(options.mesh, *records));
-  if (frequencies > 0) fmt::print("\n{}", spectrum_text(options.mesh, *ends));
+  print_text(fairness_text(printable(options.mesh), *records));
+  if (frequencies > 0) print_text("\n" + spectrum_text(printable(options.mesh), *ends));
   return kDone;
 }
 
@@ -150,13 +151,17 @@ void declare_fairness(CLI::App& parser, Action& action) {
       ->check(CLI::Range(1, 64));
   options->common.declare_parameters(*command);
   command
-      ->add_option("--chart", options->chart,
-                   "draw the energies against the level (.pdf, .svg, .png)")
+      ->add_option(
+          "--chart", options->chart,
+          fmt::format("also draw the energies over the levels into FILE ({})", kFigureFiles))
       ->type_name("FILE");
   command
-      ->add_option("--spectrum", options->spectrum,
-                   "print so many of the lowest and highest natural frequencies of the control "
-                   "mesh, or draw which of them each scheme passes on (.pdf, .svg, .png)")
+      ->add_option(
+          "--spectrum", options->spectrum,
+          fmt::format("also print so many of the lowest and highest natural frequencies of "
+                      "the control mesh, or draw which of them each scheme passes on into "
+                      "FILE ({})",
+                      kFigureFiles))
       ->type_name("K|FILE");
   command->add_flag("--triangulate", options->triangulate,
                     "cut polygons into triangles first, concave ones too");

@@ -6,6 +6,8 @@
 
 #include "command.h"
 #include "limn/base/file.h"
+#include "limn/base/near_word.h"
+#include "limn/base/printable.h"
 #include "limn/base/progress.h"
 #include "limn/report/papers/papers.h"
 
@@ -26,12 +28,17 @@ std::string paper_names() {
 
 Result<std::vector<const Paper*>> chosen(const PapersOptions& options) {
   std::vector<const Paper*> list;
+  std::vector<std::string> known;
+  for (const Paper& paper : papers()) known.push_back(paper.name);
   for (const std::string& name : options.papers) {
     const auto found = std::find_if(papers().begin(), papers().end(),
                                     [&](const Paper& paper) { return paper.name == name; });
     if (found == papers().end())
-      return Error{
-          fmt::format("there is no paper '{}'", name), "the papers are " + paper_names(), {}, 0, 0};
+      return Error{fmt::format("there is no paper '{}'", name),
+                   did_you_mean(name, known, "the papers are " + paper_names()),
+                   {},
+                   0,
+                   0};
     list.push_back(&*found);
   }
   if (list.empty())
@@ -63,7 +70,7 @@ int make_papers(const PapersOptions& options) {
   if (options.json)
     print_json({{"index", index}, {"papers", made}});
   else
-    fmt::print("{}\n", index);
+    print_text(printable(index) + "\n");
   return kDone;
 }
 
@@ -74,7 +81,9 @@ void declare_papers(CLI::App& parser, Action& action) {
       "papers", "figures, tables and main claims of the papers that limn implements, made anew");
   const auto options = std::make_shared<PapersOptions>();
   command->add_option("PAPER", options->papers, "which; without it all of them: " + paper_names());
-  command->add_option("-o,--output", options->output, "the folder they go to")->required();
+  command->add_option("-o,--output", options->output, "write the pages to this folder")
+      ->type_name("FOLDER")
+      ->required();
   command->add_flag("--json", options->json, "print one JSON object");
   command->footer("Example: limn papers -o papers\n         limn papers barthe -o barthe");
   command->callback([&action, options] { action = [options] { return make_papers(*options); }; });

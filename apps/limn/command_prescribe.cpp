@@ -5,6 +5,7 @@
 
 #include "command.h"
 #include "limn/base/file.h"
+#include "limn/base/printable.h"
 #include "limn/extraordinary/eigencomponents.h"
 #include "limn/regular/second_differences.h"
 #include "limn/report/eigen_report.h"
@@ -14,7 +15,7 @@ namespace limn::app {
 namespace {
 
 struct PrescribeOptions {
-  std::string scheme;
+  SchemeOptions scheme;
   int valence = 0;
   std::vector<std::string> eigenvalues;
   std::string output;
@@ -22,21 +23,21 @@ struct PrescribeOptions {
 };
 
 int prescribe(const PrescribeOptions& options) {
-  const Result<Scheme> base = load_scheme(options.scheme);
+  const Result<Scheme> base = options.scheme.load();
   if (!base) return report(base.error());
   if (Status status = check_scheme_path(options.output); !status) return report(status.error());
   if (Status status = check_outputs({options.output}); !status) return report(status.error());
   const Prescription prescription{options.valence,
                                   options.eigenvalues.front(),
                                   {options.eigenvalues.begin() + 1, options.eigenvalues.end()}};
-  const Result<std::string> name = extends_name(options.scheme, options.output);
-  if (!name) return report(name.error());
-  const Result<std::string> text = prescribed_scheme(*base, *name, options.output, prescription);
+  const Result<std::string> extends = extends_name(options.scheme.name, options.output);
+  if (!extends) return report(extends.error());
+  const Result<std::string> text = prescribed_scheme(*base, *extends, options.output, prescription);
   if (!text) return report(text.error());
-  const Result<Scheme> made = parse_scheme(*text, whole_path(options.output));
-  if (!made) return report(made.error());
+  const Result<Scheme> made = parse_scheme(*text, options.output);
+  if (!made) return report(unwritten(made.error(), options.output));
   const Result<FrequencyBlocks> blocks = FrequencyAnalysis(*made).blocks(options.valence);
-  if (!blocks) return report(blocks.error());
+  if (!blocks) return report(unwritten(blocks.error(), options.output));
   const RegularPart regular = find_regular_part(*made);
   const Eigencomponents components = approx_eigencomponents(*blocks, regular);
   if (Status status = write_file(options.output, *text); !status) return report(status.error());
@@ -46,8 +47,8 @@ int prescribe(const PrescribeOptions& options) {
                 {"regular_part", regular_part_json(regular)},
                 {"valences", {eigen_json(*blocks, components)}}});
   else
-    fmt::print("{}\n{}{}{}{}", options.output, regular_part_text(regular), eigen_heading(),
-               eigen_text(components), eigen_legend());
+    print_text(printable(options.output) + "\n" + regular_part_text(regular) + eigen_heading() +
+               eigen_text(components) + eigen_legend());
   return kDone;
 }
 
@@ -57,14 +58,16 @@ void declare_prescribe(CLI::App& parser, Action& action) {
   CLI::App* command = parser.add_subcommand(
       "prescribe", "a scheme file with chosen eigenvalues at one valence, by the inverse DFT");
   const auto options = std::make_shared<PrescribeOptions>();
-  command->add_option("SCHEME", options->scheme, "the scheme that it extends")->required();
+  command->add_option("SCHEME", options->scheme.name, kSchemeArgumentHelp)->required();
+  options->scheme.declare_parameters(*command);
   command->add_option("--valence", options->valence, "where")->required()->type_name("N");
   command
       ->add_option("--eigenvalues", options->eigenvalues,
                    "expressions: the cup's, then those of frequency 1 (tangent), 2 (saddle), …")
       ->required()
       ->delimiter(',');
-  command->add_option("-o,--output", options->output, "the scheme file to write: NAME.toml")
+  command->add_option("-o,--output", options->output, "write the scheme file to FILE (.toml)")
+      ->type_name("FILE")
       ->required();
   command->add_flag("--json", options->json, "print one JSON object");
   command->footer(

@@ -10,6 +10,7 @@
 
 #include "command.h"
 #include "control_mesh.h"
+#include "limn/base/printable.h"
 #include "limn/base/progress.h"
 #include "limn/extraordinary/fast_limit.h"
 #include "limn/extraordinary/limit_estimate.h"
@@ -61,11 +62,14 @@ void print_result(const RefineOptions& options, const Scheme& scheme, const Poly
     print_json(json);
     return;
   }
-  std::FILE* const where = options.output.is_printed() ? stderr : stdout;
-  if (where == stderr && is_quiet()) return;
-  fmt::print(where, "{}: {} vertices, {} faces, after {} level{} of {} in {:.3g} s\n",
-             options.output.path, result.vertex_count(), result.face_count(), options.levels,
-             options.levels == 1 ? "" : "s", scheme.name, seconds);
+  const std::string text =
+      fmt::format("{}: {} vertices, {} faces, after {} level{} of {} in {:.3g} s\n",
+                  printable(options.output.path), result.vertex_count(), result.face_count(),
+                  options.levels, options.levels == 1 ? "" : "s", printable(scheme.name), seconds);
+  if (!options.output.is_printed())
+    print_text(text);
+  else if (!is_quiet())
+    fmt::print(stderr, "{}", text);
 }
 
 /// A row for each vertex of the refined mesh; empty numbers where there is no curvature.
@@ -235,8 +239,7 @@ void declare_refine(CLI::App& parser, Action& action) {
   CLI::App* command = parser.add_subcommand("refine", "refine a mesh with a scheme");
   const auto options = std::make_shared<RefineOptions>();
   command->add_option("MESH", options->mesh, kMeshArgumentHelp)->required();
-  command->add_option("-s,--scheme", options->scheme.name, "a shipped scheme, or a scheme file")
-      ->required();
+  command->add_option("-s,--scheme", options->scheme.name, kSchemeArgumentHelp)->required();
   command->add_option("-n,--levels", options->levels, "refinement steps")
       ->capture_default_str()
       ->check(CLI::Range(0, 64));
@@ -247,9 +250,12 @@ void declare_refine(CLI::App& parser, Action& action) {
       "--normals", options->normals,
       "write the limit surface's normals (.obj, .off, .ply, .glb); 0 0 0 (.glb: 0 0 1) "
       "where there is none, which a warning and --json's \"missing\" tell");
-  command->add_option("--curvatures", options->curvatures,
-                      "write the limit surface's principal curvatures to this .csv or .json, "
-                      "where they are bounded; nothing where there is none");
+  command
+      ->add_option("--curvatures", options->curvatures,
+                   fmt::format("also write the limit surface's principal curvatures, where "
+                               "they are bounded, to FILE ({}); nothing where there is none",
+                               kTableFiles))
+      ->type_name("FILE");
   command->add_flag("--triangulate", options->triangulate,
                     "cut polygons into triangles first, concave ones too");
   command

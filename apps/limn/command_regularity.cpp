@@ -4,9 +4,11 @@
 #include <nlohmann/json.hpp>
 
 #include "command.h"
+#include "limn/base/printable.h"
 #include "limn/base/progress.h"
 #include "limn/regular/regular_mask.h"
 #include "limn/report/regularity_report.h"
+#include "number_option.h"
 #include "time_option.h"
 
 namespace limn::app {
@@ -38,7 +40,7 @@ int analyse(const RegularityCommand& command) {
   if (command.json)
     print_json(regularity_json(scheme->name, *regularity));
   else
-    fmt::print("{}", regularity_text(scheme->name, *regularity));
+    print_text(regularity_text(printable(scheme->name), *regularity));
   return kDone;
 }
 
@@ -48,8 +50,7 @@ void declare_regularity(CLI::App& parser, Action& action) {
   CLI::App* command = parser.add_subcommand(
       "regularity", "how smooth the surfaces are on the regular lattice, with proof");
   const auto chosen = std::make_shared<RegularityCommand>();
-  command->add_option("SCHEME", chosen->scheme.name, "a shipped scheme, or a scheme file")
-      ->required();
+  command->add_option("SCHEME", chosen->scheme.name, kSchemeArgumentHelp)->required();
   chosen->scheme.declare_parameters(*command);
   command
       ->add_option("--budget", chosen->options.budget,
@@ -59,7 +60,7 @@ void declare_regularity(CLI::App& parser, Action& action) {
   command
       ->add_option("--tolerance", chosen->options.tolerance,
                    "width of the Hölder bracket below which little more is sought")
-      ->check(CLI::Range(1e-6, 1.0))
+      ->check(number_between(1e-6, 1))
       ->capture_default_str();
   declare_time(*command, chosen->seconds, "how long to look for more; what was reached is given");
   command->add_flag("--json", chosen->json, "print one JSON object");

@@ -21,13 +21,13 @@ int show(const ShowOptions& options) {
   if (options.latex) {
     const Result<std::string> latex = describe_latex(*scheme);
     if (!latex) return report(latex.error());
-    fmt::print("{}", *latex);
+    print_text(*latex);
     return kDone;
   }
   if (options.json)
     print_json(describe_json(*scheme));
   else
-    fmt::print("{}", describe(*scheme));
+    print_text(describe(*scheme));
   return kDone;
 }
 
@@ -37,8 +37,7 @@ void declare_show(CLI::App& parser, Action& action) {
   CLI::App* command =
       parser.add_subcommand("show", "a scheme's rules, mask, factors, closed formulas, source");
   const auto options = std::make_shared<ShowOptions>();
-  command->add_option("SCHEME", options->scheme.name, "a shipped scheme, or a scheme file")
-      ->required();
+  command->add_option("SCHEME", options->scheme.name, kSchemeArgumentHelp)->required();
   options->scheme.declare_parameters(*command);
   CLI::Option* json = command->add_flag("--json", options->json, "print one JSON object");
   command

@@ -6,6 +6,7 @@
 
 #include "command.h"
 #include "limn/base/file.h"
+#include "limn/base/printable.h"
 #include "limn/report/tune_report.h"
 #include "limn/report/tuned_scheme.h"
 #include "valences.h"
@@ -85,21 +86,21 @@ nlohmann::ordered_json heading_json(const Task& task, const nlohmann::ordered_js
 /// Writes the solutions as a scheme file, if it reads back.
 Status write_tuned(const Task& task, const std::vector<ValenceSolutions>& solutions,
                    const TuneOptions& options) {
-  const Result<std::string> base = extends_name(options.scheme.name, options.output);
-  if (!base) return base.error();
+  const Result<std::string> extends = extends_name(options.scheme.name, options.output);
+  if (!extends) return extends.error();
   const Result<std::string> text =
-      tuned_scheme_text(task.freed, task.requirement, solutions, *base);
+      tuned_scheme_text(task.freed, task.requirement, solutions, *extends);
   if (!text) return text.error();
-  const Result<Scheme> back = parse_scheme(*text, whole_path(options.output));
-  if (!back) return back.error();
+  if (const Result<Scheme> back = parse_scheme(*text, options.output); !back)
+    return unwritten(back.error(), options.output);
   return write_file(options.output, *text);
 }
 
 int solve(Task& task, const TuneOptions& options) {
   const bool json = options.json;
   nlohmann::ordered_json list = nlohmann::ordered_json::array();
-  std::string text = fmt::format("{}: {} such that {}\n", task.scheme.name, task.freed.name(),
-                                 task.requirement.text) +
+  std::string text = fmt::format("{}: {} such that {}\n", printable(task.scheme.name),
+                                 task.freed.name(), printable(task.requirement.text)) +
                      solution_heading(task.freed.name());
   bool undecided = false;
   bool any_value = false;
@@ -124,14 +125,14 @@ int solve(Task& task, const TuneOptions& options) {
   if (json)
     print_json(heading_json(task, list));
   else
-    fmt::print("{}", text);
+    print_text(text);
   return undecided ? kUndecided : kDone;
 }
 
 int find_ranges(Task& task, bool json) {
   nlohmann::ordered_json list = nlohmann::ordered_json::array();
-  std::string text = fmt::format("{}: {} such that {}\n", task.scheme.name, task.freed.name(),
-                                 task.requirement.text);
+  std::string text = fmt::format("{}: {} such that {}\n", printable(task.scheme.name),
+                                 task.freed.name(), printable(task.requirement.text));
   std::vector<ValenceRange> ranges;
   bool undecided = false;
   for (int n = task.valences.first; n <= task.valences.last; ++n) {
@@ -151,7 +152,7 @@ int find_ranges(Task& task, bool json) {
     object["common"] = intervals_json(common);
     print_json(object);
   } else {
-    fmt::print("{}", text);
+    print_text(text);
   }
   return undecided ? kUndecided : kDone;
 }
@@ -168,8 +169,7 @@ void declare_tune(CLI::App& parser, Action& action) {
   CLI::App* command = parser.add_subcommand(
       "tune", "the values of a parameter or a let at which the eigencomponents are as required");
   const auto options = std::make_shared<TuneOptions>();
-  command->add_option("SCHEME", options->scheme.name, "a shipped scheme, or a scheme file")
-      ->required();
+  command->add_option("SCHEME", options->scheme.name, kSchemeArgumentHelp)->required();
   command->add_option("--free", options->free, "the parameter or let that is to be found")
       ->type_name("NAME")
       ->required()
@@ -191,8 +191,8 @@ void declare_tune(CLI::App& parser, Action& action) {
       ->type_name("LOW,HIGH");
   command
       ->add_option("-o,--output", options->output,
-                   "write a scheme file that has the solutions, in fractions")
-      ->type_name("FILE.toml");
+                   "also write a scheme file with the solutions, in fractions, to FILE (.toml)")
+      ->type_name("FILE");
   command->add_flag("--range", options->range, "the range in which the requirement holds");
   command->add_flag("--everywhere", options->everywhere,
                     "the value is that of the regular neighbours, too");

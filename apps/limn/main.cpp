@@ -6,6 +6,7 @@
 
 #include "command.h"
 #include "limn/base/file_transaction.h"
+#include "limn/base/near_word.h"
 #include "limn/base/parallel.h"
 #include "process.h"
 
@@ -21,11 +22,17 @@ constexpr Declare kCommands[] = {
 /// CLI11 would only say that a command is missing.
 Status check_command(const CLI::App& parser, const std::string& word) {
   std::string known;
+  std::vector<std::string> names;
   for (const CLI::App* command : parser.get_subcommands([](const CLI::App*) { return true; })) {
-    if (command->get_name() == word) return Done{};
-    known += (known.empty() ? "" : ", ") + command->get_name();
+    names.push_back(command->get_name());
+    if (names.back() == word) return Done{};
+    known += (known.empty() ? "" : ", ") + names.back();
   }
-  return Error{"there is no command '" + word + "'", "the commands are " + known, {}, 0, 0};
+  return Error{"there is no command '" + word + "'",
+               did_you_mean(word, names, "the commands are " + known),
+               {},
+               0,
+               0};
 }
 
 int run(int argc, char** argv) {

@@ -21,6 +21,10 @@ Parts parts_of(const std::string& text) {
   const std::size_t colon = text.rfind(':');
   if (colon == std::string::npos || std::filesystem::is_regular_file(text, ignored))
     return {text, false, {}};
+  const std::string rest = text.substr(colon + 1);
+  if (rest.find('=') == std::string::npos &&
+      (rest.find('/') != std::string::npos || rest.ends_with(".toml")))
+    return {text, false, {}};
   Parts parts{text.substr(0, colon), true, {}};
   for (std::size_t begin = colon + 1; begin < text.size();) {
     const std::size_t end = std::min(text.find(',', begin), text.size());
@@ -56,7 +60,24 @@ bool any_twice(const std::vector<NamedScheme>& schemes) {
 
 }  // namespace
 
-Result<Scheme> scheme_argument(const std::string& text) { return load(text, {}); }
+Result<Scheme> scheme_argument(const std::string& text, const std::vector<std::string>& common) {
+  return load(text, common);
+}
+
+std::string scheme_name_of(const std::string& text) { return parts_of(text).scheme; }
+
+std::set<std::string> given_parameters(const std::string& text,
+                                       const std::vector<std::string>& common) {
+  std::vector<std::string> assignments = parts_of(text).parameters;
+  assignments.insert(assignments.end(), common.begin(), common.end());
+  std::set<std::string> names;
+  for (const std::string& assignment : assignments) {
+    std::string name = assignment.substr(0, assignment.find('='));
+    std::erase_if(name, [](char c) { return c == ' ' || c == '\t'; });
+    names.insert(std::move(name));
+  }
+  return names;
+}
 
 std::string scheme_label(const std::string& text, const Scheme& scheme) {
   std::string label = scheme.name;

@@ -1,10 +1,13 @@
 /// Every file of tests/data/bad-schemes is refused, at the right place and with a telling message.
 
 #include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
 
 #include <filesystem>
 #include <fstream>
 #include <map>
+#include <set>
+#include <sstream>
 
 #include "limn/base/file.h"
 #include "limn/scheme/scheme.h"
@@ -12,8 +15,14 @@
 namespace limn {
 namespace {
 
+struct Fault {
+  std::string place, message, hint;
+};
+
+/// A file and its faults in the order of their places.
 struct Expected {
-  std::string file, place, message, hint;
+  std::string file;
+  std::vector<Fault> faults;
   friend std::ostream& operator<<(std::ostream& out, const Expected& e) { return out << e.file; }
 };
 
@@ -34,7 +43,8 @@ std::vector<Expected> expectations() {
       }
     }
     fields.resize(4);
-    list.push_back({fields[0], fields[1], fields[2], fields[3]});
+    if (list.empty() || list.back().file != fields[0]) list.push_back({fields[0], {}});
+    list.back().faults.push_back({fields[1], fields[2], fields[3]});
   }
   return list;
 }
@@ -47,6 +57,13 @@ std::string without_folder(std::string text) {
   return text;
 }
 
+std::vector<std::string> lines_of(const std::string& text) {
+  std::vector<std::string> lines;
+  std::istringstream in(text);
+  for (std::string line; std::getline(in, line);) lines.push_back(line);
+  return lines;
+}
+
 class BadScheme : public testing::TestWithParam<Expected> {};
 
 TEST_P(BadScheme, IsRefusedAtItsPlace) {
@@ -56,12 +73,20 @@ TEST_P(BadScheme, IsRefusedAtItsPlace) {
   ASSERT_FALSE(scheme.ok());
   const Error& error = scheme.error();
   EXPECT_EQ(error.file, path);
-  EXPECT_EQ(std::to_string(error.line) + ":" + std::to_string(error.column), expected.place)
+  const Fault& first = expected.faults.front();
+  EXPECT_EQ(std::to_string(error.line) + ":" + std::to_string(error.column), first.place)
       << error.text();
-  EXPECT_NE(without_folder(error.message).find(expected.message), std::string::npos)
-      << error.text();
-  EXPECT_NE(error.hint.find(expected.hint), std::string::npos) << error.text();
-  for (const char c : error.text()) EXPECT_GE(static_cast<unsigned char>(c), ' ') << error.text();
+  // a line for each fault, no more
+  const std::vector<std::string> lines = lines_of(without_folder(error.text()));
+  ASSERT_EQ(lines.size(), expected.faults.size()) << error.text();
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    const Fault& fault = expected.faults[i];
+    EXPECT_EQ(lines[i].find(expected.file + ":" + fault.place + ": "), 0U) << lines[i];
+    EXPECT_NE(lines[i].find(fault.message), std::string::npos) << lines[i];
+    EXPECT_NE(lines[i].find(fault.hint), std::string::npos) << lines[i];
+    for (const char c : lines[i]) EXPECT_GE(static_cast<unsigned char>(c), ' ') << lines[i];
+  }
+  if (lines.size() == 1) EXPECT_NE(error.hint.find(first.hint), std::string::npos) << error.text();
 }
 
 /// The same without a file: only the name differs.
@@ -73,7 +98,7 @@ TEST_P(BadScheme, IsRefusedAsText) {
   EXPECT_TRUE(scheme.error().file.empty()) << scheme.error().file;
   EXPECT_FALSE(scheme.error().message.empty());
   EXPECT_EQ(std::to_string(scheme.error().line) + ":" + std::to_string(scheme.error().column),
-            expected.place);
+            expected.faults.front().place);
 }
 
 INSTANTIATE_TEST_SUITE_P(Corpus, BadScheme, testing::ValuesIn(expectations()),
@@ -94,6 +119,77 @@ TEST(BadSchemes, EveryFileHasAnExpectation) {
     if (name != "expected.txt") EXPECT_EQ(listed[name], 1) << name;
   }
   for (const auto& [name, count] : listed) EXPECT_TRUE(std::filesystem::exists(folder() / name));
+}
+
+TEST(BadSchemes, ManyFaultsAreBounded) {
+  std::string text = "split = \"triangle-dyadic\"\n";
+  for (int i = 0; i < 10'000; ++i) text += "key" + std::to_string(i) + " = 1\n";
+  const Result<Scheme> scheme = parse_scheme(text, "text.toml");
+  ASSERT_FALSE(scheme.ok());
+  const std::vector<std::string> lines = lines_of(scheme.error().text());
+  ASSERT_EQ(lines.size(), 21U);
+  for (int i = 0; i < 20; ++i)
+    EXPECT_EQ(
+        lines[static_cast<std::size_t>(i)].find("text.toml:" + std::to_string(i + 2) + ":1: "), 0U);
+  EXPECT_EQ(lines.back(), "and 9980 more faults");
+}
+
+/// Whatever is wrong together, every place is one of those that are wrong alone: no fault is told
+/// for what is only a consequence of another.
+RC_GTEST_PROP(BadSchemes, NoFaultFollowsFromAnother, ()) {
+  struct Slip {
+    std::size_t line;  ///< of the good file, from 0
+    std::string text;  ///< in its place
+    std::string place;
+  };
+  const std::vector<std::string> good{"split = \"triangle-dyadic\"",
+                                      "[let]",
+                                      "b = \"3/8/n\"",
+                                      "c = \"1/8\"",
+                                      "[parameter.w]",
+                                      "default = \"1/16\"",
+                                      "range = [\"0\", \"1/8\"]",
+                                      "[vertex]",
+                                      "self = \"1 - n*b\"",
+                                      "ring = \"b\"",
+                                      "[edge]",
+                                      "end = \"1/2 - c + w\"",
+                                      "wing = \"c - w\"",
+                                      "[boundary.edge]",
+                                      "end = \"1/2\""};
+  const std::vector<Slip> slips{{0, "splitt = \"triangle-dyadic\"", "1:1"},
+                                {0, "split = \"triangle-dyadc\"", "1:9"},
+                                {2, "b = \"3/8/m\"", "3:10"},
+                                {2, "b = \"3/8/\"", "3:10"},
+                                {3, "c = 0.125", "4:5"},
+                                {3, "c = \"c\"", "4:6"},
+                                {5, "default = \"1/4\"", "6:11"},
+                                {6, "rnge = [\"0\", \"1/8\"]", "7:1"},
+                                {9, "rng = \"b\"", "10:1"},
+                                {9, "ring = \"b)\"", "10:10"},
+                                {12, "wing = \"c - w + 1/8\"", "11:1"},
+                                {14, "end = \"1/3\"", "14:1"}};
+  std::vector<std::string> lines = good;
+  std::set<std::string> made;
+  for (const std::size_t i :
+       *rc::gen::container<std::set<std::size_t>>(rc::gen::inRange<std::size_t>(0, slips.size()))) {
+    if (lines[slips[i].line] != good[slips[i].line]) continue;  // one a line
+    lines[slips[i].line] = slips[i].text;
+    made.insert(slips[i].place);
+  }
+  std::string text;
+  for (const std::string& line : lines) text += line + "\n";
+  const Result<Scheme> scheme = parse_scheme(text, "f");
+  RC_ASSERT(scheme.ok() == made.empty());
+  if (made.empty()) return;
+  std::set<std::string> told;
+  for (const std::string& line : lines_of(scheme.error().text()))
+    told.insert(line.substr(2, line.find(": ") - 2));
+  for (const std::string& place : told) RC_ASSERT(made.count(place) == 1U);
+  // those that need no other part to be judged are always told
+  for (const std::string& place : made)
+    if (place != "11:1" && place != "14:1" && place != "6:11" && place != "10:1")
+      RC_ASSERT(told.count(place) == 1U);
 }
 
 Error error_of(const std::string& text) {

@@ -1,19 +1,22 @@
 #include "limn/base/error.h"
 
+#include "limn/base/printable.h"
+
 namespace limn {
 
 std::string Error::text() const {
   std::string place;
   if (!file.empty()) {
-    place = file;
+    place = printable(file);
     if (line > 0) {
       place += ":" + std::to_string(line);
       if (column > 0) place += ":" + std::to_string(column);
     }
     place += ": ";
   }
-  std::string text = place + message;
-  if (!hint.empty()) text += " (" + hint + ")";
+  // several faults of one file are lines (base/faults.h); elsewhere a line feed is part of a name
+  std::string text = place + (line > 0 ? printable_lines(message) : printable(message));
+  if (!hint.empty()) text += " (" + printable(hint) + ")";
   return text;
 }
 

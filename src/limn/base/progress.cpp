@@ -5,6 +5,8 @@
 #include <atomic>
 #include <cstdio>
 
+#include "limn/base/printable.h"
+
 namespace limn {
 namespace {
 
@@ -28,7 +30,7 @@ void ProgressLine::show_none() { none = true; }
 
 void ProgressLine::show_now(const std::string& text) {
   if (!enabled_ || none) return;
-  std::fprintf(stderr, "\r\033[K%s", text.c_str());
+  std::fprintf(stderr, "\r\033[K%s", printable(text).c_str());
   std::fflush(stderr);
   shown_ = true;
 }

@@ -143,7 +143,10 @@ Status Exact::charge(const Size& a, const Size& b, double operations) {
   const double length = 1 + (a.bits + b.bits) / 256;
   const double work = pairs * length * (1 + operations * order);
   if (work > kMostWork) return failure("the numbers are too long for exact arithmetic");
-  if (work > work_left) return failure("the exact arithmetic takes too long");
+  if (work > work_left) {
+    work_left = 0;  // the next one, be it short, does not go on either
+    return failure("the exact arithmetic takes too long");
+  }
   work_left -= work;
   return Done{};
 }

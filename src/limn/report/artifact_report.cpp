@@ -6,6 +6,7 @@
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
 
+#include "limn/base/printable.h"
 namespace limn {
 namespace {
 
@@ -27,7 +28,8 @@ Error named(const NamedAnalysis& scheme, Error error) {
 
 std::size_t longest_name(const std::vector<NamedAnalysis>& schemes) {
   std::size_t longest = 6;
-  for (const NamedAnalysis& scheme : schemes) longest = std::max(longest, scheme.name.size());
+  for (const NamedAnalysis& scheme : schemes)
+    longest = std::max(longest, printable(scheme.name).size());
   return longest;
 }
 
@@ -48,7 +50,7 @@ std::string magnitude(double value) {
 
 std::string values_text(const NamedAnalysis& scheme, Frequency f, const StageValues& values,
                         Stage stage) {
-  std::string text = scheme.name + "\n";
+  std::string text = printable(scheme.name) + "\n";
   text += fmt::format("  signal   {}  {}\n", magnitude(values.components.signal), wave_text(f));
   const std::vector<Frequency> waves = scheme.analysis.artifact_frequencies(f);
   for (std::size_t i = 0; i < waves.size(); ++i)
@@ -182,7 +184,7 @@ Result<std::string> sampling_text(const std::vector<NamedAnalysis>& schemes, dou
       "{:<{}}  worst             best                worst             best\n",
       tolerance, "", width, "scheme", width);
   for (const NamedAnalysis& scheme : schemes) {
-    text += fmt::format("{:<{}}", scheme.name, width);
+    text += fmt::format("{:<{}}", printable(scheme.name), width);
     for (const ArtifactMeasure measure :
          {ArtifactMeasure::total_energy, ArtifactMeasure::mean_energy}) {
       const Result<SamplingDensity> density = densities.at(scheme.analysis, tolerance, measure);

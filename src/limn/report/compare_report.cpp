@@ -5,6 +5,8 @@
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
 
+#include "limn/base/printable.h"
+#include "limn/refine/refine.h"
 #include "limn/report/compare_rows.h"
 #include "limn/report/surface_scenes.h"
 
@@ -33,12 +35,13 @@ Json one_fairness_json(const std::string& mesh, const Result<FairnessRecord>& re
 
 std::string distances_text(const MeshComparison& on_mesh) {
   if (on_mesh.distances.empty()) return {};
-  std::string text = fmt::format("\ndistance of limit surfaces over {}\n", on_mesh.mesh);
+  std::string text = fmt::format("\ndistance of limit surfaces over {}\n", printable(on_mesh.mesh));
   for (const PairDistance& pair : on_mesh.distances) {
     const Point3& at = pair.distance.where[0];
     text += fmt::format("  {} – {}: {}; largest at ({:.4g}, {:.4g}, {:.4g})\n",
-                        on_mesh.surfaces[pair.first].name, on_mesh.surfaces[pair.second].name,
-                        distance_text(pair.distance), at.x, at.y, at.z);
+                        printable(on_mesh.surfaces[pair.first].name),
+                        printable(on_mesh.surfaces[pair.second].name), distance_text(pair.distance),
+                        at.x, at.y, at.z);
   }
   return text;
 }
@@ -54,13 +57,30 @@ std::string missing_text(const Comparison& comparison) {
   std::string text;
   for (const SchemeRecord& scheme : comparison.schemes)
     for (const std::string& reason : missing_parts(scheme))
-      text += fmt::format("  {}: {}\n", scheme.label, reason);
+      text += fmt::format("  {}: {}\n", printable(scheme.label), printable(reason));
   if (comparison.on_mesh)
-    for (const std::string& reason : comparison.on_mesh->missing) text += "  " + reason + "\n";
+    for (const std::string& reason : comparison.on_mesh->missing)
+      text += "  " + printable(reason) + "\n";
   return text.empty() ? text : "\nmissing (–)\n" + text;
 }
 
 }  // namespace
+
+Status check_steps(const std::vector<LabelledScheme>& schemes, const Mesh& mesh,
+                   const MeshOptions& options) {
+  for (const auto& [label, scheme] : schemes) {
+    const auto check = [&, &scheme = scheme](int steps) {
+      return check_refinable(scheme, mesh, steps, sizeof(Point3), available_memory());
+    };
+    if (!check(0)) continue;  // its surface is missing whatever the steps
+    Status status = check(steps_of(*scheme.split, options.steps));
+    if (!status) {
+      status.error().message = label + ": " + status.error().message;
+      return status;
+    }
+  }
+  return Done{};
+}
 
 MeshComparison compare_on_mesh(const std::vector<LabelledScheme>& schemes, const std::string& name,
                                const Mesh& mesh, const std::vector<Point3>& points,
@@ -100,7 +120,7 @@ MeshComparison compare_on_mesh(const std::vector<LabelledScheme>& schemes, const
 std::string compare_text(const Comparison& comparison, bool differences) {
   std::vector<std::string> labels;
   labels.reserve(comparison.schemes.size());
-  for (const SchemeRecord& scheme : comparison.schemes) labels.push_back(scheme.label);
+  for (const SchemeRecord& scheme : comparison.schemes) labels.push_back(printable(scheme.label));
   std::string text = table_text(labels, compare_sections(comparison), differences);
   if (comparison.on_mesh) text += distances_text(*comparison.on_mesh);
   return text + missing_text(comparison) +

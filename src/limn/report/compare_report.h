@@ -42,6 +42,11 @@ struct LabelledScheme {
   Scheme scheme;
 };
 
+/// That the steps can be made by every scheme that refines this mesh at all: they are refused
+/// before any work. The error names the scheme and the sizes.
+[[nodiscard]] Status check_steps(const std::vector<LabelledScheme>& schemes, const Mesh& mesh,
+                                 const MeshOptions& options);
+
 /// Limit surfaces, distances and fairness of the schemes that refine this mesh. A scheme that does
 /// not (of triangles, on quads) is an error in its place.
 [[nodiscard]] MeshComparison compare_on_mesh(const std::vector<LabelledScheme>& schemes,

@@ -1,6 +1,7 @@
 #include "limn/report/eigen_figures.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include <fmt/core.h>
 
@@ -40,6 +41,33 @@ Figure characteristic_maps_figure(const std::string& scheme,
                            map.regular == Truth::yes  ? "no fold in samples"
                            : map.regular == Truth::no ? "folds"
                                                       : "undecided"));
+  return figure;
+}
+
+ChartPanel eigenvalue_panel(const DataTable& table, const std::string& title) {
+  ChartPanel panel;
+  panel.title = title;
+  panel.x_label = "valence /{n}";
+  panel.y_low = 0;
+  const std::vector<std::string> names{"tangent", "tangent²", "cup", "saddle", "largest other"};
+  bool moduli = has_complex(table);
+  for (std::size_t column = 1; column <= names.size(); ++column) {
+    ChartPanel::Series series{.name = names[column - 1], .markers = true};
+    for (const std::vector<double>& row : table.rows) {
+      moduli = moduli || row[column] < 0;
+      series.x.push_back(row[0]);
+      series.y.push_back(std::abs(row[column]));
+    }
+    panel.series.push_back(std::move(series));
+  }
+  panel.y_label = moduli ? "modulus of the eigenvalue" : "eigenvalue";
+  return panel;
+}
+
+Figure eigenvalue_figure(const std::string& scheme, const DataTable& table) {
+  constexpr double kWidth = 300;
+  Figure figure(1, kWidth);
+  figure.add(eigenvalue_panel(table, scheme));
   return figure;
 }
 

@@ -1,10 +1,11 @@
 #pragma once
-/// Characteristic maps drawn: `limn eigen --map`.
+/// Characteristic maps and eigenvalues drawn: `limn eigen --map` and `--chart`.
 
 #include <string>
 #include <vector>
 
 #include "limn/extraordinary/characteristic_map.h"
+#include "limn/report/eigen_table.h"
 #include "limn/report/figure/figure.h"
 
 namespace limn {
@@ -16,5 +17,12 @@ namespace limn {
 /// A page of them, four to a row, each under its valence.
 [[nodiscard]] Figure characteristic_maps_figure(const std::string& scheme,
                                                 const std::vector<CharacteristicMap>& maps);
+
+/// The moduli of eigenvalue_table's columns over the valence; the axis says that they are moduli
+/// where some eigenvalue is complex or negative.
+[[nodiscard]] ChartPanel eigenvalue_panel(const DataTable& table, const std::string& title);
+
+/// A page of that panel alone.
+[[nodiscard]] Figure eigenvalue_figure(const std::string& scheme, const DataTable& table);
 
 }  // namespace limn

@@ -1,8 +1,10 @@
 #include "limn/report/eigen_formula_report.h"
 
 #include <fmt/core.h>
+#include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
+#include "limn/base/printable.h"
 #include "limn/number/polynomial_text.h"
 
 namespace limn {
@@ -69,23 +71,22 @@ std::string equation_line(const EigenEquation& one, const std::string& unknown, 
                      one.degree);
 }
 
-std::string frequency_lines(const EigenFormulas& formulas, const FrequencyFormulas& at,
-                            Notation notation) {
+/// A row of align* each, without the breaks between them; or a line of text.
+std::vector<std::string> frequency_lines(const EigenFormulas& formulas, const FrequencyFormulas& at,
+                                         Notation notation) {
   const bool latex = notation == Notation::latex;
   const std::string head = frequency_text(formulas.frequency, at, notation);
-  std::string text;
-  bool first = true;
+  std::vector<std::string> lines;
   const auto add = [&](int ring, const std::string& line) {
-    text += latex
-                ? fmt::format("  {} & {} && \\text{{ring {}}} \\\\\n",
-                              first ? head + "\\colon" : std::string(), line, ring)
-                : fmt::format("  {:<12}  ring {}  {}\n", first ? head : std::string(), ring, line);
-    first = false;
+    const std::string shown = lines.empty() ? head : std::string();
+    lines.push_back(latex ? fmt::format("  {} & {} & \\text{{ring {}}}",
+                                        lines.empty() ? head + "\\colon" : shown, line, ring)
+                          : fmt::format("  {:<12}  ring {}  {}\n", shown, ring, line));
   };
   for (const EigenFormula& one : at.eigenvalues) add(one.ring, formula_line(one, notation));
   for (const EigenEquation& one : at.left)
     add(one.ring, equation_line(one, formulas.unknown, notation));
-  return text;
+  return lines;
 }
 
 Json root_json(int ring, const ClosedRoot& root) {
@@ -145,16 +146,21 @@ std::string valences_text(const ValenceFormulas& formulas, Notation notation) {
 std::string eigen_formulas_text(const std::string& scheme, const EigenFormulas& formulas,
                                 Notation notation) {
   const bool latex = notation == Notation::latex;
-  std::string text = (latex ? "% " : "") + scheme + "\n";
+  std::string text = (latex ? "% " : "") + printable(scheme) + "\n";
   for (const RegularName& name : formulas.regular_names)
     text += fmt::format("{}{}: {} at valence {}\n", latex ? "% " : "", name.name, name.parameter,
                         name.n);
   for (const ValenceFormulas& at : formulas.valences) {
     const std::string valences = valences_text(at, notation);
-    text += latex ? fmt::format("\\begin{{align*}}\n  {} && \\\\\n", valences) : valences + "\n";
+    std::vector<std::string> lines;
     for (const FrequencyFormulas& frequency : at.frequencies)
-      text += frequency_lines(formulas, frequency, notation);
-    if (latex) text += "\\end{align*}\n";
+      for (std::string& line : frequency_lines(formulas, frequency, notation))
+        lines.push_back(std::move(line));
+    if (latex)
+      text += fmt::format("For ${}$:\n\\begin{{align*}}\n{}\n\\end{{align*}}\n", valences,
+                          fmt::join(lines, " \\\\\n"));
+    else
+      text += fmt::format("{}\n{}", valences, fmt::join(lines, ""));
   }
   return text;
 }

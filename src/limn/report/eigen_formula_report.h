@@ -12,8 +12,9 @@ namespace limn {
 /// "n = 5, n ≥ 7", or the same as LaTeX.
 [[nodiscard]] std::string valences_text(const ValenceFormulas& formulas, Notation notation);
 
-/// Text: a paragraph for each set of valences, a line for each eigenvalue. LaTeX: an align*
-/// (amsmath) for each set of valences. A cosine that a formula holds more than once is called c.
+/// Text: a paragraph for each set of valences, a line for each eigenvalue. LaTeX: a line of text
+/// and an align* (amsmath) for each set of valences. A cosine that a formula holds more than once
+/// is called c.
 [[nodiscard]] std::string eigen_formulas_text(const std::string& scheme,
                                               const EigenFormulas& formulas, Notation notation);
 

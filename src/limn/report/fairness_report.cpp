@@ -8,6 +8,7 @@
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
 
+#include "limn/base/printable.h"
 namespace limn {
 namespace {
 
@@ -126,7 +127,7 @@ std::string limit_text(const Trend& trend) {
 }
 
 std::string record_text(const FairnessRecord& record) {
-  std::string text = fmt::format("\n{}\n  level  vertices", record.scheme);
+  std::string text = fmt::format("\n{}\n  level  vertices", printable(record.scheme));
   for (const Quantity& quantity : kQuantities)
     text +=
         cell(quantity.title != nullptr ? quantity.title : fmt::format("x {}^level", record.growth));
@@ -181,7 +182,8 @@ std::string legend(const std::string& marks, const std::vector<FairnessRecord>& 
 /// All schemes at their last levels.
 std::string comparison_text(const std::vector<FairnessRecord>& records) {
   std::size_t width = 6;
-  for (const FairnessRecord& record : records) width = std::max(width, record.scheme.size());
+  for (const FairnessRecord& record : records)
+    width = std::max(width, printable(record.scheme).size());
   std::string head = fmt::format("{:<{}}  level", "scheme", width);
   std::string rows;
   for (const Quantity& quantity : {kArea, kLaplacian, kThinPlate, kVariation})
@@ -190,8 +192,8 @@ std::string comparison_text(const std::vector<FairnessRecord>& records) {
   std::string marks;
   for (std::size_t i = 0; i < records.size(); ++i) {
     const FairnessRecord& record = records[i];
-    std::string row = fmt::format("{:<{}}  {:>5}{}  ", record.scheme, width, record.last().level,
-                                  cell(number(record.last().energies.area)));
+    std::string row = fmt::format("{:<{}}  {:>5}{}  ", printable(record.scheme), width,
+                                  record.last().level, cell(number(record.last().energies.area)));
     for (const Quantity& energy : kEnergies) {
       marks += mark(records, i, energy);
       row += cell(number(energy.value(record.last()))) + mark(records, i, energy);

@@ -5,8 +5,10 @@
 #include <vector>
 
 #include <fmt/core.h>
+#include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
+#include "limn/base/printable.h"
 #include "limn/regular/factors.h"
 #include "limn/regular/formula.h"
 #include "limn/regular/limit_values.h"
@@ -58,12 +60,38 @@ std::string formulas_text(const std::vector<std::string>& formulas) {
   return text;
 }
 
+using TextRows = std::vector<std::vector<std::string>>;
+
+/// Each row in its place among columns that are all in use. A hexagon's rows are staggered by half
+/// a cell, so that they take every second column.
+TextRows in_columns(const TextRows& rows, bool staggered) {
+  std::size_t widest = 0;
+  for (const auto& row : rows) widest = std::max(widest, row.size());
+  const std::size_t step = staggered ? 2 : 1;
+  TextRows grid;
+  std::vector<bool> used(step * widest, false);
+  for (const auto& row : rows) {
+    std::vector<std::string>& cells = grid.emplace_back(step * widest);
+    for (std::size_t i = 0; i < row.size(); ++i) {
+      const std::size_t column = (staggered ? widest - row.size() : 0) + step * i;
+      cells[column] = row[i];
+      used[column] = true;
+    }
+  }
+  for (auto& cells : grid) {
+    std::vector<std::string> kept;
+    for (std::size_t i = 0; i < cells.size(); ++i)
+      if (used[i]) kept.push_back(std::move(cells[i]));
+    cells = std::move(kept);
+  }
+  return grid;
+}
+
 /// One array, its scale before it.
 std::string latex_array(const Mask& mask) {
   const std::string text = to_string(mask);
   std::string scale;
-  std::vector<std::vector<std::string>> rows;
-  std::size_t widest = 0;
+  TextRows rows;
   for (std::size_t at = 0; at < text.size();) {
     const std::size_t end = text.find('\n', at);
     const std::string line = text.substr(at, end - at);
@@ -79,15 +107,12 @@ std::string latex_array(const Mask& mask) {
       i = std::min(line.find(' ', from), line.size());
       row.push_back(line.substr(from, i - from));
     }
-    widest = std::max(widest, row.size());
   }
-  // a hexagon's rows are staggered by half a cell: two columns a coefficient
-  std::string array = scale + "\\left[\\begin{array}{" + std::string(2 * widest - 1, 'c') + "}\n";
-  for (const auto& row : rows) {
-    std::string line(widest - row.size(), '&');
-    for (std::size_t i = 0; i < row.size(); ++i) line += (i == 0 ? "" : " && ") + row[i];
-    array += "  " + line + " \\\\\n";
-  }
+  const TextRows grid = in_columns(rows, mask.lattice == Lattice::triangle);
+  std::string array =
+      scale + "\\left[\\begin{array}{" + std::string(grid.front().size(), 'c') + "}\n";
+  for (std::size_t i = 0; i < grid.size(); ++i)
+    array += fmt::format("  {}{}\n", fmt::join(grid[i], " & "), i + 1 < grid.size() ? " \\\\" : "");
   return array + "\\end{array}\\right]";
 }
 
@@ -153,7 +178,7 @@ nlohmann::ordered_json lattice_json(const Mask& mask) {
 }
 
 std::string lattice_latex(const std::string& name, const Mask& mask) {
-  std::string text = fmt::format("% {}: mask\n\\[\n{}\n\\]\n", name, latex_array(mask));
+  std::string text = fmt::format("% {}: mask\n\\[\n{}\n\\]\n", printable(name), latex_array(mask));
   text += fmt::format("% factors: {}\n", factors_in_words(mask));
   if (const Factorization factors = factor(mask); kernel_is_news(factors))
     text += fmt::format("% kernel\n\\[\n{}\n\\]\n", latex_array(like(mask, factors.kernel)));

@@ -1,10 +1,12 @@
 #include "limn/report/scheme_report.h"
 
 #include <algorithm>
+#include <set>
 
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
 
+#include "limn/base/printable.h"
 #include "limn/regular/regular_mask.h"
 #include "limn/report/lattice_report.h"
 #include "limn/scheme/placement.h"
@@ -84,7 +86,7 @@ std::string equivalence_text(const Equivalence& same) {
   for (std::size_t i = 0; i < same.with.size(); ++i)
     text += fmt::format("{}{} = {}", i == 0 ? ", its " : " and ", same.with[i].first,
                         same.with[i].second.expression.text());
-  return text + (same.source.empty() ? "" : "  [" + same.source + "]") + "\n";
+  return text + (same.source.empty() ? "" : "  [" + printable(same.source) + "]") + "\n";
 }
 
 Json equivalences_json(const Scheme& scheme) {
@@ -95,6 +97,61 @@ Json equivalences_json(const Scheme& scheme) {
     list.push_back({{"scheme", same.scheme}, {"with", with}, {"source", same.source}});
   }
   return list;
+}
+
+using Lets = std::vector<std::pair<std::string, Formula>>;
+
+/// Calls visit(formula) for all that the scheme says but its lets.
+template <class Visit>
+void each_user(const Scheme& scheme, const Visit& visit) {
+  const auto visit_rows = [&](const Rows& rows) {
+    for (const auto& row : rows.rows)
+      for (const Formula& entry : row) visit(entry);
+    if (rows.scale) visit(*rows.scale);
+  };
+  for (const Parameter& parameter : scheme.parameters) {
+    visit(parameter.value);
+    if (parameter.low) visit(*parameter.low);
+    if (parameter.high) visit(*parameter.high);
+  }
+  for (const std::optional<Rule>& rule : scheme.rules)
+    for (const RuleCase& rule_case : rule ? *rule : Rule{}) {
+      if (rule_case.when) visit(*rule_case.when);
+      for (const Weight& weight : rule_case.weights) visit(weight.value);
+    }
+  for (const Fact& fact : scheme.facts)
+    for (const auto& value : fact.values) visit(value.second);
+  for (const Equivalence& same : scheme.equivalences)
+    for (const auto& value : same.with) visit(value.second);
+  if (scheme.mask) visit_rows(*scheme.mask);
+  if (scheme.stated_mask) visit_rows(*scheme.stated_mask);
+  if (!scheme.factors) return;
+  if (scheme.factors->stages) visit(*scheme.factors->stages);
+  for (const auto& direction : scheme.factors->directions) visit(direction.second);
+  if (scheme.factors->kernel) visit_rows(*scheme.factors->kernel);
+}
+
+/// Those of the file, and those of the schemes that it extends as far as something uses them.
+Lets listed_lets(const Scheme& scheme) {
+  std::set<std::string> used;
+  std::vector<std::string> open;
+  const auto use = [&](const Formula& formula) {
+    for (const std::string& name : formula.expression.names())
+      if (used.insert(name).second) open.push_back(name);
+  };
+  each_user(scheme, use);
+  for (const auto& [name, formula] : scheme.lets)
+    if (formula.place.file == scheme.file) use(formula);
+  while (!open.empty()) {
+    const std::string name = std::move(open.back());
+    open.pop_back();
+    for (const auto& [let, formula] : scheme.lets)
+      if (let == name) use(formula);
+  }
+  Lets listed;
+  for (const auto& let : scheme.lets)
+    if (let.second.place.file == scheme.file || used.count(let.first) > 0) listed.push_back(let);
+  return listed;
 }
 
 Json parameters_json(const Scheme& scheme) {
@@ -112,16 +169,18 @@ Json parameters_json(const Scheme& scheme) {
 }  // namespace
 
 std::string describe(const Scheme& scheme) {
-  std::string text = scheme.name + (scheme.title.empty() ? "" : ": " + scheme.title) + '\n';
+  std::string text =
+      printable(scheme.name) + (scheme.title.empty() ? "" : ": " + printable(scheme.title)) + '\n';
   text += fmt::format("  split   {} ({})\n", scheme.split->name, scheme.split->description);
-  if (!scheme.source.empty()) text += fmt::format("  source  {}\n", scheme.source);
-  if (!scheme.notes.empty()) text += fmt::format("  notes   {}\n", scheme.notes);
+  if (!scheme.source.empty()) text += fmt::format("  source  {}\n", printable(scheme.source));
+  if (!scheme.notes.empty()) text += fmt::format("  notes   {}\n", printable_lines(scheme.notes));
   if (!scheme.parameters.empty()) text += "\nparameters\n";
   for (const Parameter& parameter : scheme.parameters)
     text += fmt::format("  {} = {}  {}  {}\n", parameter.name, parameter.value.expression.text(),
-                        range_text(parameter), parameter.meaning);
-  if (!scheme.lets.empty()) text += "\nlet\n";
-  for (const auto& [name, formula] : scheme.lets)
+                        range_text(parameter), printable(parameter.meaning));
+  const Lets lets = listed_lets(scheme);
+  if (!lets.empty()) text += "\nlet\n";
+  for (const auto& [name, formula] : lets)
     text += fmt::format("  {} = {}\n", name, formula.expression.text());
   if (!scheme.equivalences.empty()) text += "\nthe same as\n";
   for (const Equivalence& same : scheme.equivalences) text += equivalence_text(same);
@@ -153,7 +212,8 @@ nlohmann::ordered_json describe_json(const Scheme& scheme) {
   json["notes"] = scheme.notes;
   json["file"] = scheme.file;
   json["lets"] = Json::object();
-  for (const auto& [name, formula] : scheme.lets) json["lets"][name] = formula.expression.text();
+  for (const auto& [name, formula] : listed_lets(scheme))
+    json["lets"][name] = formula.expression.text();
   json["same_as"] = equivalences_json(scheme);
   json["rules"] = Json::object();
   for (int i = 0; i < kRuleKinds; ++i) {

@@ -8,7 +8,8 @@
 
 namespace limn {
 
-/// Everything in the scheme file, with the regular mask, for people.
+/// Everything in the scheme file, with the regular mask, for people. Of the lets of a scheme that
+/// it extends those that something uses.
 [[nodiscard]] std::string describe(const Scheme& scheme);
 
 /// The same for programs: {"name", "title", "split", "source", "notes", "file", "parameters":

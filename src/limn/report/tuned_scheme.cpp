@@ -5,13 +5,12 @@
 
 #include <fmt/core.h>
 #include <fmt/ranges.h>
-#include <nlohmann/json.hpp>
+
+#include "limn/base/printable.h"
+#include "limn/scheme/scheme_text.h"
 
 namespace limn {
 namespace {
-
-/// In the quotes of a TOML string, whose escapes are those of JSON.
-std::string quoted(const std::string& text) { return nlohmann::json(text).dump(); }
 
 const Formula& definition_of(const Scheme& scheme, const std::string& name) {
   for (const auto& [let, value] : scheme.lets)
@@ -33,15 +32,6 @@ const Solution* chosen(const ValenceSolutions& solutions, double own) {
 
 Rational fraction(const Solution& solution) {
   return solution.rational ? *solution.rational : Rational(solution.value);
-}
-
-std::string parameter_text(const Parameter& parameter, const std::string& value) {
-  std::string text = fmt::format("\n[parameter.{}]\ndefault = {}\n", parameter.name, quoted(value));
-  if (parameter.low && parameter.high)
-    text += fmt::format("range   = [{}, {}]\n", quoted(parameter.low->expression.text()),
-                        quoted(parameter.high->expression.text()));
-  if (!parameter.meaning.empty()) text += fmt::format("meaning = {}\n", quoted(parameter.meaning));
-  return text;
 }
 
 /// The freed name's new definition and what was decided about it.
@@ -99,21 +89,21 @@ Result<std::string> tuned_scheme_text(const FreedScheme& freed, const Requiremen
       "# Made by limn tune. Residuals are {:.1e} at most; long fractions are doubles, exactly.\n",
       definition.residual);
   if (!definition.kept.empty())
-    text += fmt::format("# The value of '{}' is kept at n = {}.\n", scheme.name,
+    text += fmt::format("# The value of '{}' is kept at n = {}.\n", printable(scheme.name),
                         fmt::join(definition.kept, ", "));
-  text +=
-      fmt::format("title   = {}\nextends = {}\nnotes   = {}\n",
-                  quoted(fmt::format("{}, tuned", scheme.title)), quoted(extends), quoted(task));
+  text += fmt::format("title   = {}\nextends = {}\nnotes   = {}\n",
+                      toml_string(fmt::format("{}, tuned", scheme.title)), toml_string(extends),
+                      toml_string(task));
   bool is_let = true;
   for (const Parameter& parameter : scheme.parameters) {
     const bool is_freed = parameter.name == freed.name();
     is_let = is_let && !is_freed;
     if (is_freed)
-      text += parameter_text(parameter, definition.text);
+      text += parameter_toml(parameter, definition.text);
     else if (parameter.value.place.line == 0)  // it was set by an option
-      text += parameter_text(parameter, parameter.value.expression.text());
+      text += parameter_toml(parameter, parameter.value.expression.text());
   }
-  if (is_let) text += fmt::format("\n[let]\n{} = {}\n", freed.name(), quoted(definition.text));
+  if (is_let) text += fmt::format("\n[let]\n{} = {}\n", freed.name(), toml_string(definition.text));
   return text;
 }
 

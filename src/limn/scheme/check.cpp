@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "limn/scheme/placement.h"
 
@@ -176,22 +177,60 @@ Status check_range(const Parameter& parameter, RuleKind kind, int n, Scope<Exact
                            *above_low < 0 ? "below" : "above", range_text(parameter)));
 }
 
-Status check_parameters(const Scheme& scheme, RuleKind kind, int n) {
-  for (const Parameter& parameter : scheme.parameters) {
-    if (!parameter.low && !parameter.high) continue;
-    // what has no value in a rule without n, or without k, is checked where it has one
-    const bool valued = [&] {
-      Scope<Exact> scope(scheme, valence_of(kind, n), std::nullopt);
-      return scope(parameter.value).ok();
-    }();
-    if (!valued && !rule_has_valence(kind)) continue;
-    for (int k = 0; k < (valued ? 1 : n); ++k) {
-      Scope<Exact> scope(scheme, valence_of(kind, n),
-                         valued ? std::nullopt : std::optional<long long>(k));
-      if (Status status = check_range(parameter, kind, n, scope); !status) return status;
-    }
+/// The same for each k where the value needs one.
+Status check_parameter(const Scheme& scheme, const Parameter& parameter, RuleKind kind, int n) {
+  if (!parameter.low && !parameter.high) return Done{};
+  // what has no value in a rule without n, or without k, is checked where it has one
+  const bool valued = [&] {
+    Scope<Exact> scope(scheme, valence_of(kind, n), std::nullopt);
+    return scope(parameter.value).ok();
+  }();
+  if (!valued && !rule_has_valence(kind)) return Done{};
+  for (int k = 0; k < (valued ? 1 : n); ++k) {
+    Scope<Exact> scope(scheme, valence_of(kind, n),
+                       valued ? std::nullopt : std::optional<long long>(k));
+    if (Status status = check_range(parameter, kind, n, scope); !status) return status;
   }
   return Done{};
+}
+
+/// The weights of the case that applies, or that there is none.
+Status check_case(const Scheme& scheme, RuleKind kind, int n) {
+  const Result<const RuleCase*> rule_case = applicable_case(scheme, kind, n);
+  if (!rule_case) return rule_case.error();
+  if (*rule_case != nullptr) return check_sum(scheme, kind, n, **rule_case);
+  // an edge's end without a case leaves the edge to the edge rule
+  if (kind == RuleKind::edge_end || scheme.mask || scheme.factors) return Done{};
+  return missing_rule(scheme, kind, n);
+}
+
+/// Whether so much was spent that no arithmetic is left: what it says then is no fault.
+bool is_exhausted() { return !Exact::multiply(Exact(1), Exact(1)).ok(); }
+
+/// The valences at which a rule is checked.
+std::pair<int, int> checked_valences(const Scheme& scheme, RuleKind kind) {
+  const bool only_triangles = kind == RuleKind::face && !scheme.split->any_polygons;
+  if (only_triangles || !rule_has_valence(kind)) return {3, 3};
+  return {kind == RuleKind::boundary_vertex ? 2 : kSmallestValence, kLargestCheckedValence};
+}
+
+bool uses_any(const Formula& formula, const std::set<std::string>& names) {
+  const std::vector<std::string>& used = formula.expression.names();
+  return std::any_of(used.begin(), used.end(),
+                     [&](const std::string& name) { return names.count(name) > 0; });
+}
+
+bool uses_any(const Parameter& parameter, const std::set<std::string>& names) {
+  return names.count(parameter.name) > 0 || (parameter.low && uses_any(*parameter.low, names)) ||
+         (parameter.high && uses_any(*parameter.high, names));
+}
+
+bool uses_any(const Rule& rule, const std::set<std::string>& names) {
+  return std::any_of(rule.begin(), rule.end(), [&](const RuleCase& one) {
+    return (one.when && uses_any(*one.when, names)) ||
+           std::any_of(one.weights.begin(), one.weights.end(),
+                       [&](const Weight& weight) { return uses_any(weight.value, names); });
+  });
 }
 
 /// Where a rule or a case is missing: at the last case, or where the file says what it has.
@@ -201,6 +240,13 @@ Place place_without(const Scheme& scheme, RuleKind kind) {
   if (scheme.mask) return scheme.mask->place;
   if (scheme.factors) return scheme.factors->place;
   return {scheme.file, 1, 1};
+}
+
+/// Whether the fault is one of a whole case: its sum, or that none applies.
+bool is_of_case(const Rule& rule, const Error& fault) {
+  return std::any_of(rule.begin(), rule.end(), [&](const RuleCase& one) {
+    return one.place.line == fault.line && one.place.column == fault.column;
+  });
 }
 
 }  // namespace
@@ -233,31 +279,36 @@ Result<const RuleCase*> applicable_case(const Scheme& scheme, RuleKind kind, int
 
 Status check_rule(const Scheme& scheme, RuleKind kind, int n) {
   const ExactBudget budget(kExactWork);
-  const Result<const RuleCase*> rule_case = applicable_case(scheme, kind, n);
-  if (!rule_case) return rule_case.error();
-  if (Status status = check_parameters(scheme, kind, n); !status) return status;
-  if (*rule_case == nullptr) {
-    // an edge's end without a case leaves the edge to the edge rule
-    if (kind == RuleKind::edge_end || scheme.mask || scheme.factors) return Done{};
-    return missing_rule(scheme, kind, n);
-  }
-  return check_sum(scheme, kind, n, **rule_case);
+  for (const Parameter& parameter : scheme.parameters)
+    if (Status status = check_parameter(scheme, parameter, kind, n); !status) return status;
+  return check_case(scheme, kind, n);
 }
 
-Status check_rules(const Scheme& scheme) {
+void check_rules(const Scheme& scheme, const std::set<std::string>& valueless,
+                 const std::function<bool(RuleKind)>& is_left_out, Faults& faults) {
   const ExactBudget budget(kExactWork);
+  std::set<std::pair<int, int>> places;  // of faults
+  const auto note = [&](const Status& status) {
+    if (!status && places.insert({status.error().line, status.error().column}).second)
+      faults.add(status.error());
+    return status.ok() || !is_exhausted();
+  };
   for (int i = 0; i < kRuleKinds; ++i) {
     const auto kind = static_cast<RuleKind>(i);
     if (!scheme.rule(kind)) continue;
-    int first = kSmallestValence;
-    int last = kLargestCheckedValence;
-    if (kind == RuleKind::boundary_vertex) first = 2;
-    const bool only_triangles = kind == RuleKind::face && !scheme.split->any_polygons;
-    if (only_triangles || !rule_has_valence(kind)) last = first = 3;
-    for (int n = first; n <= last; ++n)
-      if (Status status = check_rule(scheme, kind, n); !status) return status;
+    bool left_out = is_left_out(kind) || uses_any(*scheme.rule(kind), valueless);
+    const auto [first, last] = checked_valences(scheme, kind);
+    for (int n = first; n <= last; ++n) {
+      for (const Parameter& parameter : scheme.parameters)
+        if (!uses_any(parameter, valueless) && !note(check_parameter(scheme, parameter, kind, n)))
+          return;
+      if (left_out) continue;
+      const Status status = check_case(scheme, kind, n);
+      if (!note(status)) return;
+      // what fails within a weight may fail at another place of it at the next valence
+      left_out = !status && !is_of_case(*scheme.rule(kind), status.error());
+    }
   }
-  return Done{};
 }
 
 }  // namespace limn

@@ -3,6 +3,11 @@
 /// rule applies, every parameter lies in its range, the weights sum to exactly 1, and weights
 /// that depend on k are the same in both directions (w_k = w_{n-k}).
 
+#include <functional>
+#include <set>
+#include <string>
+
+#include "limn/base/faults.h"
 #include "limn/scheme/scheme.h"
 
 namespace limn {
@@ -14,8 +19,11 @@ inline constexpr int kLargestCheckedValence = 24;  // of every rule, when a file
 /// ones need, so that only a hostile file meets it.
 inline constexpr double kExactWork = 2e6;
 
-/// All rules of the scheme at valences kSmallestValence … kLargestCheckedValence.
-[[nodiscard]] Status check_rules(const Scheme& scheme);
+/// All rules of the scheme at valences kSmallestValence … kLargestCheckedValence: each place at
+/// which something is wrong is a fault, at the first valence where it is. What uses a name in
+/// `valueless`, and rules for which `is_left_out(kind)`, are passed over.
+void check_rules(const Scheme& scheme, const std::set<std::string>& valueless,
+                 const std::function<bool(RuleKind)>& is_left_out, Faults& faults);
 
 /// One rule at one valence (ignored for rules without n).
 [[nodiscard]] Status check_rule(const Scheme& scheme, RuleKind kind, int n);

@@ -1,11 +1,14 @@
 #include "limn/scheme/names.h"
 
 #include <fmt/core.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <map>
 #include <string>
 #include <vector>
+
+#include "limn/base/near_word.h"
 
 namespace limn {
 namespace {
@@ -52,25 +55,28 @@ void each_formula(const Scheme& scheme, Visit&& visit) {
     for (const auto& value : same.with) visit(value.second);
 }
 
-std::string names_hint(const Definitions& definitions) {
+std::string names_hint(const Definitions& definitions, const std::string& unknown) {
+  std::vector<std::string> known;
+  for (const auto& definition : definitions) known.push_back(definition.first);
   std::string hint = "names are n, k, the parameters and the lets";
-  if (definitions.size() > kMostShown) return hint;
-  for (const auto& definition : definitions)
-    hint += (&definition == &*definitions.begin() ? ": " : ", ") + definition.first;
-  return hint;
+  if (!known.empty() && known.size() <= kMostShown)
+    hint += fmt::format(": {}", fmt::join(known, ", "));
+  return did_you_mean(unknown, known, hint);
 }
 
-Status check_known(const Scheme& scheme, const Definitions& definitions) {
-  std::optional<Error> fault;
+bool is_known(const std::string& name, const Definitions& definitions, const Unread& unread) {
+  return name == "n" || name == "k" || definitions.count(name) > 0 ||
+         unread.definitions.count(name) > 0;
+}
+
+void check_known(const Scheme& scheme, const Definitions& definitions, const Unread& unread,
+                 Faults& faults) {
   each_formula(scheme, [&](const Formula& formula) {
-    for (const std::string& name : formula.expression.names()) {
-      if (fault || name == "n" || name == "k" || definitions.count(name) > 0) continue;
-      fault =
-          at_name(formula, name, fmt::format("unknown name '{}'", name), names_hint(definitions));
-    }
+    for (const std::string& name : formula.expression.names())
+      if (!is_known(name, definitions, unread))
+        faults.add(at_name(formula, name, fmt::format("unknown name '{}'", name),
+                           names_hint(definitions, name)));
   });
-  if (fault) return *fault;
-  return Done{};
 }
 
 /// A name that formula uses and that is still in `definitions`; nullptr: none.
@@ -99,18 +105,17 @@ Error circle_in(const Definitions& left) {
                  fmt::format("'{0}' is defined in terms of itself: {1} -> {0}", first, circle));
 }
 
-}  // namespace
-
-Status check_names(const Scheme& scheme) {
-  Definitions left = definitions_of(scheme);
-  if (Status status = check_known(scheme, left); !status) return status;
-  // take away, again and again, what is defined by n, k and what was taken away before
+/// What is left when, again and again, what is defined by n, k and what was taken away before is
+/// taken away. `holds_up(name)`: that a name that is no definition keeps its users from being
+/// taken.
+template <class HoldsUp>
+Definitions unresolved(Definitions left, const HoldsUp& holds_up) {
   std::map<std::string, std::vector<std::string>> users;
   std::map<std::string, std::size_t> open;
   std::vector<std::string> ready;
   for (const auto& [name, formula] : left) {
     for (const std::string& used : formula->expression.names()) {
-      if (left.count(used) == 0) continue;
+      if (left.count(used) == 0 && !holds_up(used)) continue;
       users[used].push_back(name);
       ++open[name];
     }
@@ -123,8 +128,30 @@ Status check_names(const Scheme& scheme) {
     for (const std::string& user : users[name])
       if (--open[user] == 0) ready.push_back(user);
   }
-  if (!left.empty()) return circle_in(left);
-  return Done{};
+  return left;
+}
+
+}  // namespace
+
+void check_names(const Scheme& scheme, const Unread& unread, Faults& faults) {
+  const Definitions definitions = definitions_of(scheme);
+  if (!unread.tables) check_known(scheme, definitions, unread, faults);
+  const Definitions left = unresolved(definitions, [](const std::string&) { return false; });
+  if (!left.empty()) faults.add(circle_in(left));
+}
+
+std::set<std::string> valueless_names(const Scheme& scheme, const Unread& unread) {
+  const Definitions definitions = definitions_of(scheme);
+  const Definitions left = unresolved(definitions, [&](const std::string& name) {
+    return unread.definitions.count(name) > 0 || !is_known(name, definitions, unread);
+  });
+  std::set<std::string> names = unread.definitions;
+  for (const auto& definition : left) names.insert(definition.first);
+  each_formula(scheme, [&](const Formula& formula) {
+    for (const std::string& name : formula.expression.names())
+      if (!is_known(name, definitions, unread)) names.insert(name);
+  });
+  return names;
 }
 
 }  // namespace limn

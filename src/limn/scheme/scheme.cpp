@@ -1,13 +1,17 @@
 #include <algorithm>
 #include <filesystem>
+#include <set>
 
 #include <fmt/core.h>
 #include <fmt/ranges.h>
 
 #include "limn/base/file.h"
+#include "limn/base/near_word.h"
+#include "limn/base/printable.h"
 #include "limn/scheme/check.h"
 #include "limn/scheme/mask.h"
 #include "limn/scheme/names.h"
+#include "limn/scheme/scheme_files.h"
 #include "limn/scheme/scheme_reader.h"
 #include "limn/scheme/scheme_size.h"
 #include "limn/scheme/shipped_files.h"
@@ -16,11 +20,6 @@ namespace limn {
 namespace {
 
 constexpr std::size_t kDeepestExtension = 8;
-
-/// The files that are being read, each extended by the one before it.
-using Chain = std::vector<std::string>;
-
-Result<Scheme> read_any(const std::string& name_or_path, const Chain& chain);
 
 /// Whether a scheme with this split can have such a rule.
 bool has_use_for(const Split& split, RuleKind kind) {
@@ -46,79 +45,99 @@ std::string rules_of(const Split& split) {
 }
 
 /// Which rules the split calls for: missing ones and ones that it has no use for.
-Status check_rules_fit(const Scheme& scheme) {
+void check_rules_fit(const Scheme& scheme, const Unread& unread, Faults& faults) {
   const Split& split = *scheme.split;
   const bool given_by_mask = scheme.mask || scheme.factors;
   for (int i = 0; i < kRuleKinds; ++i) {
     const auto kind = static_cast<RuleKind>(i);
     const bool used = has_use_for(split, kind);
     const bool optional = kind >= RuleKind::boundary_vertex || kind == RuleKind::edge_end;
+    if (unread.something && !scheme.rule(kind)) continue;  // it may be that rule, by another name
     if (used && !optional && !given_by_mask && !scheme.rule(kind))
-      return missing_rule(scheme, kind, regular_valence(kind, split.lattice));
+      faults.add(missing_rule(scheme, kind, regular_valence(kind, split.lattice)));
     if (!used && scheme.rule(kind)) {
       const Place& place = scheme.rule(kind)->front().place;
-      return Error{
-          fmt::format("the split {} has no use for a rule '{}'", split.name, rule_name(kind)),
-          "its rules are " + rules_of(split), place.file, place.line, place.column};
+      faults.add(
+          {fmt::format("the split {} has no use for a rule '{}'", split.name, rule_name(kind)),
+           "its rules are " + rules_of(split), place.file, place.line, place.column});
     }
   }
-  return Done{};
 }
 
-Status check_scheme(Scheme& scheme) {
+/// All that can be judged of what was read.
+void check_scheme(Scheme& scheme, const Unread& unread, Faults& faults) {
   const ExactBudget budget(kExactWork);
-  if (Status status = check_names(scheme); !status) return status;
-  if (scheme.mask || scheme.factors)
-    if (Status status = add_rules_from_mask(scheme); !status) return status;
-  if (Status status = check_rules_fit(scheme); !status) return status;
-  return check_rules(scheme);
-}
-
-/// `chain` ends with `path`.
-Result<Scheme> parse_in_chain(std::string_view text, const std::string& path, const Chain& chain) {
-  Result<Scheme> scheme = read_scheme_text(
-      text, path, [&](const std::string& extended) { return read_any(extended, chain); });
-  if (!scheme) return scheme;
-  if (scheme->name.empty()) scheme->name = std::filesystem::path(path).stem().string();
-  if (Status status = check_scheme(*scheme); !status) return status.error();
-  return scheme;
-}
-
-/// `id`: the path, or the name of a shipped scheme (which a user's file may be called after).
-Result<Scheme> parse_next(std::string_view text, const std::string& path, const std::string& id,
-                          Chain chain) {
-  if (chain.size() > kDeepestExtension)
-    return Error{
-        fmt::format("more than {} schemes extend one another", kDeepestExtension), {}, {}, 0, 0};
-  if (std::find(chain.begin(), chain.end(), id) != chain.end())
-    return Error{fmt::format("circular: {} -> {}", fmt::join(chain, " -> "), id), {}, {}, 0, 0};
-  chain.push_back(id);
-  return parse_in_chain(text, path, chain);
-}
-
-std::size_t edit_distance(std::string_view a, std::string_view b) {
-  std::vector<std::size_t> row(b.size() + 1);
-  for (std::size_t j = 0; j <= b.size(); ++j) row[j] = j;
-  for (std::size_t i = 1; i <= a.size(); ++i) {
-    std::size_t diagonal = row[0];
-    row[0] = i;
-    for (std::size_t j = 1; j <= b.size(); ++j) {
-      const std::size_t above = row[j];
-      row[j] = std::min({above + 1, row[j - 1] + 1, diagonal + (a[i - 1] != b[j - 1] ? 1U : 0U)});
-      diagonal = above;
+  check_names(scheme, unread, faults);
+  if (scheme.split == nullptr) return;
+  const std::set<std::string> valueless = valueless_names(scheme, unread);
+  if (scheme.mask || scheme.factors) {
+    if (!faults.none()) return;
+    if (Status status = add_rules_from_mask(scheme); !status) {
+      faults.add(status.error());
+      return;
     }
   }
-  return row.back();
+  check_rules_fit(scheme, unread, faults);
+  check_rules(
+      scheme, valueless,
+      [&](RuleKind kind) { return unread.rule(kind) || !has_use_for(*scheme.split, kind); },
+      faults);
+}
+
+/// The files that are being read, each extended by the one before it.
+struct Link {
+  std::string id, path;
+};
+using Chain = std::vector<Link>;
+
+std::string text_of(const Chain& chain) {
+  std::string text;
+  for (const Link& link : chain) text += (text.empty() ? "" : " -> ") + link.path;
+  return text;
+}
+
+std::optional<Scheme> parse_in_chain(const SchemeText& file, const SchemeLoader& load, Chain chain,
+                                     Faults& faults) {
+  if (chain.size() > kDeepestExtension) {
+    faults.add(
+        {fmt::format("more than {} schemes extend one another", kDeepestExtension), {}, {}, 0, 0});
+    return std::nullopt;
+  }
+  const bool again =
+      std::any_of(chain.begin(), chain.end(), [&](const Link& link) { return link.id == file.id; });
+  chain.push_back({file.id, file.path});
+  if (again) {
+    faults.add({"circular: " + text_of(chain), {}, {}, 0, 0});
+    return std::nullopt;
+  }
+  const auto extended = [&](const std::string& name, Faults& of_base) -> std::optional<Scheme> {
+    const Result<SchemeText> base = load(name, file.path.empty() ? "." : file.path);
+    if (base) return parse_in_chain(*base, load, chain, of_base);
+    of_base.add(base.error());
+    return std::nullopt;
+  };
+  Draft draft = read_scheme_text(file.text, file.path, extended, faults);
+  if (draft.unread.everything) return std::nullopt;
+  Scheme& scheme = draft.scheme;
+  if (scheme.name.empty()) scheme.name = std::filesystem::path(file.path).stem().string();
+  check_scheme(scheme, draft.unread, faults);
+  if (!faults.none()) return std::nullopt;
+  return std::move(scheme);
+}
+
+Result<Scheme> parse_first(const SchemeText& file, const SchemeLoader& load) {
+  const ExactBudget budget(kExactWork);  // of all the files together
+  Faults faults;
+  std::optional<Scheme> scheme = parse_in_chain(file, load, {}, faults);
+  if (!scheme) return faults.joined();
+  return *std::move(scheme);
 }
 
 Error unknown_scheme(const std::string& name) {
-  std::vector<std::string> near;
-  for (const std::string& known : shipped_schemes())
-    if (edit_distance(name, known) <= 2 || (name.size() > 2 && known.find(name) != known.npos))
-      near.push_back(known);
+  const std::string near = did_you_mean(name, shipped_schemes());
   return {fmt::format("no shipped scheme and no file is called '{}'", name),
           near.empty() ? "`limn schemes` lists the shipped ones; else give the path of a .toml file"
-                       : fmt::format("did you mean {}?", fmt::join(near, " or ")),
+                       : near,
           {},
           0,
           0};
@@ -129,21 +148,11 @@ Result<std::string> read_scheme_file(const std::string& path) {
   return read_file(path, {.bytes = kMostSchemeBytes, .pipes = false});
 }
 
-/// A shipped name, or a path: relative to the folder of the file that extends it, if one does.
-Result<Scheme> read_any(const std::string& name_or_path, const Chain& chain) {
-  namespace fs = std::filesystem;
-  for (const ShippedFile& shipped : shipped_files())
-    if (shipped.name == name_or_path)
-      return parse_next(shipped.text, name_or_path + ".toml", name_or_path, chain);
-  fs::path path(name_or_path);
-  const bool looks_like_path = path.has_parent_path() || path.extension() == ".toml";
-  if (!chain.empty() && path.is_relative())
-    path = (fs::path(chain.back()).parent_path() / path).lexically_normal();
-  std::error_code ignored;
-  if (!looks_like_path && !fs::exists(path, ignored)) return unknown_scheme(name_or_path);
-  Result<std::string> text = read_scheme_file(path.string());
-  if (!text) return text.error();
-  return parse_next(*text, path.string(), path.string(), chain);
+/// The same for every way to write the path; the path itself where there is no such file.
+std::string file_id(const std::string& path) {
+  std::error_code fault;
+  const std::filesystem::path canonical = std::filesystem::canonical(path, fault);
+  return fault ? path : canonical.string();
 }
 
 std::string trimmed(const std::string& text) {
@@ -153,18 +162,20 @@ std::string trimmed(const std::string& text) {
 }
 
 Error unknown_parameter(const Scheme& scheme, const std::string& name) {
-  std::vector<std::string_view> known;
+  std::vector<std::string> known;
   known.reserve(scheme.parameters.size());
   for (const Parameter& parameter : scheme.parameters) known.push_back(parameter.name);
   return {fmt::format("scheme '{}' has no parameter '{}'", scheme.name, name),
-          known.empty() ? "it has no parameters" : fmt::format("it has {}", fmt::join(known, ", ")),
+          known.empty()
+              ? "it has no parameters"
+              : did_you_mean(name, known, fmt::format("it has {}", fmt::join(known, ", "))),
           {},
           0,
           0};
 }
 
-/// Puts the expression in place; nothing is checked yet.
-Status assign(Scheme& scheme, const std::string& assignment) {
+/// Puts the expression in place; nothing is checked yet. `set`: the names that were set so far.
+Status assign(Scheme& scheme, const std::string& assignment, std::set<std::string>& set) {
   const std::size_t equals = assignment.find('=');
   if (equals == std::string::npos)
     return Error{fmt::format("'{}' sets no parameter", assignment),
@@ -176,6 +187,12 @@ Status assign(Scheme& scheme, const std::string& assignment) {
   const auto found = std::find_if(scheme.parameters.begin(), scheme.parameters.end(),
                                   [&](const Parameter& p) { return p.name == name; });
   if (found == scheme.parameters.end()) return unknown_parameter(scheme, name);
+  if (!set.insert(name).second)
+    return Error{fmt::format("parameter '{}' is set twice", name),
+                 "give it one value, by -p or after the scheme's colon",
+                 {},
+                 0,
+                 0};
   Result<Expression> expression = Expression::parse(assignment.substr(equals + 1));
   if (!expression) {
     Error error = expression.error();
@@ -190,8 +207,32 @@ Status assign(Scheme& scheme, const std::string& assignment) {
 
 }  // namespace
 
+Result<SchemeText> load_scheme_text(const std::string& name, const std::string& from) {
+  namespace fs = std::filesystem;
+  for (const ShippedFile& shipped : shipped_files())
+    if (shipped.name == name)
+      return SchemeText{std::string(shipped.text), name + ".toml", "shipped " + name};
+  if (name.find('\0') != std::string::npos)
+    return Error{fmt::format("'{}' is no file's name: it holds a NUL", name), {}, {}, 0, 0};
+  fs::path path(name);
+  const bool looks_like_path = path.has_parent_path() || path.extension() == ".toml";
+  if (!from.empty() && path.is_relative())
+    path = (fs::path(from).parent_path() / path).lexically_normal();
+  std::error_code ignored;
+  if (!looks_like_path && (name.empty() || !fs::exists(path, ignored))) return unknown_scheme(name);
+  Result<std::string> text = read_scheme_file(path.string());
+  if (!text) return text.error();
+  return SchemeText{std::move(*text), path.string(), file_id(path.string())};
+}
+
+Result<Scheme> parse_scheme(std::string_view text, const std::string& path,
+                            const SchemeLoader& load) {
+  return parse_first({std::string(text), path, path}, load);
+}
+
 Result<Scheme> parse_scheme(std::string_view text, const std::string& path) {
-  return parse_in_chain(text, path, {path});
+  return parse_first({std::string(text), path, path.empty() ? path : file_id(path)},
+                     load_scheme_text);
 }
 
 Result<Scheme> read_scheme(const std::string& path) {
@@ -200,7 +241,11 @@ Result<Scheme> read_scheme(const std::string& path) {
   return parse_scheme(*text, path);
 }
 
-Result<Scheme> find_scheme(const std::string& name_or_path) { return read_any(name_or_path, {}); }
+Result<Scheme> find_scheme(const std::string& name_or_path) {
+  const Result<SchemeText> text = load_scheme_text(name_or_path, {});
+  if (!text) return text.error();
+  return parse_first(*text, load_scheme_text);
+}
 
 std::vector<std::string> shipped_schemes() {
   std::vector<std::string> names;
@@ -212,11 +257,15 @@ std::vector<std::string> shipped_schemes() {
 Status set_parameters(Scheme& scheme, const std::vector<std::string>& assignments) {
   if (assignments.empty()) return Done{};
   Scheme changed = scheme;
+  std::set<std::string> set;
   for (const std::string& assignment : assignments)
-    if (Status status = assign(changed, assignment); !status) return status;
-  if (Status status = check_scheme(changed); !status) {
-    Error error = status.error();
-    error.message = fmt::format("-p {}: {}", fmt::join(assignments, " -p "), error.message);
+    if (Status status = assign(changed, assignment, set); !status) return status;
+  Faults faults;
+  check_scheme(changed, {}, faults);
+  if (!faults.none()) {
+    Error error = faults.list().front();  // the others mostly follow from the same value
+    error.message = fmt::format(
+        "-p {}: {}", printable(fmt::format("{}", fmt::join(assignments, " -p "))), error.message);
     if (error.line == 0) error.column = 0;
     return error;
   }

@@ -4,6 +4,7 @@
 
 #include <fmt/core.h>
 
+#include "limn/base/near_word.h"
 #include "limn/scheme/check.h"
 
 namespace limn {
@@ -28,7 +29,7 @@ void read_valences(TomlReader& in, const toml::node& node, Fact& fact) {
       fact.last = std::stoi(text.substr(dots + 2));
     }
   }
-  if (in.ok() && (fact.first < kSmallestValence || fact.last < fact.first))
+  if (fact.first < kSmallestValence || fact.last < fact.first)
     in.fail(node, fmt::format("a valence is an integer from {} to {}, or a range as \"3..12\"",
                               kSmallestValence, kLargestStatedValence));
 }
@@ -36,6 +37,7 @@ void read_valences(TomlReader& in, const toml::node& node, Fact& fact) {
 void read_direction(TomlReader& in, const toml::node& node, Factors& factors) {
   std::optional<std::array<int, 2>> step;
   std::optional<Formula> count;
+  const std::size_t before = in.faults();
   in.each(node, "a direction", [&](const toml::key& key, const toml::node& v) {
     if (key.str() == "count") {
       count = in.formula(v, "count");
@@ -52,12 +54,24 @@ void read_direction(TomlReader& in, const toml::node& node, Factors& factors) {
       }
       step = {static_cast<int>(entry(0)), static_cast<int>(entry(1))};
     } else {
-      in.unknown_key(key, "a direction", "step or count");
+      in.unknown_key(key, "a direction", {"step", "count"});
     }
   });
-  if (in.ok() && (!step || !count))
+  if (!in.unharmed_since(before)) return;
+  if (!step || !count)
     in.fail(node, "a direction needs a step and a count, as { step = [1, 0], count = 2 }");
-  if (in.ok()) factors.directions.emplace_back(*step, *count);
+  else
+    factors.directions.emplace_back(*step, *count);
+}
+
+/// A scheme that this one is said to be: shipped, so that its name means the same everywhere.
+void check_shipped(TomlReader& in, const toml::node& node, const std::string& name) {
+  const std::vector<std::string> known = shipped_schemes();
+  if (!node.is_string() || std::find(known.begin(), known.end(), name) != known.end()) return;
+  in.fail(node,
+          name.empty() ? "same names no scheme"
+                       : fmt::format("same: no shipped scheme is called '{}'", name),
+          did_you_mean(name, known, "`limn schemes` lists the shipped ones"));
 }
 
 }  // namespace
@@ -65,6 +79,7 @@ void read_direction(TomlReader& in, const toml::node& node, Factors& factors) {
 Rows read_rows(TomlReader& in, const toml::node& node, std::string_view what) {
   Rows rows;
   rows.place = in.place(node);
+  const std::size_t before = in.faults();
   in.each(node, what, [&](const toml::key& key, const toml::node& v) {
     if (key.str() == "scale") {
       rows.scale = in.formula(v, "scale");
@@ -76,10 +91,11 @@ Rows read_rows(TomlReader& in, const toml::node& node, std::string_view what) {
         });
       });
     } else {
-      in.unknown_key(key, what, "rows or scale");
+      in.unknown_key(key, what, {"rows", "scale"});
     }
   });
-  if (in.ok() && rows.rows.empty()) in.fail(node, fmt::format("{} has no rows", what));
+  if (in.unharmed_since(before) && rows.rows.empty())
+    in.fail(node, fmt::format("{} has no rows", what));
   return rows;
 }
 
@@ -95,7 +111,7 @@ Factors read_factors(TomlReader& in, const toml::node& node) {
       in.each_element(v, "directions",
                       [&](const toml::node& d) { read_direction(in, d, factors); });
     } else {
-      in.unknown_key(key, "factors", "stages, directions or kernel");
+      in.unknown_key(key, "factors", {"stages", "directions", "kernel"});
     }
   });
   return factors;
@@ -106,6 +122,7 @@ void read_fact(TomlReader& in, const toml::node& node, Scheme& scheme) {
   Equivalence same;
   fact.place = same.place = in.place(node);
   bool states_mask = false;
+  const std::size_t before = in.faults();
   in.each(node, "a fact", [&](const toml::key& key, const toml::node& v) {
     const std::string_view name = key.str();
     if (name == "valence") {
@@ -120,19 +137,22 @@ void read_fact(TomlReader& in, const toml::node& node, Scheme& scheme) {
       fact.values.emplace_back(name, in.formula(v, name));
     } else if (name == "same") {
       same.scheme = in.text(v, name);
+      check_shipped(in, v, same.scheme);
     } else if (name == "with") {
       in.each(v, name, [&](const toml::key& parameter, const toml::node& value) {
         same.with.emplace_back(parameter.str(), in.formula(value, parameter.str()));
       });
     } else {
-      in.unknown_key(key, "a fact", "valence, tangent, cup, saddle, mask, same, with or source");
+      in.unknown_key(key, "a fact",
+                     {"valence", "tangent", "cup", "saddle", "mask", "same", "with", "source"});
     }
   });
-  if (in.ok() && same.scheme.empty() && !same.with.empty())
+  if (!in.unharmed_since(before)) return;
+  if (same.scheme.empty() && !same.with.empty())
     in.fail(node, "the fact sets parameters of no scheme", "add same = \"NAME\"");
-  if (in.ok() && !fact.values.empty() && fact.first == 0)
+  else if (!fact.values.empty() && fact.first == 0)
     in.fail(node, "the fact names no valence", "add valence = 7 or valence = \"3..12\"");
-  if (in.ok() && fact.values.empty() && !states_mask && same.scheme.empty())
+  else if (fact.values.empty() && !states_mask && same.scheme.empty())
     in.fail(node, "the fact states nothing", "add tangent, cup, saddle, mask or same");
   same.source = fact.source;
   if (!same.scheme.empty()) scheme.equivalences.push_back(std::move(same));

@@ -7,7 +7,9 @@
 
 #include <fmt/core.h>
 
-#include <algorithm>
+#include "limn/base/near_word.h"
+#include "limn/base/printable.h"
+#include "limn/base/utf8.h"
 
 namespace limn {
 namespace {
@@ -23,12 +25,6 @@ std::string_view type_name(const toml::node& node) {
   if (node.is_floating_point()) return "a decimal";
   if (node.is_boolean()) return "a boolean";
   return "a date or time";
-}
-
-/// A message is one line of text, whatever the file holds.
-void make_printable(std::string& text) {
-  for (char& c : text)
-    if (static_cast<unsigned char>(c) < ' ' || c == '\x7f') c = '?';
 }
 
 /// The byte of the dot that is one too many, or npos. toml++ makes a table of each part of a key
@@ -56,24 +52,8 @@ std::size_t find_dot_too_many(std::string_view text) {
 /// The first byte that begins no UTF-8 character, or npos. (toml++ says so too, elsewhere.)
 std::size_t find_no_utf8(std::string_view text) {
   for (std::size_t at = 0; at < text.size();) {
-    const auto byte = [&](std::size_t i) {
-      return at + i < text.size() ? static_cast<unsigned char>(text[at + i]) : 0U;
-    };
-    const unsigned first = byte(0);
-    const std::size_t length = first < 0x80U   ? 1
-                               : first < 0xC2U ? 0
-                               : first < 0xE0U ? 2
-                               : first < 0xF0U ? 3
-                               : first < 0xF5U ? 4
-                                               : 0;
-    bool good = length > 0;
-    for (std::size_t i = 1; i < length; ++i) good = good && (byte(i) & 0xC0U) == 0x80U;
-    // no detours, no halves of surrogate pairs, nothing beyond U+10FFFF
-    if (first == 0xE0U) good = good && byte(1) >= 0xA0U;
-    if (first == 0xEDU) good = good && byte(1) < 0xA0U;
-    if (first == 0xF0U) good = good && byte(1) >= 0x90U;
-    if (first == 0xF4U) good = good && byte(1) < 0x90U;
-    if (!good) return at;
+    const std::size_t length = utf8_length(text.substr(at));
+    if (length == 0) return at;
     at += length;
   }
   return std::string_view::npos;
@@ -119,10 +99,10 @@ toml::table TomlReader::parse(std::string_view text) {
 }
 
 void TomlReader::fail(Error error) {
-  if (error_) return;
-  make_printable(error.message);
-  make_printable(error.hint);
-  error_ = std::move(error);
+  error.message = printable(error.message);
+  error.hint = printable(error.hint);
+  ++found_;
+  faults_.add(std::move(error));
 }
 
 void TomlReader::fail(const toml::node& at, std::string message, std::string hint) {
@@ -220,10 +200,7 @@ void TomlReader::each(const toml::node& node, std::string_view what,
     const toml::source_position q = b.first->source().begin;
     return p.line != q.line ? p.line < q.line : p.column < q.column;
   });
-  for (const auto& [key, value] : entries) {
-    if (!ok()) return;
-    visit(*key, *value);
-  }
+  for (const auto& [key, value] : entries) visit(*key, *value);
 }
 
 void TomlReader::each_element(const toml::node& node, std::string_view what,
@@ -233,17 +210,20 @@ void TomlReader::each_element(const toml::node& node, std::string_view what,
     fail(node, fmt::format("{} is {}, expected an array", what, type_name(node)));
     return;
   }
-  for (const toml::node& element : *array) {
-    if (!ok()) return;
-    visit(element);
-  }
+  for (const toml::node& element : *array) visit(element);
 }
 
 void TomlReader::unknown_key(const toml::key& key, std::string_view what,
-                             const std::string& known) {
+                             const std::vector<std::string>& known, const std::string& last) {
+  std::string expected = "expected ";
+  const std::size_t all = known.size() + (last.empty() ? 0 : 1);
+  for (std::size_t i = 0; i < all; ++i) {
+    if (i > 0) expected += i + 1 == all ? (last.empty() ? " or " : ", or ") : ", ";
+    expected += i < known.size() ? known[i] : last;
+  }
   const Place where = place(key);
-  fail(Error{fmt::format("unknown key '{}' in {}", key.str(), what), "expected " + known,
-             where.file, where.line, where.column});
+  fail(Error{fmt::format("unknown key '{}' in {}", key.str(), what),
+             did_you_mean(key.str(), known, expected), where.file, where.line, where.column});
 }
 
 }  // namespace limn

@@ -1,13 +1,15 @@
 #pragma once
 /// What scheme_reader.cpp needs of toml++: typed access in which every fault is an Error with its
-/// place. The first fault is kept; later calls return defaults, so reading code stays linear.
+/// place. Faults are gathered, and what could not be read is a default, so reading code stays
+/// linear; what a default would spoil is left out where `unharmed_since` says so.
 
 #include <functional>
 #include <map>
-#include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
+#include "limn/base/faults.h"
 #include "limn/scheme/scheme.h"
 #include "limn/scheme/toml_library.h"
 
@@ -15,14 +17,17 @@ namespace limn {
 
 class TomlReader {
  public:
-  explicit TomlReader(std::string file) : file_(std::move(file)) {}
+  /// `faults` must outlive the reader.
+  TomlReader(std::string file, Faults& faults) : file_(std::move(file)), faults_(faults) {}
 
   /// The file as a table; fails on what is no TOML, is too large or is nested too deeply.
   /// `text` must outlive the reader.
   toml::table parse(std::string_view text);
 
-  [[nodiscard]] bool ok() const { return !error_; }
-  [[nodiscard]] Error take_error() { return std::move(*error_); }
+  /// How many faults were found so far.
+  [[nodiscard]] std::size_t faults() const { return found_; }
+  /// Whether none was found since there were so many.
+  [[nodiscard]] bool unharmed_since(std::size_t faults) const { return found_ == faults; }
 
   void fail(const toml::node& at, std::string message, std::string hint = {});
   void fail(Error error);
@@ -41,8 +46,10 @@ class TomlReader {
   void each_element(const toml::node& node, std::string_view what,
                     const std::function<void(const toml::node&)>& visit);
 
-  /// "unknown key 'x' in WHAT", with the known ones.
-  void unknown_key(const toml::key& key, std::string_view what, const std::string& known);
+  /// "unknown key 'x' in WHAT", with the near ones of those that are known, and "expected a, b or
+  /// c". `last` takes the place of the last one in the latter: what cannot be listed.
+  void unknown_key(const toml::key& key, std::string_view what,
+                   const std::vector<std::string>& known, const std::string& last = {});
 
  private:
   [[nodiscard]] Place place(toml::source_position position) const;
@@ -55,7 +62,8 @@ class TomlReader {
   std::vector<std::size_t> line_begins_;
   // of each line that has been asked for: the byte that each of its characters begins at
   mutable std::map<int, std::vector<int>> columns_;
-  std::optional<Error> error_;
+  Faults& faults_;
+  std::size_t found_ = 0;
 };
 
 }  // namespace limn

@@ -6,6 +6,7 @@
 #include <fmt/core.h>
 #include <fmt/ranges.h>
 
+#include "limn/base/near_word.h"
 #include "limn/regular/polynomial_orders.h"
 #include "limn/regular/regular_mask.h"
 #include "limn/regular/second_differences.h"
@@ -93,8 +94,9 @@ Error not_freeable(const Scheme& scheme, const Use& use, const std::string& name
           : fmt::format("no weight of an interior rule uses '{}'", name);
   const std::vector<std::string> known = freeable_names(scheme);
   return {why,
-          known.empty() ? fmt::format("scheme '{}' has nothing that can be freed", scheme.name)
-                        : fmt::format("can be freed: {}", fmt::join(known, ", ")),
+          known.empty()
+              ? fmt::format("scheme '{}' has nothing that can be freed", scheme.name)
+              : did_you_mean(name, known, fmt::format("can be freed: {}", fmt::join(known, ", "))),
           {},
           0,
           0};

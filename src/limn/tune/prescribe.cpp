@@ -6,6 +6,7 @@
 #include <fmt/core.h>
 
 #include "limn/scheme/check.h"
+#include "limn/scheme/scheme_text.h"
 
 namespace limn {
 namespace {
@@ -116,8 +117,8 @@ Result<std::string> prescribed_scheme(const Scheme& base, const std::string& bas
   const Result<std::string> end = regular_end(base);
   if (!end) return end.error();
   const int n = prescription.valence;
-  std::string text = fmt::format("name    = \"{}\"\nsplit   = \"{}\"\nextends = \"{}\"\n", name,
-                                 base.split->name, base_name);
+  std::string text = fmt::format("name    = \"{}\"\nsplit   = \"{}\"\nextends = {}\n", name,
+                                 base.split->name, toml_string(base_name));
   text += fmt::format(
       "source  = \"first-ring weights by the inverse DFT of a prescribed spectrum at valence {}\"\n"
       "\n[[vertex]]\nwhen = \"n == {}\"\nself = \"{} + ({})\"\nring = \"(1 - ({}) - ({}))/n\"\n",
@@ -127,9 +128,13 @@ Result<std::string> prescribed_scheme(const Scheme& base, const std::string& bas
       fmt::format("\n[[edge-end]]\nwhen = \"n == {}\"\nself = \"{}\"\nring = \"(1 - ({}){})/n\"\n",
                   n, *end, *end, wave_sum(prescription));
   text += rule_cases(base, RuleKind::edge_end, "edge-end");
-  text += facts(prescription);
-  if (const Result<Scheme> read = parse_scheme(text, path); !read)
-    return refusal("the prescribed rules are no scheme: " + read.error().text());
+  text += set_parameters_toml(base) + facts(prescription);
+  if (const Result<Scheme> read = parse_scheme(text, path); !read) {
+    // without its place, which is in a file that nobody will see
+    const std::string& message = read.error().message;
+    return refusal("the prescribed rules are no scheme: " + message.substr(0, message.find('\n')),
+                   read.error().hint);
+  }
   return text;
 }
 

@@ -5,6 +5,8 @@
 
 #include <fmt/core.h>
 
+#include "limn/base/near_word.h"
+
 namespace limn {
 namespace {
 
@@ -81,10 +83,16 @@ Result<Expression> parse_side(std::string_view text, std::size_t begin, std::siz
     return fault(text, column(side.error().column), side.error().message, side.error().hint);
   for (const std::string& name : side->names()) {
     if (is_known(scheme, name)) continue;
-    std::string known = "names are n, the scheme's lets and parameters, and";
-    for (const Component& component : kComponents) known += " " + std::string(component.name);
+    std::string hint = "names are n, the scheme's lets and parameters, and";
+    std::vector<std::string> known;
+    for (const Component& component : kComponents) {
+      hint += " " + std::string(component.name);
+      known.emplace_back(component.name);
+    }
+    for (const auto& let : scheme.lets) known.push_back(let.first);
+    for (const Parameter& parameter : scheme.parameters) known.push_back(parameter.name);
     return fault(text, column(side->column_of(name)), fmt::format("unknown name '{}'", name),
-                 known);
+                 did_you_mean(name, known, hint));
   }
   return side;
 }

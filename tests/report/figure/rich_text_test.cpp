@@ -35,7 +35,7 @@ TEST(RichText, BadBytesAndOpenBracesAreHarmless) {
   EXPECT_EQ(plain("a\xff\xc3"), "a\uFFFD\uFFFD");
   EXPECT_EQ(plain("\xed\xa0\x80"), "\uFFFD\uFFFD\uFFFD");  // a surrogate
   EXPECT_EQ(plain("x_{open"), "xopen");
-  EXPECT_EQ(plain("a\nb"), "a b");
+  EXPECT_EQ(plain("a\nb\x1b"), "a\\nb\\x1b");  // shown, as everywhere
   EXPECT_EQ(plain("α₁β"), "α₁β");
 }
 

@@ -1,25 +1,10 @@
 #include "limn/report/figure/rich_text.h"
 
-#include <cstdint>
+#include "limn/base/printable.h"
+#include "limn/base/utf8.h"
 
 namespace limn {
 namespace {
-
-/// Length of the UTF-8 sequence at the front of `text`, or 0 if there is none.
-std::size_t sequence_length(std::string_view text) {
-  const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
-  if (byte(0) < 0x80) return 1;
-  const std::size_t length = byte(0) >= 0xf0 ? 4 : byte(0) >= 0xe0 ? 3 : 2;
-  if (byte(0) < 0xc2 || byte(0) > 0xf4 || text.size() < length) return 0;
-  std::uint32_t code = byte(0) & (0x7fu >> length);
-  for (std::size_t i = 1; i < length; ++i) {
-    if ((byte(i) & 0xc0) != 0x80) return 0;
-    code = code << 6 | (byte(i) & 0x3fu);
-  }
-  const bool overlong = (length == 3 && code < 0x800) || (length == 4 && code < 0x10000);
-  const bool surrogate = code >= 0xd800 && code < 0xe000;
-  return overlong || surrogate || code > 0x10ffff ? 0 : length;
-}
 
 /// The font of what a mark encloses, given the one around it; `text` of the result is empty.
 TextRun marked(const TextRun& around, char mark) {
@@ -55,10 +40,8 @@ std::vector<TextRun> parse_rich_text(std::string_view text) {
     } else if (text[0] == '}' && open.size() > 1) {
       open.pop_back();
       change_font(open.back());
-    } else if (static_cast<unsigned char>(text[0]) < 0x20 || text[0] == 0x7f) {
-      run.text += ' ';
-    } else if (const std::size_t length = sequence_length(text)) {
-      run.text += text.substr(0, length);
+    } else if (const std::size_t length = utf8_length(text)) {
+      run.text += printable(text.substr(0, length));
       taken = length;
     } else {
       run.text += "\uFFFD";

@@ -21,7 +21,7 @@ struct TextRun {
 };
 
 /// The runs in order, none of them empty. Bytes that are not UTF-8 become U+FFFD, control
-/// characters spaces.
+/// characters escapes (base/printable.h).
 [[nodiscard]] std::vector<TextRun> parse_rich_text(std::string_view text);
 
 }  // namespace limn

@@ -1,17 +1,13 @@
-#include <cmath>
-#include <limits>
-
 #include <fmt/core.h>
 
 #include "limn/extraordinary/eigencomponents.h"
 #include "limn/regular/second_differences.h"
+#include "limn/report/eigen_figures.h"
 #include "limn/report/papers/barthe_parts.h"
 #include "limn/scheme/check.h"
 
 namespace limn::bgsk {
 namespace {
-
-constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
 /// Schemes given by a mask or factors alone have no rules at extraordinary vertices.
 bool has_rules(const Scheme& scheme) { return !scheme.mask && !scheme.factors; }
@@ -35,86 +31,6 @@ Result<Study> study(const std::string& name) {
     result.valences.push_back(approx_eigencomponents(*blocks, result.regular));
   }
   return result;
-}
-
-/// The largest modulus that is none of position, tangent, cup and saddle.
-double largest_other(const Eigencomponents& found) {
-  double largest = 0;
-  for (const BlockSpectrum& spectrum : found.spectra) {
-    const std::size_t labelled = spectrum.frequency == 0 ? 2 : spectrum.frequency <= 2 ? 1 : 0;
-    if (labelled < spectrum.eigenvalues.size())
-      largest = std::max(largest, std::abs(spectrum.eigenvalues[labelled].value));
-  }
-  return largest;
-}
-
-/// A real eigenvalue or the modulus of a complex one.
-struct Entry {
-  double value = kNone, complex = 0;
-};
-Entry entry_of(const Component& component, const Eigencomponents& found) {
-  if (!component.exists_at(found.valence)) return {};
-  const auto& list = found.spectra[static_cast<std::size_t>(component.frequency)].eigenvalues;
-  if (component.index >= list.size()) return {};
-  const Eigenvalue& one = list[component.index];
-  const bool real = std::abs(one.value.imag()) <= kEqualBelow;
-  return {real ? one.value.real() : one.modulus(), real ? 0.0 : 1.0};
-}
-
-DataTable numbers_of(const Study& study) {
-  DataTable numbers{{"valence", "tangent", "tangent squared", "cup", "saddle", "largest other",
-                     "tangent is complex", "cup is complex", "saddle is complex"},
-                    {}};
-  for (const Eigencomponents& found : study.valences) {
-    const Entry cup = entry_of(kComponents[1], found), tangent = entry_of(kComponents[2], found),
-                saddle = entry_of(kComponents[3], found);
-    numbers.rows.push_back({static_cast<double>(found.valence), tangent.value,
-                            tangent.value * tangent.value, cup.value, saddle.value,
-                            largest_other(found), tangent.complex, cup.complex, saddle.complex});
-  }
-  return numbers;
-}
-
-/// Valences at which a labelled eigenvalue is complex: "; complex …".
-std::string complex_words(const DataTable& numbers) {
-  std::vector<int> list;
-  for (const std::vector<double>& row : numbers.rows)
-    if (row[6] + row[7] + row[8] > 0) list.push_back(static_cast<int>(row[0]));
-  return list.empty() ? "" : " Complex, shown by modulus, at: " + runs_text(list) + ".";
-}
-
-/// The same, described, with the scheme's name in front.
-DescribedTable described_numbers(const DataTable& numbers, const std::string& scheme) {
-  const auto meaning = [](const std::string& name) -> std::string {
-    if (name == "valence") return "edges of the vertex, of dual schemes corners of the face";
-    if (name == "tangent squared") return "the tangent's modulus squared";
-    if (name == "largest other") return "largest modulus that is none of position, tangent, cup, saddle";
-    if (name.ends_with("is complex")) return "1 where it is: its modulus is given, else 0";
-    return "eigenvalue of this shape; none where the valence has no such shape";
-  };
-  std::vector<DescribedColumn> columns;
-  for (const std::string& name : numbers.columns) columns.push_back({name, meaning(name)});
-  DescribedTable table = described(numbers, columns);
-  table.put_first({"scheme", "its name"}, scheme);
-  return table;
-}
-
-ChartPanel chart(const DataTable& numbers, const std::string& title) {
-  ChartPanel panel;
-  panel.title = title;
-  panel.x_label = "valence /{n}";
-  panel.y_label = "modulus of the eigenvalue";
-  panel.y_low = 0;
-  const std::vector<std::string> names{"tangent", "tangent²", "cup", "saddle", "largest other"};
-  for (std::size_t column = 1; column <= names.size(); ++column) {
-    ChartPanel::Series series{.name = names[column - 1], .markers = true};
-    for (const std::vector<double>& row : numbers.rows) {
-      series.x.push_back(row[0]);
-      series.y.push_back(std::abs(row[column]));
-    }
-    panel.series.push_back(std::move(series));
-  }
-  return panel;
 }
 
 std::string number_text(std::optional<double> value) {
@@ -189,6 +105,12 @@ std::string summary(const Study& study) {
       not_c1, bounded, words_of(study.regular.bounded), study.regular.reason);
 }
 
+/// Where eigenvalues are complex: " Complex, shown by modulus, at: …."
+std::string complex_words(const DataTable& numbers) {
+  const std::vector<int> list = complex_valences(numbers);
+  return list.empty() ? "" : " Complex, shown by modulus, at: " + runs_text(list) + ".";
+}
+
 }  // namespace
 
 Status add_schemes(PaperPage& page) {
@@ -204,15 +126,12 @@ Status add_schemes(PaperPage& page) {
     const Result<Study> found = study(name);
     if (!found) return found.error();
     if (found->valences.empty()) continue;
-    const DataTable numbers = numbers_of(*found);
-    Figure figure(1, 300);
-    figure.add(chart(numbers, name));
-    Status status =
-        page.add_figure({name, "eigenvalues-" + name}, figure, described_numbers(numbers, name),
-                        "(not in the paper)", summary(*found) + complex_words(numbers));
+    const DataTable numbers = eigenvalue_table(found->valences);
+    Status status = page.add_figure({name, "eigenvalues-" + name}, eigenvalue_figure(name, numbers),
+                                    described_eigenvalues(numbers, name), "(not in the paper)",
+                                    summary(*found) + complex_words(numbers));
     if (!status) return status;
-    status =
-        page.add_table({name, "table-" + name}, table_rows(*found), verdicts_of(*found),
+    status = page.add_table({name, "table-" + name}, table_rows(*found), verdicts_of(*found),
                             found->scheme.source);
     if (!status) return status;
   }

@@ -1,0 +1,33 @@
+#pragma once
+/// Where the files come from that a scheme `extends`: shipped schemes and the file system, or
+/// whatever a caller puts in their place.
+
+#include <functional>
+#include <string>
+#include <string_view>
+
+#include "limn/base/error.h"
+#include "limn/scheme/scheme.h"
+
+namespace limn {
+
+struct SchemeText {
+  std::string text;
+  std::string path;  ///< for messages, and what names in the text are relative to
+  std::string id;    ///< the same for two names of one file, so that circles are seen
+};
+
+/// The file that is called `name` in the file `from` ("." where that has no path; empty: on a
+/// command line).
+using SchemeLoader =
+    std::function<Result<SchemeText>(const std::string& name, const std::string& from)>;
+
+/// A shipped scheme by its name, or else a file: a path, relative to the folder of `from`. An
+/// unknown name lists the near ones. What a file extends must be a regular file: no device or pipe.
+[[nodiscard]] Result<SchemeText> load_scheme_text(const std::string& name, const std::string& from);
+
+/// parse_scheme (scheme.h), with other files from `load`. At most nine files extend one another.
+[[nodiscard]] Result<Scheme> parse_scheme(std::string_view text, const std::string& path,
+                                          const SchemeLoader& load);
+
+}  // namespace limn
