@@ -237,7 +237,7 @@ TEST(Command, RefusesAMeshWithAllItsFaultsInTheNumbersOfTheFile) {
   // What is cut into triangles is named by the polygons of the file.
   folder.write("quads.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\nf 1 2 3 4\n");
   expect_refused(folder.limn("refine quads.obj -s loop --triangulate -o y.obj"),
-                 {"face 2 (line 6) is face 1 (line 5) once more"});
+                 {"quads.obj:6: face 2 is face 1 once more"});
 }
 
 TEST(Command, TriangulateCutsConcavePolygonsAndSaysWhereItCannot) {

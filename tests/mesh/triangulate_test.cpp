@@ -84,11 +84,13 @@ std::vector<Point3> placed(const std::vector<Point2>& points, std::mt19937& rand
   v = (1 / norm(v)) * v;
   const Point3 origin{normal(random), normal(random), normal(random)};
   std::vector<Point3> result;
+  result.reserve(points.size());
   for (const Point2& p : points) result.push_back(origin + p.x * u + p.y * v);
   return result;
 }
 std::vector<Point3> flat(const std::vector<Point2>& points) {
   std::vector<Point3> result;
+  result.reserve(points.size());
   for (const Point2& p : points) result.push_back({p.x, p.y, 0.5});
   return result;
 }
@@ -186,6 +188,7 @@ TEST(Triangulate, AConcaveQuadIsCutAtItsReflexCorner) {
 
 TEST(Triangulate, KeepsFansWhereTheyAreRight) {
   std::vector<Point3> round;
+  round.reserve(9);
   for (int k = 0; k < 9; ++k) round.push_back({std::cos(0.7 * k), std::sin(0.7 * k), 0.1 * k});
   const Triangulation result = triangulate(one_face(round)).value();
   for (Index f = 0; f < 7; ++f)

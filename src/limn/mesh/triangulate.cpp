@@ -93,15 +93,13 @@ const std::vector<std::array<Index, 3>>& FaceCutter::cut(Index face, bool& gave_
   const Index* const corners = polygons_.corners.data() + polygons_.face_begin[face];
   const bool sound = std::all_of(corners, corners + std::max<Index>(degree, 0),
                                  [&](Index v) { return v >= 0 && v < polygons_.vertex_count(); });
-  if (degree <= 3 || !sound) {
-    fan(degree);
-  } else if (!project(face)) {
-    fan(degree);
-    gave_up = true;
-  } else if (fan_is_positive()) {
-    fan(degree);
-  } else {
+  const bool has_choice = degree > 3 && sound;
+  const bool has_plane = has_choice && project(face);
+  if (has_plane && !fan_is_positive()) {
     gave_up = !clipper_.cut(plane_, triangles_);
+  } else {
+    fan(degree);
+    gave_up = has_choice && !has_plane;
   }
   return triangles_;
 }

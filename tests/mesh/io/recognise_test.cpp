@@ -50,8 +50,8 @@ TEST(FormatOfContent, SaysWhyItCannotTell) {
     std::string content, message;
   };
   for (const Unknown& unknown :
-       {Unknown{"", "no content"}, Unknown{"glTF\2\0\0\0", "glb"}, Unknown{"\x1f\x8b\x08", "gzip"},
-        Unknown{"\xFF\xFEv\0 \0", "UTF-16"}, Unknown{"<?xml version='1.0'?>", "XML"},
+       {Unknown{"", "no content"}, Unknown{"glTF\2", "glb"}, Unknown{"\x1f\x8b\x08", "gzip"},
+        Unknown{"\xFF\xFEv", "UTF-16"}, Unknown{"<?xml version='1.0'?>", "XML"},
         Unknown{"hello world\nfoo\n", "no format"}, Unknown{"# only a comment\n", "no format"}}) {
     const Result<std::string> format = format_of_content(unknown.content);
     ASSERT_FALSE(format.ok()) << unknown.content;
