@@ -7,8 +7,11 @@
 #include "command.h"
 #include "limn/base/file.h"
 #include "limn/base/printable.h"
+#include "limn/base/progress.h"
+#include "limn/base/time_budget.h"
 #include "limn/report/tune_report.h"
 #include "limn/report/tuned_scheme.h"
+#include "time_option.h"
 #include "valences.h"
 
 namespace limn::app {
@@ -24,6 +27,7 @@ struct TuneOptions {
   bool range = false;
   bool everywhere = false;
   bool json = false;
+  double seconds = kDefaultSeconds;
 };
 
 /// What the options ask for, read against the scheme.
@@ -76,11 +80,50 @@ Result<Task> read_task(const TuneOptions& options) {
               std::move(between)};
 }
 
-nlohmann::ordered_json heading_json(const Task& task, const nlohmann::ordered_json& valences) {
+/// The valences one after the other, with progress, until the time ends.
+class Walk {
+ public:
+  Walk(Valences valences, double seconds)
+      : valences_(valences), budget_(time_limit(seconds)), stop_(budget_.stop()) {}
+
+  [[nodiscard]] const Stop& stop() const { return stop_; }
+  /// visit(n) says whether it has done valence n.
+  template <class Visit>
+  Status each(Visit visit) {
+    for (int n = valences_.first; n <= valences_.last; ++n) {
+      line_.show(fmt::format("valence {} of {}..{}", n, valences_.first, valences_.last));
+      if (n > valences_.first && budget_.ended()) break;
+      const Result<bool> done = visit(n);
+      if (!done) return done.error();
+      if (!*done) break;
+      last_ = n;
+    }
+    return Done{};
+  }
+  [[nodiscard]] bool ended_early() const { return last_ != valences_.last; }
+  [[nodiscard]] std::string what_was_reached() const {
+    return last_ == 0 ? fmt::format("the time ended before valence {} was done", valences_.first)
+                      : fmt::format("the time ended: {}..{} of the valences {}..{} are done",
+                                    valences_.first, last_, valences_.first, valences_.last);
+  }
+
+ private:
+  Valences valences_;
+  TimeBudget budget_;
+  Stop stop_;
+  ProgressLine line_;
+  int last_ = 0;  // valence that was done
+};
+
+constexpr const char* kMoreTime = "give more --time, or fewer valences";
+
+nlohmann::ordered_json heading_json(const Task& task, const nlohmann::ordered_json& valences,
+                                    const Walk& walk) {
   return {{"scheme", task.scheme.name},
           {"free", task.freed.name()},
           {"require", task.requirement.text},
-          {"valences", valences}};
+          {"valences", valences},
+          {"time_ended", walk.ended_early()}};
 }
 
 /// Writes the solutions as a scheme file, if it reads back.
@@ -106,9 +149,10 @@ int solve(Task& task, const TuneOptions& options) {
   bool any_value = false;
   Error without_value;
   std::vector<ValenceSolutions> all;
-  for (int n = task.valences.first; n <= task.valences.last; ++n) {
+  Walk walk(task.valences, options.seconds);
+  const Status status = walk.each([&](int n) -> Result<bool> {
     Result<ValenceSolutions> found = solve_at(task.freed, task.requirement, n, task.searched());
-    if (!found) return report(found.error());
+    if (!found) return found.error();
     for (const Solution& solution : found->solutions)
       undecided = undecided || solution.holds == Truth::undecided;
     any_value = any_value || found->has_value;
@@ -118,37 +162,49 @@ int solve(Task& task, const TuneOptions& options) {
     else
       text += tune_text(task.freed.name(), *found);
     all.push_back(std::move(*found));
-  }
+    return true;
+  });
+  if (!status) return report(status.error());
+  if (walk.ended_early() && !options.output.empty())
+    return report({walk.what_was_reached() + ", so that no file is written", kMoreTime, {}, 0, 0});
+  if (walk.ended_early()) text += walk.what_was_reached() + "; " + kMoreTime + "\n";
   if (!any_value) return report(without_value);
   if (!options.output.empty())
-    if (Status status = write_tuned(task, all, options); !status) return report(status.error());
+    if (Status written = write_tuned(task, all, options); !written) return report(written.error());
   if (json)
-    print_json(heading_json(task, list));
+    print_json(heading_json(task, list, walk));
   else
     print_text(text);
   return undecided ? kUndecided : kDone;
 }
 
-int find_ranges(Task& task, bool json) {
+int find_ranges(Task& task, const TuneOptions& options) {
+  const bool json = options.json;
   nlohmann::ordered_json list = nlohmann::ordered_json::array();
   std::string text = fmt::format("{}: {} such that {}\n", printable(task.scheme.name),
                                  task.freed.name(), printable(task.requirement.text));
   std::vector<ValenceRange> ranges;
   bool undecided = false;
-  for (int n = task.valences.first; n <= task.valences.last; ++n) {
-    Result<ValenceRange> found = range_at(task.freed, task.requirement, n, task.searched());
-    if (!found) return report(found.error());
+  Walk walk(task.valences, options.seconds);
+  const Status status = walk.each([&](int n) -> Result<bool> {
+    Result<ValenceRange> found =
+        range_at(task.freed, task.requirement, n, task.searched(), walk.stop());
+    if (!found) return found.error();
+    if (found->time_ended) return false;
     if (json)
       list.push_back(tune_json(*found));
     else
       text += tune_text(task.freed.name(), *found);
     undecided = undecided || found->undecided;
     ranges.push_back(std::move(*found));
-  }
+    return true;
+  });
+  if (!status) return report(status.error());
   const std::vector<Interval> common = common_range(ranges);
   if (ranges.size() > 1) text += common_text(task.freed.name(), common);
+  if (walk.ended_early()) text += walk.what_was_reached() + "; " + kMoreTime + "\n";
   if (json) {
-    nlohmann::ordered_json object = heading_json(task, list);
+    nlohmann::ordered_json object = heading_json(task, list, walk);
     object["common"] = intervals_json(common);
     print_json(object);
   } else {
@@ -160,7 +216,7 @@ int find_ranges(Task& task, bool json) {
 int tune(const TuneOptions& options) {
   Result<Task> task = read_task(options);
   if (!task) return report(task.error());
-  return options.range ? find_ranges(*task, options.json) : solve(*task, options);
+  return options.range ? find_ranges(*task, options) : solve(*task, options);
 }
 
 }  // namespace
@@ -196,6 +252,7 @@ void declare_tune(CLI::App& parser, Action& action) {
   command->add_flag("--range", options->range, "the range in which the requirement holds");
   command->add_flag("--everywhere", options->everywhere,
                     "the value is that of the regular neighbours, too");
+  declare_time(*command, options->seconds, "how long to go on to further valences");
   options->scheme.declare_parameters(*command);
   command->add_flag("--json", options->json, "print one JSON object");
   command->footer("Example: limn tune sqrt3 --free alpha --require \"cup = tangent^2\"");

@@ -13,6 +13,23 @@ namespace {
 
 double tangent_of_loop(int n) { return 3 / 8. + std::cos(2 * M_PI / n) / 4; }
 
+TEST(Range, SolvesOnlyFrequenciesThatTheNameChanges) {
+  // alpha touches frequency 0 alone: all 51 at each sample would be many times as many
+  const ValenceRange range = ranged(shipped("sqrt3"), "alpha", "c1", 100, Reach::automatic);
+  EXPECT_LT(range.solved, 51LL * range.samples / 2);
+}
+
+TEST(Range, EndsWhereAsked) {
+  const Scheme scheme = shipped("laplacian-loop");
+  FreedScheme freed = FreedScheme::make(scheme, "a").value();
+  const ValenceRange range =
+      range_at(freed, Requirement::parse("c1", scheme).value(), 8, nullptr, [] {
+        return true;
+      }).value();
+  EXPECT_TRUE(range.time_ended);
+  EXPECT_TRUE(range.parts.empty());
+}
+
 /// With Loop's edge rule cup = tangent² + a, which must stay within ±tangent
 /// [Kawaharada, Sugihara 2006, §3.3, who print only 0 < a].
 TEST(Range, OfLaplacianLoopIsTheTangents) {

@@ -7,6 +7,7 @@
 
 #include "limn/tune/block_curve.h"
 #include "limn/tune/line_search.h"
+#include "limn/tune/running_components.h"
 
 namespace limn {
 namespace {
@@ -17,8 +18,9 @@ constexpr double kForbidden = 2 * kEqualBelow;  // the margin's stand-in there: 
 
 class RangeSearch {
  public:
-  RangeSearch(FreedScheme& scheme, const Requirement& requirement, int n, Interval interval)
-      : scheme_(scheme), requirement_(requirement), curve_(scheme, n, interval) {
+  RangeSearch(FreedScheme& scheme, const Requirement& requirement, int n, Interval interval,
+              const Stop& stop)
+      : scheme_(scheme), requirement_(requirement), stop_(stop), curve_(scheme, n, interval) {
     result_.valence = n;
     result_.searched = interval;
     result_.closed = is_closed(requirement.relation);
@@ -28,8 +30,11 @@ class RangeSearch {
   Result<ValenceRange> run() {
     if (forbids_all()) return std::move(result_);
     if (Status status = take_samples(); !status) return status.error();
-    look_between();
-    collect_parts();
+    if (!asked(stop_)) look_between();
+    if (!asked(stop_)) collect_parts();
+    result_.solved = components_.solved();
+    result_.time_ended = asked(stop_);
+    if (result_.time_ended) return std::move(result_);
     if (result_.parts.empty() && result_.reason.empty()) say_absent();
     return std::move(result_);
   }
@@ -45,7 +50,7 @@ class RangeSearch {
 
   Result<double> margin_in(const Result<FrequencyBlocks>& blocks, double x) {
     if (!blocks) return blocks.error();
-    return margin(requirement_, scheme_, x, approx_eigencomponents(*blocks));
+    return margin(requirement_, scheme_, x, components_.at(*blocks));
   }
   /// Whether the regular lattice is the same for all x and does not allow it.
   bool forbids_all() {
@@ -84,6 +89,7 @@ class RangeSearch {
     const auto [low, high] = result_.searched;
     bool any = false;
     for (int k = 0; k < result_.samples; ++k) {
+      if (asked(stop_)) return Done{};
       const double share = static_cast<double>(k) / (result_.samples - 1);
       samples_.push_back(sample_at(low * (1 - share) + high * share));
       any = any || std::isfinite(samples_.back().margin);
@@ -202,7 +208,9 @@ class RangeSearch {
 
   FreedScheme& scheme_;
   const Requirement& requirement_;
+  const Stop& stop_;
   BlockCurve curve_;
+  RunningComponents components_;
   ValenceRange result_;
   std::vector<Sample> samples_;
 };
@@ -210,7 +218,7 @@ class RangeSearch {
 }  // namespace
 
 Result<ValenceRange> range_at(FreedScheme& scheme, const Requirement& requirement, int n,
-                              const SearchRange* range) {
+                              const SearchRange* range, const Stop& stop) {
   if (!requirement.has_range())
     return Error{fmt::format("requirement '{}' is an equation", requirement.text),
                  "its values are points, not ranges",
@@ -219,7 +227,7 @@ Result<ValenceRange> range_at(FreedScheme& scheme, const Requirement& requiremen
                  0};
   const Result<Interval> interval = scheme.search_range(n, range);
   if (!interval) return interval.error();
-  return RangeSearch(scheme, requirement, n, *interval).run();
+  return RangeSearch(scheme, requirement, n, *interval, stop).run();
 }
 
 std::vector<Interval> common_range(const std::vector<ValenceRange>& ranges) {

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "limn/base/time_budget.h"
 #include "limn/tune/near_rational.h"
 #include "limn/tune/requirement.h"
 
@@ -32,15 +33,18 @@ struct ValenceRange {
   /// in a row where the eigenvalues would do. Such x are in no part.
   bool undecided = false;
   std::string reason;  ///< why there is no part; nothing where there is one
+  bool time_ended = false;       ///< the search was stopped: nothing above is complete
+  long long solved = 0;          ///< eigenvalue problems that it took
 };
 
 /// At valence n: the range is sampled evenly, least failures are looked at closely, and ends are
 /// bisected, to rounding; but where a requirement that allows equality (is_closed) holds with
 /// equality all along, its end is where it fails by kEqualBelow. Parts narrower than a sample's
 /// width may be missed where no sample comes near them; the same goes for gaps. Cost: 257 samples,
-/// each with all eigenvalues. Fails as solve_at does.
+/// each with the eigenvalues of the blocks that x changes. Fails as solve_at does.
 [[nodiscard]] Result<ValenceRange> range_at(FreedScheme& scheme, const Requirement& requirement,
-                                            int n, const SearchRange* range = nullptr);
+                                            int n, const SearchRange* range = nullptr,
+                                            const Stop& stop = {});
 
 /// Where it holds at every one of these valences at the same time.
 [[nodiscard]] std::vector<Interval> common_range(const std::vector<ValenceRange>& ranges);
