@@ -147,9 +147,9 @@ Result<std::vector<double>> loop_tangents(const Member& member) {
   return tangents;
 }
 
-/// Of a table of energies; `mesh` is the control mesh's file without extension.
-DescribedTable fairness_columns(const std::string& mesh) {
-  const std::string squared = fmt::format(" [unit of {}.obj, squared]", mesh);
+/// Of a table of energies; `unit` of length.
+DescribedTable fairness_columns(const std::string& unit) {
+  const std::string squared = fmt::format(" [{}, squared]", unit);
   return {{{"scheme", "its name"},
            {"level", "the last, at which energies are taken [steps]"},
            {"laplacian_energy", "Σ|Lp|² at that level" + squared},
@@ -180,7 +180,7 @@ Status add_fairness_table(PaperPage& page, const Control& control,
                           const std::vector<FairnessRecord>& records) {
   std::vector<std::vector<std::string>> rows{
       {"scheme", "Σ|Lp|² · 4^level", "thin plate", "curvature variation"}};
-  DescribedTable numbers = fairness_columns(control.name);
+  DescribedTable numbers = fairness_columns(fmt::format("unit of {}.obj", control.name));
   const auto cell = [](double value, const Trend& trend) {
     return fmt::format("{:.4g}{}", value,
                        trend.converges == Truth::yes  ? ""
@@ -224,7 +224,7 @@ Result<std::vector<std::pair<int, std::vector<FairnessRecord>>>> fairness_by_val
   std::vector<std::pair<int, std::vector<FairnessRecord>>> all;
   std::vector<std::vector<std::string>> rows{
       {"k", "scheme", "Σ|Lp|² · 4^level", "thin plate", "curvature variation"}};
-  DescribedTable numbers = fairness_columns("raised vertex: edges of a flat mesh");
+  DescribedTable numbers = fairness_columns("edge of the flat mesh");
   numbers.columns.insert(numbers.columns.begin(), {"k", "edges of the raised vertex"});
   for (const int k : {3, 4, 5, 6, 7, 8, 10}) {
     const Control control = raised_control(k);
