@@ -39,11 +39,11 @@ Status add_smoothness_table(PaperPage& page, const std::vector<const Evidence*>&
                     yes_no(one->regularity.smoothness[1].verdict),
                     yes_no(one->regularity.smoothness[2].verdict), valences_text(*one, fails_c1),
                     valences_text(*one, unbounds_curvature)});
-    numbers.rows.push_back(
-        {one->member.words, bracket.lower, bracket.upper.value_or(NAN),
-         yes_no(one->regularity.smoothness[1].verdict),
-         yes_no(one->regularity.smoothness[2].verdict), valences_text(*one, fails_c1),
-         valences_text(*one, unbounds_curvature)});
+    numbers.rows.push_back({one->member.words, bracket.lower, bracket.upper.value_or(NAN),
+                            yes_no(one->regularity.smoothness[1].verdict),
+                            yes_no(one->regularity.smoothness[2].verdict),
+                            valences_text(*one, fails_c1),
+                            valences_text(*one, unbounds_curvature)});
   }
   return page.add_table(
       {"Smoothness", "smoothness"}, rows, numbers,
@@ -101,27 +101,28 @@ Status add_low_pass_range(PaperPage& page, const Findings& found, const Member& 
   if (!scheme) return scheme.error();
   std::vector<std::vector<std::string>> rows{
       {"n", "paper", "the condition allows", "limn, of 0 ≤ á ≤ 1"}};
-  DescribedTable numbers{{{"n", "edges of the vertex"},
-                          {"low", "least á of [0, 1] at which C1 is not ruled out, from all blocks"},
-                          {"high", "largest á of [0, 1] at which C1 is not ruled out"},
-                          {"condition_low", "á where μ1² + á(kβ − 1/2) reaches ±μ1, the lower"},
-                          {"condition_high", "the same, the upper"}},
-                         {}};
+  DescribedTable numbers{
+      {{"n", "edges of the vertex"},
+       {"low", "least á of [0, 1] at which C1 is not ruled out, from all blocks"},
+       {"high", "largest á of [0, 1] at which C1 is not ruled out"},
+       {"condition_low", "á where μ1² + á(kβ − 1/2) reaches ±μ1, the lower"},
+       {"condition_high", "the same, the upper"}},
+      {}};
   for (std::size_t i = 0; i < found.a_of_low.size(); ++i) {
     const ValenceRange& range = found.a_of_low[i];
     const Result<double> full = Scope<double>(*scheme, range.valence, std::nullopt)(
         scheme->equivalences.front().with.front().second);  // á = 1 as a high pass
     if (!full) return full.error();
     const double tangent = found.tangents[i];
-    double ends[2] = {(-tangent - tangent * tangent) / *full, (tangent - tangent * tangent) / *full};
+    double ends[2] = {(-tangent - tangent * tangent) / *full,
+                      (tangent - tangent * tangent) / *full};
     if (ends[0] > ends[1]) std::swap(ends[0], ends[1]);
     const double least = range.parts.empty() ? NAN : range.parts.front().low.value;
     const double most = range.parts.empty() ? NAN : range.parts.back().high.value;
     rows.push_back({fmt::format("{}", range.valence), "0 ≤ á ≤ 1",
                     fmt::format("({:.3f}, {:.3f})", ends[0], ends[1]),
                     fmt::format("[{:.3f}, {:.3f}]", least, most)});
-    numbers.rows.push_back(
-        {static_cast<double>(range.valence), least, most, ends[0], ends[1]});
+    numbers.rows.push_back({static_cast<double>(range.valence), least, most, ends[0], ends[1]});
   }
   return page.add_table({"§3.2, the range of á", "range-low"}, rows, numbers,
                         "`limn tune laplacian-loop-low --free a --require c1 --range`. The range "
@@ -152,9 +153,9 @@ Result<std::vector<double>> loop_tangents(const Member& member) {
   return tangents;
 }
 
-/// Of a table of energies; `mesh` is the control mesh's file without extension.
-DescribedTable fairness_columns(const std::string& mesh) {
-  const std::string squared = fmt::format(" [unit of {}.obj, squared]", mesh);
+/// Of a table of energies; `unit` of length.
+DescribedTable fairness_columns(const std::string& unit) {
+  const std::string squared = fmt::format(" [{}, squared]", unit);
   return {{{"scheme", "its name"},
            {"level", "the last, at which energies are taken [steps]"},
            {"laplacian_energy", "Σ|Lp|² at that level" + squared},
@@ -185,7 +186,7 @@ Status add_fairness_table(PaperPage& page, const Control& control,
                           const std::vector<FairnessRecord>& records) {
   std::vector<std::vector<std::string>> rows{
       {"scheme", "Σ|Lp|² · 4^level", "thin plate", "curvature variation"}};
-  DescribedTable numbers = fairness_columns(control.name);
+  DescribedTable numbers = fairness_columns(fmt::format("unit of {}.obj", control.name));
   const auto cell = [](double value, const Trend& trend) {
     return fmt::format("{:.4g}{}", value,
                        trend.converges == Truth::yes  ? ""
@@ -229,7 +230,7 @@ Result<std::vector<std::pair<int, std::vector<FairnessRecord>>>> fairness_by_val
   std::vector<std::pair<int, std::vector<FairnessRecord>>> all;
   std::vector<std::vector<std::string>> rows{
       {"k", "scheme", "Σ|Lp|² · 4^level", "thin plate", "curvature variation"}};
-  DescribedTable numbers = fairness_columns("raised vertex: edges of a flat mesh");
+  DescribedTable numbers = fairness_columns("edge of the flat mesh");
   numbers.columns.insert(numbers.columns.begin(), {"k", "edges of the raised vertex"});
   for (const int k : {3, 4, 5, 6, 7, 8, 10}) {
     const Control control = raised_control(k);
@@ -337,7 +338,7 @@ Result<Findings> find_all(PaperPage& page, Studio& studio) {
   if (Status status = add_smoothness_table(page, evidence); !status) return status.error();
   for (const auto& [ranges, scheme, name, first, last] :
        {std::tuple{&found.a_of_high, "laplacian-loop", "a", kFirstValence, kLastRangeValence},
-         std::tuple{&found.a_of_low, "laplacian-loop-low", "a", kFirstValence, kLastRangeValence},
+        std::tuple{&found.a_of_low, "laplacian-loop-low", "a", kFirstValence, kLastRangeValence},
         std::tuple{&found.b_of_type, "loop-type", "b", kFirstValence, kLastRangeValence},
         std::tuple{&found.b_of_butterfly, "laplacian-butterfly", "b", 6, 6}}) {
     Result<std::vector<ValenceRange>> one = c1_ranges(scheme, name, first, last);
