@@ -78,8 +78,8 @@ TEST(PapersCommand, MakesAugsdoerfersFiguresAndTables) {
   const Outcome outcome = folder.limn("papers augsdorfer -o ads --json");
   ASSERT_EQ(outcome.code, 0) << outcome.err;
   const std::string index = folder.read("ads/index.html");
-  for (const char* stem : {"fig01", "fig02", "fig03", "fig04", "fig05", "fig06", "fig07", "fig08", "fig09",
-                           "fig10", "fig11", "fig12"}) {
+  for (const char* stem : {"fig01", "fig02", "fig03", "fig04", "fig05", "fig06", "fig07", "fig08",
+                           "fig09", "fig10", "fig11", "fig12"}) {
     EXPECT_NE(index.find(std::string("src=\"") + stem + ".svg\""), std::string::npos) << stem;
     for (const char* extension : {".pdf", ".svg", ".csv", ".json"})
       EXPECT_GT(folder.read("ads/" + std::string(stem) + extension).size(), 100U) << stem;
@@ -162,8 +162,9 @@ TEST(PapersCommand, MakesKawaharadasFiguresAndJudgesItsClaims) {
   const Outcome outcome = folder.limn("papers kawaharada -o ks --json");
   ASSERT_EQ(outcome.code, 0) << outcome.err;
   const std::string index = folder.read("ks/index.html");
-  for (const char* stem : {"fig01", "fig02-05", "fig16", "fig17-22", "fig35", "fig06-09", "fig10-13", "fig14", "fig15", "fig23-26", "fig27-28",
-                           "fig29-32", "fig33-34", "fig36", "fig37-40", "fig41-45", "fig46"}) {
+  for (const char* stem :
+       {"fig01", "fig02-05", "fig16", "fig17-22", "fig35", "fig06-09", "fig10-13", "fig14", "fig15",
+        "fig23-26", "fig27-28", "fig29-32", "fig33-34", "fig36", "fig37-40", "fig41-45", "fig46"}) {
     EXPECT_NE(index.find(std::string("src=\"") + stem + ".svg\""), std::string::npos) << stem;
     for (const char* extension : {".pdf", ".svg", ".csv", ".json"})
       EXPECT_GT(folder.read("ks/" + std::string(stem) + extension).size(), 50U) << stem;

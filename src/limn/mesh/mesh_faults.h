@@ -19,10 +19,10 @@ struct MeshFault {
     out_of_range,     ///< a corner, `corner` of its face, that is no vertex: vertices[0]
     repeated_corner,  ///< a face that meets vertices[0] twice
     repeated_face,    ///< faces[1] has the corners of faces[0], in the same order up to where it
-                    ///< begins; in the opposite order only where an edge of it has more than two
-                    ///< faces
-    crowded_edge,  ///< an edge between the vertices that has three `faces` or more
-    flipped_edge,  ///< both faces of an edge run from vertices[0] to vertices[1]
+                      ///< begins; in the opposite order only where an edge of it has more than two
+                      ///< faces
+    crowded_edge,     ///< an edge between the vertices that has three `faces` or more
+    flipped_edge,     ///< both faces of an edge run from vertices[0] to vertices[1]
     several_fans,  ///< the faces round vertices[0] are not one fan: `faces` are one, `others` the
                    ///< rest
   };

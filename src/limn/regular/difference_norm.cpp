@@ -61,7 +61,7 @@ class Box {
   [[nodiscard]] bool is_within(const Laurent& v, const Rational& bound) const {
     if (!hull_.spans()) return false;
     const SymmetricHull::Combination found =
-        hull_.least_combination(coordinates(v, {0, 0}), hull_.first_basis(), 0);
+        hull_.least_combination(coordinates(v, {0, 0}), start_, 0);
     if (found.norm > to_double(bound) * (1 + kNearly)) return false;
     const FieldVector<Rational> u = exact_coordinates(v);
     const std::size_t size = u.size();

@@ -107,9 +107,11 @@ class Analysis {
 
   void bracket(const TransitionOperators& operators) {
     HolderBracket& holder = result_.holder;
-    const JointSpectralRadiusOptions options{options_.budget,
-                                             std::pow(growth_, options_.tolerance / 2) - 1,
-                                             options_.progress, time_.stop(kShareOfBracket)};
+    const JointSpectralRadiusOptions options{
+        .budget = options_.budget,
+        .tolerance = std::pow(growth_, options_.tolerance / 2) - 1,
+        .progress = options_.progress,
+        .stop = time_.stop(kShareOfBracket)};
     if (operators.on_differences.front().empty())
       holder.radius.exact = true;
     else

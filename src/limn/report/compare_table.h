@@ -34,8 +34,8 @@ struct TableSection {
 };
 
 /// Which cells of a row are best: as good as every other known one, and better than some. Numbers
-/// that differ by less than 1e-9 of their size, or than their rounding, are equal; of overlapping brackets none is better.
-/// All false where nothing is better.
+/// that differ by less than 1e-9 of their size, or than their rounding, are equal; of overlapping
+/// brackets none is better. All false where nothing is better.
 [[nodiscard]] std::vector<bool> best_cells(const TableRow& row);
 
 /// Whether the row's texts differ.

@@ -44,7 +44,8 @@ std::string csv_cell(const Cell& cell) {
 }
 
 std::string json_cell(const Cell& cell) {
-  if (const std::string* text = std::get_if<std::string>(&cell)) return nlohmann::json(*text).dump();
+  if (const std::string* text = std::get_if<std::string>(&cell))
+    return nlohmann::json(*text).dump();
   const double value = std::get<double>(cell);
   return std::isfinite(value) ? fmt::format("{}", value) : "null";
 }
@@ -85,9 +86,10 @@ DescribedTable described(const DataTable& table, const std::vector<DescribedColu
 }
 
 std::string csv_text(const DescribedTable& table) {
-  std::string text = listed(table.columns, [](const DescribedColumn& column) {
-                       return csv_cell(column.name + ": " + column.meaning);
-                     }) +
+  std::string text = listed(table.columns,
+                            [](const DescribedColumn& column) {
+                              return csv_cell(column.name + ": " + column.meaning);
+                            }) +
                      "\n";
   for (const auto& row : table.rows)
     text += listed(row, [](const Cell& cell) { return csv_cell(cell); }) + "\n";

@@ -32,9 +32,9 @@ struct ValenceRange {
   /// Whether some of it is undecided: what the regular lattice allows is not known at two samples
   /// in a row where the eigenvalues would do. Such x are in no part.
   bool undecided = false;
-  std::string reason;  ///< why there is no part; nothing where there is one
-  bool time_ended = false;       ///< the search was stopped: nothing above is complete
-  long long solved = 0;          ///< eigenvalue problems that it took
+  std::string reason;       ///< why there is no part; nothing where there is one
+  bool time_ended = false;  ///< the search was stopped: nothing above is complete
+  long long solved = 0;     ///< eigenvalue problems that it took
 };
 
 /// At valence n: the range is sampled evenly, least failures are looked at closely, and ends are

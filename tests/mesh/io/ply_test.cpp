@@ -151,7 +151,8 @@ TEST(Ply, StripsInBinaryAndBesideFaces) {
 
 TEST(Ply, PaddingBehindBinaryDataIsAWarning) {
   const std::string text = *format_mesh("ply", kTriangle);
-  for (const std::string& padding : {std::string("\n"), std::string("\r\n"), std::string(7, '\0')}) {
+  for (const std::string& padding :
+       {std::string("\n"), std::string("\r\n"), std::string(7, '\0')}) {
     Warnings warnings;
     EXPECT_EQ(parse(text + padding, &warnings), kTriangle);
     ASSERT_EQ(warnings.size(), 1u);

@@ -40,8 +40,9 @@ TEST(LabelPlaces, KeepsOffLinesDotsAndOneAnother) {
                     labels[i].width, labels[i].height};
       for (const auto& line : around.lines) EXPECT_FALSE(crosses(line, box)) << spokes << ' ' << i;
       for (std::size_t j = 0; j < i; ++j)
-        EXPECT_TRUE(std::abs(middles[i][0] - middles[j][0]) >= (labels[i].width + labels[j].width) / 2 ||
-                    std::abs(middles[i][1] - middles[j][1]) >= (labels[i].height + labels[j].height) / 2);
+        EXPECT_TRUE(
+            std::abs(middles[i][0] - middles[j][0]) >= (labels[i].width + labels[j].width) / 2 ||
+            std::abs(middles[i][1] - middles[j][1]) >= (labels[i].height + labels[j].height) / 2);
     }
   }
 }

@@ -54,9 +54,9 @@ bool counts_along_x(const ChartPanel& panel) {
 
 Axis axis(const ChartPanel& panel, bool vertical) {
   const bool logarithmic = vertical ? panel.log_y : panel.log_x;
-  const Axis::Kind kind = logarithmic                            ? Axis::Kind::logarithmic
+  const Axis::Kind kind = logarithmic                          ? Axis::Kind::logarithmic
                           : !vertical && counts_along_x(panel) ? Axis::Kind::whole
-                                                                 : Axis::Kind::linear;
+                                                               : Axis::Kind::linear;
   return {axis_range(panel, vertical), vertical ? panel.y_label : panel.x_label, 5, kind};
 }
 
@@ -181,8 +181,8 @@ void ChartPanel::draw(Canvas& canvas, const Box& box) const {
   draw_grid(canvas, y_axis, plot);
   // Markers at the rim stay whole.
   constexpr double kOver = kMarker + kMarkers * kMarkerGrowth;
-  canvas.begin_clip(Path::rectangle({plot.x - kOver, plot.y - kOver, plot.width + 2 * kOver,
-                                     plot.height + 2 * kOver}));
+  canvas.begin_clip(Path::rectangle(
+      {plot.x - kOver, plot.y - kOver, plot.width + 2 * kOver, plot.height + 2 * kOver}));
   for (std::size_t i = 0; i < series.size(); ++i)
     draw_series(canvas, series[i], style_of(*this, i), x_axis, y_axis, plot);
   canvas.end_clip();

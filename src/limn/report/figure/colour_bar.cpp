@@ -95,10 +95,9 @@ ColourScale colour_scale(Range range, Range data, int count) {
     const double low = i == 0 ? scale.range.low : scale.edges[i - 1];
     const double high = i == scale.edges.size() ? scale.range.high : scale.edges[i];
     const double middle = low / 2 + high / 2;
-    scale.colours.push_back(lightened(scale.is_signed
-                                          ? diverging(middle / most)
-                                          : viridis((middle - scale.range.low) / size),
-                                      kLighten));
+    scale.colours.push_back(lightened(
+        scale.is_signed ? diverging(middle / most) : viridis((middle - scale.range.low) / size),
+        kLighten));
   }
   return scale;
 }

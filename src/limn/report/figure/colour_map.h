@@ -16,9 +16,9 @@ namespace limn {
 /// [0, 1], so that black lines show on the darkest of them.
 [[nodiscard]] std::vector<Colour> viridis_bands(int n, double lighten = 0);
 
-/// For signed numbers: blue for negative, near white at 0, red for positive `t` in [−1, 1], which is
-/// clamped; equal amounts are equally dark, and the colour-blind tell the signs apart. Through the
-/// colours of RdBu by Cynthia Brewer, colorbrewer2.org.
+/// For signed numbers: blue for negative, near white at 0, red for positive `t` in [−1, 1], which
+/// is clamped; equal amounts are equally dark, and the colour-blind tell the signs apart. Through
+/// the colours of RdBu by Cynthia Brewer, colorbrewer2.org.
 [[nodiscard]] Colour diverging(double t);
 
 /// `colour` mixed with white: 0 gives it back, 1 gives white.

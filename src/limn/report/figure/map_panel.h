@@ -15,8 +15,8 @@
 
 namespace limn {
 
-/// A function in colour (viridis; where both signs occur, blue below 0 and red above it) with black contour lines at round values and a colour bar. Where
-/// a value is not finite the map is empty.
+/// A function in colour (viridis; where both signs occur, blue below 0 and red above it) with black
+/// contour lines at round values and a colour bar. Where a value is not finite the map is empty.
 struct MapPanel {
   TriangleGrid grid = {};
   std::vector<double> values = {};  ///< one per node

@@ -122,7 +122,8 @@ double legend_height(const OverlayPanel& panel) {
 
 double OverlayPanel::height(double width) const {
   const RegionPlot plot(grid, x_label, y_label, axes);
-  const double inner = std::max(width - plot.left_margin() - std::max(side, 1.0), 1.0) * plot.aspect();
+  const double inner =
+      std::max(width - plot.left_margin() - std::max(side, 1.0), 1.0) * plot.aspect();
   return title_height(title) + std::min(inner, 1.5 * width) + plot.bottom_margin() +
          legend_height(*this);
 }

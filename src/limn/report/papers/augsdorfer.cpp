@@ -131,8 +131,7 @@ Status add_stage_figures(PaperPage& page, const Study& study) {
   const DataTable& two = study.stages[1];
   const Extremes y1 = extremes(one, "Y1");
   Status status = page.add_figure(
-      {"Figure 3", "fig03"}, artifact_maps(study, one, y1.high),
-      described_artifacts(one, kThree),
+      {"Figure 3", "fig03"}, artifact_maps(study, one, y1.high), described_artifacts(one, kThree),
       "the three artifacts after one smoothing stage; rotated copies of one another.",
       fmt::format(
           "each from {:.4g} to {:.4g}, the largest in the middle of the sides of the region.",
@@ -178,12 +177,11 @@ Status add_scheme_figures(PaperPage& page, const Study& study, std::size_t which
   const auto item = [&](int number) {
     return PaperItem{fmt::format("Figure {}", number), fmt::format("fig{:02}", number)};
   };
-  Status status =
-      page.add_figure(item(first), artifact_maps(study, table, y1.high),
-                      described_artifacts(table, kThree),
-                      fmt::format("the three artifacts in the limit surface, {}.", name),
-                      fmt::format("from {:.3g} to {:.4g}, at f = ({:.3f}, {:.3f}).", y1.low,
-                                  y1.high, y1.at[0], y1.at[1]));
+  Status status = page.add_figure(
+      item(first), artifact_maps(study, table, y1.high), described_artifacts(table, kThree),
+      fmt::format("the three artifacts in the limit surface, {}.", name),
+      fmt::format("from {:.3g} to {:.4g}, at f = ({:.3f}, {:.3f}).", y1.low, y1.high, y1.at[0],
+                  y1.at[1]));
   if (!status) return status;
   Figure figure(3);
   figure.add(artifact_map_panel(study.grid, table, "signal", "signal"));

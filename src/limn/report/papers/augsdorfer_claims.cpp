@@ -97,12 +97,12 @@ PaperFinding smoothing(const Study& study) {
       kept += factor > 1 - kRounding ? 1 : 0;
     }
   }
-  return {"§2.3", "signal and artifacts both decrease with every smoothing stage",
-          fmt::format("a stage multiplies each by (1 ± c1 ± c2 ± c3)/4, which is at most 1 in size: "
-                      "over the region by {:.4g} to {:.4g}, and by 1 itself {} (the signal of f = 0).",
-                      low, high,
-                      kept == 1 ? "once" : fmt::format("{} times", kept)),
-          high > 1 + kRounding ? Judgement::contradicted : Judgement::confirmed};
+  return {
+      "§2.3", "signal and artifacts both decrease with every smoothing stage",
+      fmt::format("a stage multiplies each by (1 ± c1 ± c2 ± c3)/4, which is at most 1 in size: "
+                  "over the region by {:.4g} to {:.4g}, and by 1 itself {} (the signal of f = 0).",
+                  low, high, kept == 1 ? "once" : fmt::format("{} times", kept)),
+      high > 1 + kRounding ? Judgement::contradicted : Judgement::confirmed};
 }
 
 /// [ADS §2.3, §4] Later steps against the first.
@@ -125,15 +125,16 @@ PaperFinding later_steps(const Study& study) {
     kept += change < kRounding ? 1 : 0;
     falling += growth < kRounding && change >= kRounding ? 1 : 0;
     words += fmt::format("{}{}: {}", words.empty() ? "" : "; ", scheme.name,
-                         change < kRounding   ? "the limit has the magnitudes of the first step"
-                         : growth < kRounding ? fmt::format("none grows, they fall by up to {:.3f}", change)
-                                              : fmt::format("they grow by up to {:.3f}", growth));
+                         change < kRounding ? "the limit has the magnitudes of the first step"
+                         : growth < kRounding
+                             ? fmt::format("none grows, they fall by up to {:.3f}", change)
+                             : fmt::format("they grow by up to {:.3f}", growth));
   }
   return {"§2.3, §4", "the magnitudes after one step decrease with every further step",
           words + ". Interpolating schemes keep them, as §3.2 and §3.3 say themselves.",
-          falling == count                  ? Judgement::confirmed
+          falling == count                         ? Judgement::confirmed
           : falling > 0 && falling + kept == count ? Judgement::refined
-                                            : Judgement::contradicted};
+                                                   : Judgement::contradicted};
 }
 
 /// [ADS §3] The stages that divide each mask.
@@ -178,10 +179,11 @@ PaperFinding retained(const Study& study) {
     const Tally counts = tally(study, other);
     signal = signal && counts.signal_less == counts.nodes;
     percent = percent && counts.percent_less + counts.percent_ties == counts.nodes;
-    words += fmt::format("{}{} keeps more of the signal than Loop at {} of {} frequencies and has "
-                         "the higher percentage at {}, the same at {}",
-                         words.empty() ? "" : "; ", study.schemes[other].name, counts.signal_less,
-                         counts.nodes, counts.percent_less, counts.percent_ties);
+    words += fmt::format(
+        "{}{} keeps more of the signal than Loop at {} of {} frequencies and has "
+        "the higher percentage at {}, the same at {}",
+        words.empty() ? "" : "; ", study.schemes[other].name, counts.signal_less, counts.nodes,
+        counts.percent_less, counts.percent_ties);
   }
   return {"§4, Fig. 12",
           "interpolating schemes retain the signal well, but with a higher percentage of artifacts",
@@ -209,7 +211,8 @@ PaperFinding near_nyquist(const Study& study) {
   const double rim = nyquist_distance(Lattice::triangle, 90);
   std::string at_f, at_rim;
   for (const NamedAnalysis& scheme : study.schemes) {
-    at_f += fmt::format("{}{:.1f} % ({})", at_f.empty() ? "" : ", ", percent(scheme, fy), scheme.name);
+    at_f +=
+        fmt::format("{}{:.1f} % ({})", at_f.empty() ? "" : ", ", percent(scheme, fy), scheme.name);
     at_rim += fmt::format("{}{:.1f} %", at_rim.empty() ? "" : ", ", percent(scheme, rim));
   }
   double low = rim / 8, high = rim;  // the ratio falls from one to the other
@@ -267,10 +270,11 @@ PaperFinding interpolating(const Study& study) {
     as_printed = as_printed && (worst < kRounding) == (i > 0);
     words += fmt::format("{}{:.1g} ({})", i == 0 ? "" : ", ", worst, study.schemes[i].name);
   }
-  return {"§3.2, §3.3", "the butterfly and the third scheme interpolate, Loop does not",
-          "old points stay where α + β + γ + δ = 1; over the region the sum differs from 1 by up to " +
-              words + ".",
-          as_printed ? Judgement::confirmed : Judgement::contradicted};
+  return {
+      "§3.2, §3.3", "the butterfly and the third scheme interpolate, Loop does not",
+      "old points stay where α + β + γ + δ = 1; over the region the sum differs from 1 by up to " +
+          words + ".",
+      as_printed ? Judgement::confirmed : Judgement::contradicted};
 }
 
 }  // namespace
@@ -278,9 +282,9 @@ PaperFinding interpolating(const Study& study) {
 Result<std::vector<PaperFinding>> claims(const Study& study) {
   const Result<PaperFinding> denser = density(study);
   if (!denser) return denser.error();
-  return std::vector<PaperFinding>{retained(study),     near_nyquist(study), *denser,
-                                   extruded(study),     rotated(study),      smoothing(study),
-                                   later_steps(study),  stage_counts(study), interpolating(study)};
+  return std::vector<PaperFinding>{retained(study),    near_nyquist(study), *denser,
+                                   extruded(study),    rotated(study),      smoothing(study),
+                                   later_steps(study), stage_counts(study), interpolating(study)};
 }
 
 }  // namespace limn::ads

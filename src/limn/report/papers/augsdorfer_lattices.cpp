@@ -44,7 +44,9 @@ NetPanel shifts_panel(const std::vector<PagePoint>& shifts) {
     for (int i = 0; i <= 4; ++i) {
       // 2J, 2J + X1, 2J + X2, and 2J + X3, which is X1 + X2 from an old vertex too
       const std::size_t kind = static_cast<std::size_t>(i % 2 + 2 * (j % 2));
-      panel.labels.push_back({place(i / 2., j / 2.), std::string(1, "ABCD"[kind]), {},
+      panel.labels.push_back({place(i / 2., j / 2.),
+                              std::string(1, "ABCD"[kind]),
+                              {},
                               kind == 0 ? kBefore : grey(0.3)});
     }
   panel.nets = {std::move(after), std::move(before)};
@@ -102,8 +104,9 @@ Status add_lattices(PaperPage& page, const Study& study) {
   // Edge directions; half a control edge is an edge of the refined mesh.
   const std::vector<PagePoint> shifts{place(0.5, 0), place(0, 0.5), place(-0.5, -0.5)};
   Figure figure(2);
-  figure.add(shifts_panel(shifts),
-             "Blue: the mesh before refinement; dashed: after it. A old vertices, B, C, D new ones.");
+  figure.add(
+      shifts_panel(shifts),
+      "Blue: the mesh before refinement; dashed: after it. A old vertices, B, C, D new ones.");
   figure.add(frequencies_panel(analysis, f),
              "Blue: the region that the control mesh tells apart; dashed: that of the refined "
              "mesh. A wave f of the first comes back as f and its three artifacts.");
@@ -120,18 +123,19 @@ Status add_lattices(PaperPage& page, const Study& study) {
   numbers.rows.push_back({"f", "frequency", f[0], f[1]});
   const std::vector<Frequency> artifacts = analysis.artifact_frequencies(f);
   for (std::size_t k = 0; k < artifacts.size(); ++k)
-    numbers.rows.push_back(
-        {artifact_name(static_cast<int>(k)), "frequency", artifacts[k][0] - f[0], artifacts[k][1] - f[1]});
+    numbers.rows.push_back({artifact_name(static_cast<int>(k)), "frequency", artifacts[k][0] - f[0],
+                            artifacts[k][1] - f[1]});
   return page.add_figure(
       {"Figure 2", "fig02"}, figure, numbers,
       "the parameter space of a triangle grid with its shifts X1, X2, X3; A, B, C, D at the "
       "vertices; Y1, Y2, Y3 perpendicular to the grid lines.",
-      fmt::format("X1 + X2 + X3 = ({:.0f}, {:.0f}), as it must be; on the right the shifts of "
-                  "frequency Y1, Y2, Y3, each the shortest of its class from f. In cycles per "
-                  "control edge they are {:.4f} long at f = 0, twice the way to the rim of the region.",
-                  std::abs(sum[0]), std::abs(sum[1]),
-                  std::hypot(analysis.artifact_frequencies({0, 0})[0][0],
-                             analysis.artifact_frequencies({0, 0})[0][1])));
+      fmt::format(
+          "X1 + X2 + X3 = ({:.0f}, {:.0f}), as it must be; on the right the shifts of "
+          "frequency Y1, Y2, Y3, each the shortest of its class from f. In cycles per "
+          "control edge they are {:.4f} long at f = 0, twice the way to the rim of the region.",
+          std::abs(sum[0]), std::abs(sum[1]),
+          std::hypot(analysis.artifact_frequencies({0, 0})[0][0],
+                     analysis.artifact_frequencies({0, 0})[0][1])));
 }
 
 }  // namespace limn::ads

@@ -79,7 +79,8 @@ Status add_table(PaperPage& page, const Study& study, std::size_t which) {
     const std::string name = component_name(static_cast<int>(i), Notation::text);
     const Expression printed = Expression::parse(kPrinted[which][i]).value();
     rows.push_back({name, kPrinted[which][i], (*formulas)[i]});
-    const std::string what = artifact_meaning(i == 0 ? "signal" : artifact_name(static_cast<int>(i) - 1));
+    const std::string what =
+        artifact_meaning(i == 0 ? "signal" : artifact_name(static_cast<int>(i) - 1));
     numbers.columns.push_back({name + "_printed", what + ", by the paper's expression"});
     numbers.columns.push_back({name + "_limn", what + ", from the rules"});
     for (std::size_t node = 0; node < grid.nodes.size(); ++node) {

@@ -83,14 +83,16 @@ Result<PaperFinding> bare_list() {
 /// [BGSK §2.2] S̃_ω = S̃_{v−ω}: by the twisted transform of the whole matrix, of which frequency
 /// v − ω is the conjugate of ω up to the sign that half sectors bring.
 PaperFinding mirrored() {
-  const double half = std::cos(std::numbers::pi * (7 - 2) / 7.) / std::cos(std::numbers::pi * 2 / 7.);
-  return {"§2.2", "S_ω = S_{v−ω} by rotational symmetry",
-          fmt::format("equal up to conjugation where orbits stand at whole positions. At half ones, as "
-                      "in √3's b, the paper's own entry 2/3 k_ω changes its sign (at v = 7, ω = 2 "
-                      "the quotient is {:.0f}): the moduli are the same, so half of the frequencies "
-                      "do suffice.",
-                      half),
-          std::abs(half + 1) < kRounding ? Judgement::refined : Judgement::confirmed};
+  const double half =
+      std::cos(std::numbers::pi * (7 - 2) / 7.) / std::cos(std::numbers::pi * 2 / 7.);
+  return {
+      "§2.2", "S_ω = S_{v−ω} by rotational symmetry",
+      fmt::format("equal up to conjugation where orbits stand at whole positions. At half ones, as "
+                  "in √3's b, the paper's own entry 2/3 k_ω changes its sign (at v = 7, ω = 2 "
+                  "the quotient is {:.0f}): the moduli are the same, so half of the frequencies "
+                  "do suffice.",
+                  half),
+      std::abs(half + 1) < kRounding ? Judgement::refined : Judgement::confirmed};
 }
 
 PaperFinding dominant(const std::vector<Eigencomponents>& all) {
@@ -102,8 +104,9 @@ PaperFinding dominant(const std::vector<Eigencomponents>& all) {
       const double leads = leader(found, frequency);
       if (leads - std::abs(printed) < kRounding) continue;
       ++wrong;
-      words += fmt::format(" At v = {} block {} is led by {:.4f} of the second ring, not by {:.4f}.",
-                           found.valence, frequency, leads, printed);
+      words +=
+          fmt::format(" At v = {} block {} is led by {:.4f} of the second ring, not by {:.4f}.",
+                      found.valence, frequency, leads, printed);
     }
   return {"§4, (13)", "μ0 = 2/3 − α, μ1 = 2/3 k_1, μ2 = 2/3 k_2 are the dominant eigenvalues",
           fmt::format("at the valences {} … {} they are, but in {} cases.{}", kSmallestValence,
@@ -157,9 +160,10 @@ Result<PaperFinding> parameter() {
   }
   return PaperFinding{
       "§4", "α = 2/9 (2 − cos(2π/v)) solves μ0 = μ1²",
-      fmt::format("with it the two differ by {:.0e} at most on the 1-ring, v = {} … {}; the table of α "
-                  "above solves for it. It is an identity: 2/3 − α = 2/9 (1 + cos(2π/v)) = (2/3 k_1)².",
-                  worst, kSmallestValence, kLastValence),
+      fmt::format(
+          "with it the two differ by {:.0e} at most on the 1-ring, v = {} … {}; the table of α "
+          "above solves for it. It is an identity: 2/3 − α = 2/9 (1 + cos(2π/v)) = (2/3 k_1)².",
+          worst, kSmallestValence, kLastValence),
       worst < kRounding ? Judgement::confirmed : Judgement::contradicted};
 }
 

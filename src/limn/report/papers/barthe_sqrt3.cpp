@@ -69,8 +69,7 @@ Status add_blocks(PaperPage& page, const Scheme& scheme) {
     for (int omega = 0; omega <= n / 2; ++omega) {
       const Eigen::Matrix3d printed = printed_block(n, omega);
       const Eigen::Matrix3cd ours = found_block(*blocks, omega);
-      const double difference =
-          (ours - printed.cast<std::complex<double>>()).cwiseAbs().maxCoeff();
+      const double difference = (ours - printed.cast<std::complex<double>>()).cwiseAbs().maxCoeff();
       std::vector<Cell>& row = numbers.rows.emplace_back(
           std::vector<Cell>{static_cast<double>(n), static_cast<double>(omega), difference});
       for (int i = 0; i < 9; ++i) row.emplace_back(printed(i / 3, i % 3));

@@ -51,8 +51,8 @@ struct Findings {
   std::vector<ValenceRange> b_of_butterfly;        ///< of laplacian-butterfly, at 6 alone
   /// Of the members on the torus, the cube and the raised vertex.
   std::vector<FairnessRecord> torus, cube, raised;
-  /// Of the optimal scheme and its low pass, from one raised vertex of valence k over a mesh that is
-  /// regular elsewhere.
+  /// Of the optimal scheme and its low pass, from one raised vertex of valence k over a mesh that
+  /// is regular elsewhere.
   std::vector<std::pair<int, std::vector<FairnessRecord>>> by_valence;
 };
 [[nodiscard]] Result<Findings> find_all(PaperPage& page, Studio& studio);

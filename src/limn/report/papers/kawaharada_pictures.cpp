@@ -66,8 +66,10 @@ NetPanel edge_stencil() {
                  .colour = grey(0.3),
                  .dot = 1.8},
                 {.vertices = {{0, 0}}, .colour = kRed, .dot = 1.8}};
-  for (const auto& [at, text] : {std::pair{PagePoint{-0.5, 0}, "/{b}"}, {{0.5, 0}, "/{b}"},
-                                 {{0, h}, "/{c}"}, {{0, -h}, "/{c}"}})
+  for (const auto& [at, text] : {std::pair{PagePoint{-0.5, 0}, "/{b}"},
+                                 {{0.5, 0}, "/{b}"},
+                                 {{0, h}, "/{c}"},
+                                 {{0, -h}, "/{c}"}})
     panel.labels.push_back({at, text});
   return panel;
 }
@@ -102,8 +104,8 @@ Result<DescribedTable> stencil_numbers(const Members& members) {
         if (!weight) return weight.error();
         values.push_back(*weight);
       }
-    for (const double value : {values[0], values[1], values[2] - values[0], values[3] - values[1],
-                               values[4], values[5]})
+    for (const double value :
+         {values[0], values[1], values[2] - values[0], values[3] - values[1], values[4], values[5]})
       row.emplace_back(value);
   }
   return table;
@@ -158,10 +160,12 @@ Status add_steps(PaperPage& page, Studio& studio) {
     Control refined = cube;
     refined.mesh = fine->mesh;
     refined.points = fine->values;
-    figure.add(control_panel(refined, frame), step == 0 ? "the mesh" : step == 1 ? "after one step" : "after two steps");
-    numbers.rows.push_back({static_cast<double>(step), static_cast<double>(fine->mesh.vertex_count()),
-                            static_cast<double>(fine->mesh.face_count()),
-                            volume(fine->mesh, fine->values)});
+    figure.add(control_panel(refined, frame), step == 0   ? "the mesh"
+                                              : step == 1 ? "after one step"
+                                                          : "after two steps");
+    numbers.rows.push_back(
+        {static_cast<double>(step), static_cast<double>(fine->mesh.vertex_count()),
+         static_cast<double>(fine->mesh.face_count()), volume(fine->mesh, fine->values)});
   }
   const auto limit = studio.surface(cube, studio.members.loop);
   if (!limit) return limit.error();
@@ -170,10 +174,11 @@ Status add_steps(PaperPage& page, Studio& studio) {
   scene.seen_frame = frame;
   scene.surfaces.push_back(**limit);
   figure.add(ShadedPanel{.scene = std::move(scene), .resolution = 200}, "the limit surface");
-  return page.add_figure({"Figure 1", "fig01"}, figure, numbers,
-                         "Loop subdivision: a mesh, after one and two steps, and the limit surface.",
-                         fmt::format("the cube of Figure 10; the limit surface encloses {:.4f}.",
-                                     size_of(**limit).volume));
+  return page.add_figure(
+      {"Figure 1", "fig01"}, figure, numbers,
+      "Loop subdivision: a mesh, after one and two steps, and the limit surface.",
+      fmt::format("the cube of Figure 10; the limit surface encloses {:.4f}.",
+                  size_of(**limit).volume));
 }
 
 }  // namespace
@@ -204,8 +209,8 @@ Status add_circle(PaperPage& page, const Members& members) {
   NetPanel panel;
   panel.place_labels = true;
   constexpr int kRound = 180;
-  NetPanel::Net circle{.colour = grey(0.5), .dot = 0}, drops{.colour = grey(0.6),
-                       .stroke = {.width = 0.4, .dash = {1.5, 1.5}}, .dot = 1.1},
+  NetPanel::Net circle{.colour = grey(0.5), .dot = 0},
+      drops{.colour = grey(0.6), .stroke = {.width = 0.4, .dash = {1.5, 1.5}}, .dot = 1.1},
       values{.colour = kRed, .dot = 2.2};
   for (int i = 0; i < kRound; ++i) {
     const PagePoint at = on_circle(radius, static_cast<double>(i) / kRound);
@@ -226,11 +231,11 @@ Status add_circle(PaperPage& page, const Members& members) {
   for (int j = 0; j <= k / 2; ++j) {
     const auto& list = found.spectra[static_cast<std::size_t>(j)].eigenvalues;
     const double value = list[j == 0 ? 1 : 0].value.real();
-    const Result<double> ring = Scope<double>(*scheme, k, std::nullopt)(
-        scheme->rule(RuleKind::vertex)->front().weights.back().value);
+    const Result<double> ring = Scope<double>(
+        *scheme, k, std::nullopt)(scheme->rule(RuleKind::vertex)->front().weights.back().value);
     if (!ring) return ring.error();
-    const double formula = centre + 2 * b[1] * std::cos(2 * std::numbers::pi * j / k) -
-                           (j == 0 ? k * *ring : 0);
+    const double formula =
+        centre + 2 * b[1] * std::cos(2 * std::numbers::pi * j / k) - (j == 0 ? k * *ring : 0);
     worst = std::max(worst, std::abs(value - formula));
     numbers.rows.push_back({static_cast<double>(j), value, formula});
     values.vertices.push_back({value, 0});
@@ -241,7 +246,8 @@ Status add_circle(PaperPage& page, const Members& members) {
   panel.arrows.push_back({{-0.02, 0}, {centre + 1.25 * radius, 0}, grey(0.2)});
   panel.nets = {circle, drops, values, middle};
   Figure figure(1, 300);
-  figure.add(panel, fmt::format("Loop's /{{b}} = {:.4g}, /{{c}} = {:.4g} at /{{k}} = {}.", centre, b[1], k));
+  figure.add(panel, fmt::format("Loop's /{{b}} = {:.4g}, /{{c}} = {:.4g} at /{{k}} = {}.", centre,
+                                b[1], k));
   return page.add_figure(
       {"Figure 35", "fig35"}, figure, numbers,
       "eigenvalues of D_k (red) under points of the circle about (b, 0) with the radius |2c|.",

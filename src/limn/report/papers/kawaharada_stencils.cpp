@@ -97,8 +97,8 @@ struct StencilPlace {
 };
 std::vector<StencilPlace> stencil_places() {
   const double h = std::sqrt(3.0) / 2;
-  return {{{-0.5, 0}, "end"},  {{0.5, 0}, "end"},   {{0, h}, "wing"},   {{0, -h}, "wing"},
-          {{-1, h}, "outer"},  {{1, h}, "outer"},   {{-1, -h}, "outer"}, {{1, -h}, "outer"},
+  return {{{-0.5, 0}, "end"},      {{0.5, 0}, "end"},     {{0, h}, "wing"},    {{0, -h}, "wing"},
+          {{-1, h}, "outer"},      {{1, h}, "outer"},     {{-1, -h}, "outer"}, {{1, -h}, "outer"},
           {{-1.5, 0}, "opposite"}, {{1.5, 0}, "opposite"}};
 }
 
@@ -187,8 +187,7 @@ Status add_operators(PaperPage& page, const Members& members, const Member& whol
                           {"x", "along a line of edges [control edges]"},
                           {"z", "height after one step"}},
                          {}};
-  for (const auto& pair :
-       {std::pair{&members.loop, &members.low}, {&members.butterfly, &whole}}) {
+  for (const auto& pair : {std::pair{&members.loop, &members.low}, {&members.butterfly, &whole}}) {
     ChartPanel panel{.x_label = "edges of the control mesh"};
     for (const Member* member : {pair.first, pair.second}) {
       const Result<Scheme> scheme = member->load();
@@ -207,12 +206,14 @@ Status add_operators(PaperPage& page, const Members& members, const Member& whol
       }
       panel.series.push_back(std::move(series));
     }
-    figure.add(std::move(panel), pair.first == &members.loop ? "L on all vertices, a < 0"
-                                                             : "the operator on new vertices alone");
+    figure.add(std::move(panel), pair.first == &members.loop
+                                     ? "L on all vertices, a < 0"
+                                     : "the operator on new vertices alone");
   }
   return page.add_figure(
       {"Figure 16", "fig16"}, figure, numbers,
-      "the effect of L with a < 0 (left), and of the operator that moves new vertices alone (right).",
+      "the effect of L with a < 0 (left), and of the operator that moves new vertices alone "
+      "(right).",
       "one step from the raised vertex of Figure 23, in section: the low pass moves the old vertex "
       "down, the operator for interpolating schemes leaves it where it is.");
 }

@@ -72,13 +72,13 @@ Status add_alone(Figure& figure, DescribedTable& numbers, std::vector<SurfaceSiz
                  Studio& studio, const Control& control, const Plate& plate,
                  const ViewFrame& frame) {
   const std::string unit = fmt::format("[unit of {}.obj", control.name);
-  numbers.columns = {{"surface", "the scheme of the limit surface"},
-                     {"area", "of it " + unit + ", squared]"},
-                     {"volume", (control.mesh.has_boundary() ? "between it and z = 0 "
-                                                             : "enclosed ") +
-                                    unit + ", cubed]"},
-                     {"lowest", "least z " + unit + "]"},
-                     {"highest", "largest z " + unit + "]"}};
+  numbers.columns = {
+      {"surface", "the scheme of the limit surface"},
+      {"area", "of it " + unit + ", squared]"},
+      {"volume",
+       (control.mesh.has_boundary() ? "between it and z = 0 " : "enclosed ") + unit + ", cubed]"},
+      {"lowest", "least z " + unit + "]"},
+      {"highest", "largest z " + unit + "]"}};
   for (const Member& member : plate.alone) {
     const auto surface = studio.surface(control, member);
     if (!surface) return surface.error();
@@ -140,8 +140,7 @@ Status add_overlays(Figure& figure, DescribedTable& numbers, Studio& studio, con
       panel.outlines = false;
       figure.add(std::move(panel), "the same without the near half of the green one");
     }
-    numbers.rows.push_back(
-        {green.words, pink.words, apart->largest, apart->mean, apart->diagonal});
+    numbers.rows.push_back({green.words, pink.words, apart->largest, apart->mean, apart->diagonal});
   }
   return Done{};
 }

@@ -35,9 +35,9 @@ enum class Judgement {
 
 /// A line of a list of claims or misprints.
 struct PaperFinding {
-  std::string place;    ///< where in the paper
-  std::string printed;  ///< what it says
-  std::string found;    ///< what limn finds
+  std::string place;                        ///< where in the paper
+  std::string printed;                      ///< what it says
+  std::string found;                        ///< what limn finds
   std::optional<Judgement> judgement = {};  ///< of a claim; computed from the numbers in `found`
 };
 
