@@ -165,7 +165,7 @@ TEST_F(FileTest, NoMoreIsReadThanTheBound) {
     EXPECT_EQ(read_file(path("pipe"), hundred).ok(), size == 100) << size;
     writer.join();
   }
-  ::truncate(path("a").c_str(), off_t{1} << 50);  // a petabyte, by its name
+  if (::truncate(path("a").c_str(), off_t{1} << 43) != 0) return;  // 8 TiB, all of it a hole
   EXPECT_FALSE(read_file(path("a")).ok());
 }
 

@@ -60,7 +60,9 @@ bool is_readable_kind(mode_t mode, bool pipes) {
 
 std::filesystem::path place_of(const std::string& path) {
   std::error_code ignored;
-  return std::filesystem::weakly_canonical(target_of(path).path, ignored);
+  // of a relative path that leads nowhere yet, weakly_canonical would make no absolute one
+  const std::filesystem::path absolute = std::filesystem::absolute(target_of(path).path, ignored);
+  return std::filesystem::weakly_canonical(absolute, ignored);
 }
 
 }  // namespace
