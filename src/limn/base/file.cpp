@@ -60,7 +60,8 @@ bool is_readable_kind(mode_t mode, bool pipes) {
 
 std::filesystem::path place_of(const std::string& path) {
   std::error_code ignored;
-  return std::filesystem::weakly_canonical(target_of(path).path, ignored);
+  return std::filesystem::weakly_canonical(std::filesystem::absolute(target_of(path).path, ignored),
+                                           ignored);
 }
 
 }  // namespace
