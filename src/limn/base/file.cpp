@@ -96,7 +96,8 @@ bool is_standard_output(const std::string& path) {
 }
 
 bool is_same_output(const std::string& a, const std::string& b) {
-  if (is_standard_output(a) && is_standard_output(b)) return true;
+  const bool printed = is_standard_output(a);
+  if (printed || is_standard_output(b)) return printed && is_standard_output(b);
   struct stat one {
   }, other{};
   if (::stat(a.c_str(), &one) == 0 && ::stat(b.c_str(), &other) == 0)
