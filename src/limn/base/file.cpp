@@ -98,6 +98,7 @@ bool is_standard_output(const std::string& path) {
 
 bool is_same_output(const std::string& a, const std::string& b) {
   if (is_standard_output(a) && is_standard_output(b)) return true;
+  if ((a == kStandardStream) != (b == kStandardStream)) return false;  // "./-" is a file
   struct stat one {
   }, other{};
   if (::stat(a.c_str(), &one) == 0 && ::stat(b.c_str(), &other) == 0)
