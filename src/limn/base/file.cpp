@@ -60,6 +60,7 @@ bool is_readable_kind(mode_t mode, bool pipes) {
 
 std::filesystem::path place_of(const std::string& path) {
   std::error_code ignored;
+  // absolute first: weakly_canonical leaves "x" as it is where there is none, and makes "./x" whole
   return std::filesystem::weakly_canonical(std::filesystem::absolute(target_of(path).path, ignored),
                                            ignored);
 }
