@@ -171,7 +171,8 @@ std::string optimal_at_three(const Findings& found) {
         jordan = std::max(jordan, eigenvalue.jordan);
       }
   return fmt::format(
-      "left open at k = 3, and necessary at the others. At k = 3 |b + 2c − kβ| < |b + 2c "
+      "left open at k = 3; at the other k necessary conditions alone are tested. At k = 3 |b + 2c "
+      "− kβ| < |b + 2c "
       "cos(2π/k)| holds, but the "
       "tangent's {:.4f} is also c, an eigenvalue of the outer ring: {} eigenvalues are equal, with "
       "a "
