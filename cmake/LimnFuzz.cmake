@@ -34,7 +34,7 @@ foreach(source IN LISTS fuzz_sources)
   file(MAKE_DIRECTORY ${PROJECT_BINARY_DIR}/corpus/${name})
   add_test(NAME fuzz:${name}
     COMMAND ${target}
-      -seed=1 -max_total_time=${LIMN_FUZZ_SECONDS} -max_len=65536 -timeout=10 -rss_limit_mb=2048
+      -seed=1 -max_total_time=${LIMN_FUZZ_SECONDS} -max_len=65536 -timeout=30 -rss_limit_mb=2048
       -print_final_stats=1 -artifact_prefix=${PROJECT_BINARY_DIR}/findings/${name}-
       ${PROJECT_BINARY_DIR}/corpus/${name} ${found_before} ${seed_folders})
   math(EXPR timeout "${LIMN_FUZZ_SECONDS} + 60")
