@@ -11,8 +11,9 @@ namespace limn::app {
 void MeshOutput::declare(CLI::App& command) {
   command
       .add_option("-o,--output", path,
-                  "where the refined mesh goes: .obj, .off, .ply, .stl or .glb; - is standard "
-                  "output")
+                  "write the refined mesh to FILE (.obj, .off, .ply, .stl or .glb; - is standard "
+                  "output)")
+      ->type_name("FILE")
       ->required();
   command
       .add_option("--format", format,

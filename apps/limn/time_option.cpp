@@ -2,13 +2,15 @@
 
 #include <limits>
 
+#include "number_option.h"
+
 namespace limn::app {
 
 CLI::Option* declare_time(CLI::App& command, double& seconds, const std::string& what) {
   constexpr double kMost = 1e9;
   return command.add_option("--time", seconds, what + "; 0: without end")
       ->type_name("SECONDS")
-      ->check(CLI::Range(0.0, kMost))
+      ->check(number_between(0, kMost))
       ->capture_default_str();
 }
 

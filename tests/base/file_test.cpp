@@ -165,8 +165,8 @@ TEST_F(FileTest, NoMoreIsReadThanTheBound) {
     EXPECT_EQ(read_file(path("pipe"), hundred).ok(), size == 100) << size;
     writer.join();
   }
-  ::truncate(path("a").c_str(), off_t{1} << 50);  // a petabyte, by its name
-  EXPECT_FALSE(read_file(path("a")).ok());
+  // eight terabytes, by its size, where the file system has such files
+  if (::truncate(path("a").c_str(), off_t{1} << 43) == 0) EXPECT_FALSE(read_file(path("a")).ok());
 }
 
 TEST_F(FileTest, WhatCannotBeWrittenIsKnownBefore) {
@@ -192,6 +192,7 @@ TEST_F(FileTest, OutputsIntoOnePlace) {
   fs::create_symlink(".", path("here"));
   EXPECT_TRUE(is_same_output(path("a"), path("b")));
   EXPECT_TRUE(is_same_output(path("link"), path("here/new")));
+  EXPECT_TRUE(is_same_output("not-there.pdf", "./not-there.pdf"));
   EXPECT_TRUE(is_same_output("-", "/dev/stdout"));
   EXPECT_FALSE(is_same_output("-", "./-"));
   EXPECT_FALSE(is_same_output(path("a"), path("new")));

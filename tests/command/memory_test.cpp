@@ -78,7 +78,7 @@ TEST(Memory, IsRefusedBeforeTheWorkWhereAUlimitLeavesLess) {
     for (const std::string& job :
          {std::string("refine t.obj -s loop -n 14 -o a.ply"),
           std::string("refine t.obj -s loop -n 11 --curvatures c.csv -o a.ply"),
-          std::string("draw t.obj -s loop -n 12 -o a.png")}) {
+          std::string("draw t.obj -s loop -n 11 -o a.png")}) {
       if (limit.find("-d") != std::string::npos && job.find("draw") != std::string::npos) continue;
       expect_refused(folder.shell(limit + "; \"$LIMN\" " + job),
                      {"levels", "vertices", "need about", "are free"});

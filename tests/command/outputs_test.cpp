@@ -20,13 +20,14 @@ TEST(Outputs, AreNoneWhereTheReportCannotBePrinted) {
     if (stream == ">/dev/full" && !std::ifstream("/dev/full").good()) continue;
     const Folder folder;
     folder.write("kept.obj", "as it was");
-    for (const std::string& job :
-         {kRefine + "new.obj", kRefine + "kept.obj --curvatures c.csv", kRefine + "x.ply --json",
-          "\"$LIMN\" draw " + kBracket + " -s loop -n 1 -o new.svg",
-          "\"$LIMN\" artifacts loop --map m.csv", "\"$LIMN\" eigen loop --map m.svg",
-          "\"$LIMN\" prescribe loop --valence 7 --eigenvalues 1/4,1/2,1/4,1/8 -o mine.toml",
-          std::string("\"$LIMN\" tune sqrt3 --free alpha --require 'cup = tangent^2' --valence 5 "
-                      "-o tuned.toml")})
+    for (const std::string& job : std::vector<std::string>{
+             kRefine + "new.obj", kRefine + "kept.obj --curvatures c.csv", kRefine + "x.ply --json",
+             "\"$LIMN\" draw " + kBracket + " -s loop -n 1 -o new.svg",
+             "\"$LIMN\" artifacts loop --map m.csv", "\"$LIMN\" eigen loop --map m.svg",
+             "\"$LIMN\" prescribe loop --valence 7 --eigenvalues 1/4,1/2,1/4,1/8 -o mine.toml",
+             std::string(
+                 "\"$LIMN\" tune sqrt3 --free alpha --require 'cup = tangent^2' --valence 5 "
+                 "-o tuned.toml")})
       expect_refused(folder.shell(job + " " + stream), {"standard output"});
     EXPECT_EQ(folder.count(), 1);
     EXPECT_EQ(folder.read("kept.obj"), "as it was");

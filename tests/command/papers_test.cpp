@@ -105,6 +105,8 @@ TEST(PapersCommand, MakesAugsdoerfersFiguresAndTables) {
   EXPECT_EQ(verdict_on(folder, "ads", "far more tolerant"), "refined");
   EXPECT_EQ(verdict_on(folder, "ads", "no artifacts Y2, Y3"), "confirmed");
   EXPECT_EQ(verdict_on(folder, "ads", "every further step"), "refined");
+  // [ADS (19), (20)] K's rows sum to 10 − 6 = 4, and N N = 4 I: NKN/4 takes a constant to 4
+  EXPECT_NE(index.find("else the signal of a constant is 4"), std::string::npos);
   // Σ X = 0
   const auto vectors = nlohmann::json::parse(folder.read("ads/fig02.json")).at("rows");
   double x = 0, y = 0;
@@ -212,6 +214,10 @@ TEST(PapersCommand, MakesKawaharadasFiguresAndJudgesItsClaims) {
   EXPECT_EQ(verdict_on(folder, "ks", "no concrete gain"), "confirmed");
   EXPECT_EQ(verdict_on(folder, "ks", "regular k-gon where k is odd"), "contradicted");
   EXPECT_EQ(verdict_on(folder, "ks", "0 ≤ á ≤ 1"), "supported");
+  // what a word leaves open, and what the eigenvalues leave open at k = 3
+  EXPECT_EQ(verdict_on(folder, "ks", "generate good surfaces"), "depends on the measure");
+  EXPECT_EQ(verdict_on(folder, "ks", "optimal schemes are C1"), "refined");
+  EXPECT_EQ(index.find("without bound"), std::string::npos);
   for (const double k : column(folder, "ks/fairness-valences.json", "k"))
     EXPECT_TRUE(k >= 3 && k <= 10) << k;
   for (const double most : column(folder, "ks/range-low.json", "high")) EXPECT_EQ(most, 1);
@@ -222,7 +228,8 @@ TEST(PapersCommand, RefusesUnknownPapersAndFolders) {
   expect_refused(folder.limn("papers nobody -o x"), "augsdorfer");
   expect_refused(folder.limn("papers augsdorfer"), "--output");
   folder.write("file", "x");
-  expect_refused(folder.limn("papers augsdorfer -o file/x"), "file/x");
+  // named is what stands in the way
+  expect_refused(folder.limn("papers augsdorfer -o file/x"), "file: cannot make the folder");
 }
 
 }  // namespace

@@ -186,6 +186,21 @@ TEST(Triangulate, AConcaveQuadIsCutAtItsReflexCorner) {
     EXPECT_NEAR(vector_area_of(corners_of(result.polygons, f)).z, 2, 1e-15);
 }
 
+TEST(Triangulate, TwoFacesThatShareBothEdgesOfAVertexAreCutFromThere) {
+  // the quads 0 1 2 3 and 2 1 0 4 meet along 0 1 2; their diagonals 0 2 would be one edge of four
+  Polygons mesh;
+  mesh.positions = {{0, 0, 0}, {1, 0.2, 0}, {2, 0, 0}, {1, 2, 0}, {1, -2, 0}};
+  for (const std::vector<Index>& second : {std::vector<Index>{2, 1, 0, 4}, {0, 4, 2, 1}}) {
+    mesh.corners = {0, 1, 2, 3};
+    mesh.corners.insert(mesh.corners.end(), second.begin(), second.end());
+    mesh.face_begin = {0, 4, 8};
+    const Result<Triangulation> cut = triangulate(mesh);
+    ASSERT_TRUE(cut.ok());
+    EXPECT_EQ(cut->polygons.face_count(), 4);
+    EXPECT_TRUE(Mesh::build(cut->polygons).ok());
+  }
+}
+
 TEST(Triangulate, KeepsFansWhereTheyAreRight) {
   std::vector<Point3> round;
   round.reserve(9);

@@ -4,6 +4,19 @@
 
 namespace limn {
 
+namespace {
+
+/// Whether the message is a list of faults, a line each: in a file that has lines, or (a binary
+/// one has none) by what is indented behind each line feed. A line feed in a name is none of these.
+bool is_list(const std::string& message, int line) {
+  if (line > 0) return true;  // base/faults.h
+  for (std::size_t k = message.find('\n'); k != std::string::npos; k = message.find('\n', k + 1))
+    if (k + 1 == message.size() || message[k + 1] != ' ') return false;
+  return true;
+}
+
+}  // namespace
+
 std::string Error::text() const {
   std::string place;
   if (!file.empty()) {
@@ -14,8 +27,8 @@ std::string Error::text() const {
     }
     place += ": ";
   }
-  // several faults of one file are lines (base/faults.h); elsewhere a line feed is part of a name
-  std::string text = place + (line > 0 ? printable_lines(message) : printable(message));
+  std::string text =
+      place + (is_list(message, line) ? printable_lines(message) : printable(message));
   if (!hint.empty()) text += " (" + printable(hint) + ")";
   return text;
 }

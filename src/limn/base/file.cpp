@@ -60,7 +60,9 @@ bool is_readable_kind(mode_t mode, bool pipes) {
 
 std::filesystem::path place_of(const std::string& path) {
   std::error_code ignored;
-  return std::filesystem::weakly_canonical(target_of(path).path, ignored);
+  // absolute first: weakly_canonical leaves "x" as it is where there is none, and makes "./x" whole
+  return std::filesystem::weakly_canonical(std::filesystem::absolute(target_of(path).path, ignored),
+                                           ignored);
 }
 
 }  // namespace
@@ -95,7 +97,8 @@ bool is_standard_output(const std::string& path) {
 }
 
 bool is_same_output(const std::string& a, const std::string& b) {
-  if (is_standard_output(a) && is_standard_output(b)) return true;
+  const bool printed = is_standard_output(a);
+  if (printed || is_standard_output(b)) return printed && is_standard_output(b);
   struct stat one {
   }, other{};
   if (::stat(a.c_str(), &one) == 0 && ::stat(b.c_str(), &other) == 0)

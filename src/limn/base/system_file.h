@@ -33,7 +33,7 @@ class Descriptor {
 /// Never inherited by another program; tried again after a signal. Negative: errno says why.
 [[nodiscard]] int open_retrying(const char* path, int flags, mode_t mode = 0);
 
-/// "a folder", "a device", … of a file's mode.
+/// "a directory", "a device", … of a file's mode.
 [[nodiscard]] const char* kind_text(mode_t mode);
 
 /// The folder that `path` is in, with its slash; empty: the working folder.

@@ -71,22 +71,26 @@ bool FaceCutter::project(Index face) {
   return true;
 }
 
-bool FaceCutter::fan_is_positive() const {
+bool FaceCutter::fan_is_positive(Index apex) const {
   constexpr double least_sine = 1e-9;
-  const Point2 a = plane_[0];
+  const auto point = [&](std::size_t k) {
+    return plane_[(static_cast<std::size_t>(apex) + k) % plane_.size()];
+  };
+  const Point2 a = point(0);
   for (std::size_t k = 1; k + 1 < plane_.size(); ++k) {
-    const Point2 b = plane_[k], c = plane_[k + 1];
+    const Point2 b = point(k), c = point(k + 1);
     const double far = std::hypot(b.x - a.x, b.y - a.y) * std::hypot(c.x - b.x, c.y - b.y);
     if (!(approx_turn(a, b, c) > least_sine * far)) return false;
   }
   return true;
 }
 
-void FaceCutter::fan(Index degree) {
-  for (Index k = 1; k + 1 < degree; ++k) triangles_.push_back({0, k, k + 1});
+void FaceCutter::fan(Index degree, Index apex) {
+  for (Index k = 1; k + 1 < degree; ++k)
+    triangles_.push_back({apex, (apex + k) % degree, (apex + k + 1) % degree});
 }
 
-const std::vector<std::array<Index, 3>>& FaceCutter::cut(Index face, bool& gave_up) {
+const std::vector<std::array<Index, 3>>& FaceCutter::cut(Index face, bool& gave_up, Index apex) {
   triangles_.clear();
   gave_up = false;
   const Index degree = polygons_.degree(face);
@@ -95,14 +99,74 @@ const std::vector<std::array<Index, 3>>& FaceCutter::cut(Index face, bool& gave_
                                  [&](Index v) { return v >= 0 && v < polygons_.vertex_count(); });
   const bool has_choice = degree > 3 && sound;
   const bool has_plane = has_choice && project(face);
-  if (has_plane && !fan_is_positive()) {
-    gave_up = !clipper_.cut(plane_, triangles_);
-  } else {
-    fan(degree);
+  if (!has_plane || fan_is_positive(apex)) {
+    fan(degree, has_plane ? apex : 0);
     gave_up = has_choice && !has_plane;
+  } else if (apex != 0 && fan_is_positive(0)) {
+    fan(degree, 0);
+  } else {
+    gave_up = !clipper_.cut(plane_, triangles_);
   }
   return triangles_;
 }
+
+namespace {
+
+/// The corners at vertices of two faces that share both edges there; the offsets fit the corners.
+class SharedCorners {
+ public:
+  explicit SharedCorners(const Polygons& polygons)
+      : polygons_(polygons), at_(polygons.positions.size()), shared_(polygons.corners.size()) {
+    for (Index f = 0; f < polygons.face_count(); ++f)
+      for (Index k = 0; k < polygons.degree(f); ++k) note(f, k);
+    for (const Corners& at : at_)
+      if (at.count == 2 && share_edges(at))
+        for (std::size_t i = 0; i < 2; ++i)
+          shared_[index(polygons.face_begin[at.face[i]] + at.corner[i])] = true;
+  }
+
+  /// The first such corner of the face whose neighbours are none; 0 where there is none.
+  [[nodiscard]] Index apex(Index face) const {
+    const Index degree = polygons_.degree(face), begin = polygons_.face_begin[face];
+    const auto shared = [&](Index k) { return shared_[index(begin + k % degree)]; };
+    for (Index k = 0; k < degree; ++k)
+      if (shared(k) && !shared(k + 1) && !shared(k + degree - 1)) return k;
+    return 0;
+  }
+
+ private:
+  struct Corners {
+    int count = 0;
+    std::array<Index, 2> face{}, corner{};
+  };
+  static std::size_t index(Index i) { return static_cast<std::size_t>(i); }
+  void note(Index face, Index k) {
+    const Index v = vertex(face, k);
+    if (v < 0 || v >= polygons_.vertex_count()) return;
+    Corners& at = at_[index(v)];
+    if (at.count < 2) {
+      at.face[index(at.count)] = face;
+      at.corner[index(at.count)] = k;
+    }
+    at.count = std::min(at.count + 1, 3);
+  }
+  [[nodiscard]] Index vertex(Index face, Index k) const {
+    return polygons_.corners[polygons_.face_begin[face] + k % polygons_.degree(face)];
+  }
+  [[nodiscard]] bool share_edges(const Corners& at) const {
+    const auto next = [&](std::size_t i) { return vertex(at.face[i], at.corner[i] + 1); };
+    const auto last = [&](std::size_t i) {
+      return vertex(at.face[i], at.corner[i] + polygons_.degree(at.face[i]) - 1);
+    };
+    return at.face[0] != at.face[1] && next(0) == last(1) && last(0) == next(1);
+  }
+
+  const Polygons& polygons_;
+  std::vector<Corners> at_;
+  std::vector<bool> shared_;
+};
+
+}  // namespace
 
 Result<Triangulation> triangulate(const Polygons& polygons) {
   std::int64_t triangles = 0, corners = 0, before = 0;
@@ -133,6 +197,7 @@ Result<Triangulation> triangulate(const Polygons& polygons) {
     result.face_of.push_back(face);
   };
   FaceCutter cutter(polygons);
+  const SharedCorners shared(polygons);
   for (Index f = 0; f < polygons.face_count(); ++f) {
     const Index* const face = polygons.corners.data() + polygons.face_begin[f];
     if (polygons.degree(f) < 3) {
@@ -142,7 +207,7 @@ Result<Triangulation> triangulate(const Polygons& polygons) {
       continue;
     }
     bool gave_up = false;
-    for (const auto& triangle : cutter.cut(f, gave_up)) {
+    for (const auto& triangle : cutter.cut(f, gave_up, shared.apex(f))) {
       for (const Index corner : triangle) result.polygons.corners.push_back(face[corner]);
       close_face(f);
     }

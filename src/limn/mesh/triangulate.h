@@ -17,16 +17,17 @@ class FaceCutter {
   explicit FaceCutter(const Polygons& polygons) : polygons_(polygons) {}
 
   /// The triangles of the face, as numbers of its corners from 0: degree - 2 of them, in the face's
-  /// direction; until the next call. A fan from the first corner where each triangle of that is
-  /// positive as seen along the face's normal (Newell's, of its best-fitting plane); else by ear
-  /// clipping in that plane. `gave_up` is then true where the face crosses itself in the plane or
-  /// has no area: it is cut all the same. Not looked at where a corner is no vertex.
-  const std::vector<std::array<Index, 3>>& cut(Index face, bool& gave_up);
+  /// direction; until the next call. A fan from corner `apex`, or else the first, where each
+  /// triangle of that is positive as seen along the face's normal (Newell's, of its best-fitting
+  /// plane); else by ear clipping in that plane. `gave_up` is then true where the face crosses
+  /// itself in the plane or has no area: it is cut all the same. Not looked at where a corner is no
+  /// vertex.
+  const std::vector<std::array<Index, 3>>& cut(Index face, bool& gave_up, Index apex = 0);
 
  private:
   [[nodiscard]] bool project(Index face);
-  [[nodiscard]] bool fan_is_positive() const;
-  void fan(Index degree);
+  [[nodiscard]] bool fan_is_positive(Index apex) const;
+  void fan(Index degree, Index apex);
 
   const Polygons& polygons_;
   EarClipper clipper_;
@@ -41,7 +42,9 @@ struct Triangulation {
   std::vector<Index> gave_up;  ///< polygons whose triangles overlap or have no area
 };
 
-/// Every polygon of more than three corners cut into triangles by a `FaceCutter`. Refused: offsets
+/// Every polygon of more than three corners cut into triangles by a `FaceCutter`. Where two faces
+/// share both edges of a vertex they are cut from there: both could else get the same diagonal,
+/// opposite the vertex, and a triangle twice. Refused: offsets
 /// that do not fit the corners, and results that are `too_many` (mesh_limits.h). A face of fewer
 /// corners is kept, for `Mesh::build` to refuse. Cost O(corners) where fans do; else see
 /// EarClipper.

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <utility>
 
 #include <fmt/core.h>
 
@@ -105,33 +106,57 @@ PaperFinding smoothing(const Study& study) {
       high > 1 + kRounding ? Judgement::contradicted : Judgement::confirmed};
 }
 
-/// [ADS §2.3, §4] Later steps against the first.
+/// The most that a magnitude grows by; below 0 where none does.
+double growth_between(const Components& before, const Components& after) {
+  double growth = std::abs(after.signal) - std::abs(before.signal);
+  for (std::size_t i = 0; i < before.artifacts.size(); ++i)
+    growth = std::max(growth, std::abs(after.artifacts[i]) - std::abs(before.artifacts[i]));
+  return growth;
+}
+
+constexpr int kStepsCompared = 4;  ///< one after another
+
+/// [ADS §2.3, §4] The limit against the first step, at that step's points; and each wave alone,
+/// step by step.
 PaperFinding later_steps(const Study& study) {
-  std::string words;
+  std::string words = "the limit at the points of the first step: ";
+  bool first = true;
+  double alone = 0;
   int falling = 0, kept = 0, count = 0;
   for (const NamedAnalysis& scheme : study.schemes) {
     double growth = 0, change = 0;
     for (const Frequency& f : study.grid.nodes) {
       const Components one = scheme.analysis.after_steps(f, 1);
       const Components limit = scheme.analysis.in_limit(f);
-      growth = std::max(growth, std::abs(limit.signal) - std::abs(one.signal));
-      change = std::max(change, std::abs(limit.signal - one.signal));
-      for (std::size_t i = 0; i < one.artifacts.size(); ++i) {
-        growth = std::max(growth, std::abs(limit.artifacts[i]) - std::abs(one.artifacts[i]));
-        change = std::max(change, std::abs(limit.artifacts[i] - one.artifacts[i]));
+      growth = std::max(growth, growth_between(one, limit));
+      Components before = one;
+      for (int step = 2; step <= kStepsCompared; ++step) {
+        const Components after = scheme.analysis.after_steps(f, step);
+        alone = std::max(alone, growth_between(before, after));
+        before = after;
       }
+      change = std::max(change, std::abs(limit.signal - one.signal));
+      for (std::size_t i = 0; i < one.artifacts.size(); ++i)
+        change = std::max(change, std::abs(limit.artifacts[i] - one.artifacts[i]));
     }
     ++count;
     kept += change < kRounding ? 1 : 0;
     falling += growth < kRounding && change >= kRounding ? 1 : 0;
-    words += fmt::format("{}{}: {}", words.empty() ? "" : "; ", scheme.name,
+    words += fmt::format("{}{}: {}", std::exchange(first, false) ? "" : "; ", scheme.name,
                          change < kRounding ? "the limit has the magnitudes of the first step"
                          : growth < kRounding
                              ? fmt::format("none grows, they fall by up to {:.3f}", change)
                              : fmt::format("they grow by up to {:.3f}", growth));
   }
   return {"§2.3, §4", "the magnitudes after one step decrease with every further step",
-          words + ". Interpolating schemes keep them, as §3.2 and §3.3 say themselves.",
+          words + ". Interpolating schemes keep them, as §3.2 and §3.3 say themselves. " +
+              (alone < kRounding
+                   ? fmt::format("Each wave alone, without the new waves of later steps, grows in "
+                                 "none of the steps 2 … {}.",
+                                 kStepsCompared)
+                   : fmt::format("A wave alone, without the new waves of later steps, grows in the "
+                                 "steps 2 … {} by up to {:.2g}.",
+                                 kStepsCompared, alone)),
           falling == count                         ? Judgement::confirmed
           : falling > 0 && falling + kept == count ? Judgement::refined
                                                    : Judgement::contradicted};
@@ -226,7 +251,8 @@ PaperFinding near_nyquist(const Study& study) {
           "interpolating schemes",
           fmt::format("more tolerant, but not far more: at f = (0, {}), {:.0f} % of the way to the "
                       "limit, the artifacts are {} of the signal, {:.2f} times Loop's. They are {} "
-                      "times Loop's only up to f = (0, {:.3f}), and at the limit itself all "
+                      "times Loop's, which is taken for \"far more\" here, only up to f = (0, "
+                      "{:.3f}), and at the limit itself all "
                       "schemes are level: {}.",
                       fy, 100 * fy / rim, at_f, ratio, kFarMore, low, at_rim),
           ratio >= kFarMore ? Judgement::confirmed

@@ -55,8 +55,9 @@ std::vector<PaperFinding> misprints(const Study& study) {
       {"§2.3", "for Ω = h Y1, c2 = cos(…) = 0 and c3 = cos(…) = 0",
        "c2 = c3 = cos(πω), as the lines below it use"},
       {"(9)", "second form: L N R_N^s", "L_N R_N^s"},
-      {"(19), (20)", "K stands with a factor 1/4 inside and before it",
-       "once: with both the signal of a constant would be 1/4"},
+      {"(20)", "K_N = NKN/4, with the K of (19), which is 4 times the map",
+       "NKN/16, or K with (19)'s factor 1/4 in it: else the signal of a constant is 4. The lines "
+       "below (20) have the factor"},
       {"§3.3", "c1, c2, c3 stand for cos(πΩ·X1/2), …", "cos(πΩ·X1), …, as in Table 3"},
       {"Fig. 4, caption", "scales that differ by a factor of 10",
        fmt::format("{:.3g} for the sums, {:.3g} for the mean energies: see Figure 4 above",

@@ -71,7 +71,7 @@ Result<NetPanel> label_panel(const Scheme& scheme, const FrequencyBlocks& blocks
 }  // namespace
 
 Status add_labels(PaperPage& page) {
-  Figure figure(2);
+  Figure figure(1, 400);  // wide enough for labels between the lines
   DescribedTable numbers{
       {{"refinement", "dyadic or √3"},
        {"letter", "of the orbit, old; in small letters of the new one"},

@@ -61,7 +61,7 @@ DescribedTable verdicts_of(const Study& study) {
        {"valence", "edges of the vertex, of dual schemes corners of the face"},
        {"convergent", "whether 1 is simple and leads"},
        {"c1_necessary", "whether the necessary conditions of C1 hold"},
-       {"bounded_curvature", "whether curvature is bounded at the vertex"},
+       {"bounded_curvature", "whether curvature is bounded at the vertex, if it is C1 there"},
        {"cup", "its eigenvalue against the tangent's squared: flat is less, unbounded more"},
        {"saddle", "its eigenvalue against the tangent's squared: flat is less, unbounded more"},
        {"reasons", "of the verdicts"}},

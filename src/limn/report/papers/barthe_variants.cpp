@@ -92,14 +92,15 @@ Status add_variants(PaperPage& page) {
                           {"scheme", "its name"},
                           {"spectrum", "of the paper's that it has"}},
                          {}};
-  DescribedTable verdicts{{{"row", "of the figure"},
-                           {"scheme", "its name"},
-                           {"spectrum", "of the paper's that it has"},
-                           {"c1_necessary", "whether the necessary conditions of C1 hold"},
-                           {"bounded_curvature", "whether curvature is bounded at the vertex"},
-                           {"cup", "its eigenvalue against the tangent's squared"},
-                           {"saddle", "its eigenvalue against the tangent's squared"}},
-                          {}};
+  DescribedTable verdicts{
+      {{"row", "of the figure"},
+       {"scheme", "its name"},
+       {"spectrum", "of the paper's that it has"},
+       {"c1_necessary", "whether the necessary conditions of C1 hold"},
+       {"bounded_curvature", "whether curvature is bounded at the vertex, if it is C1 there"},
+       {"cup", "its eigenvalue against the tangent's squared"},
+       {"saddle", "its eigenvalue against the tangent's squared"}},
+      {}};
   std::string words;
   for (const Variant& variant : kVariants) {
     const Result<Scheme> scheme = find_scheme(variant.scheme);

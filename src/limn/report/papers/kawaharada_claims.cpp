@@ -139,14 +139,14 @@ PaperFinding lost_smoothness(const Findings& found) {
       fmt::format(
           "C1 at regular vertices for the paper's parameters, proved: Hölder exponent in {} for "
           "its a, "
-          "in {} for the low pass; the necessary conditions fail at k = {} and {} of {} … {}. But "
-          "it "
+          "in {} for the low pass; of the valences {} … {} the necessary conditions fail at: {} "
+          "(high pass), {} (low pass). But it "
           "is no longer C2, as Loop is ({}), and that nearly everywhere: at k = 6 the high pass "
           "has the cup eigenvalue {:.4f}, more than μ1² = {:.4f}, so that curvature is unbounded "
           "at "
           "every vertex of every level. The paper does not mention it",
           bracket_text(found.high.regularity.holder), bracket_text(found.low.regularity.holder),
-          high_fails, low_fails, kFirstValence, kLastValence,
+          kFirstValence, kLastValence, high_fails, low_fails,
           bracket_text(found.loop.regularity.holder), *found.high.at(6).cup,
           std::pow(*found.high.at(6).tangent, 2)),
       !proved ? Judgement::undecided

@@ -25,14 +25,16 @@ Status add_smoothness_table(PaperPage& page, const std::vector<const Evidence*>&
   std::vector<std::vector<std::string>> rows{{"scheme", "Hölder exponent, regular vertices", "C1",
                                               "C2",
                                               "C1 ruled out at n =", "curvature unbounded at n ="}};
-  DescribedTable numbers{{{"scheme", "its name"},
-                          {"holder_lower", "of the Hölder exponent at regular vertices, proved"},
-                          {"holder_upper", "of the same; empty where none is proved"},
-                          {"c1", "at regular vertices"},
-                          {"c2", "at regular vertices"},
-                          {"not_c1_at", "valences at which C1 is ruled out"},
-                          {"unbounded_at", "valences at which curvature is unbounded"}},
-                         {}};
+  DescribedTable numbers{
+      {{"scheme", "its name"},
+       {"holder_lower", "of the Hölder exponent at regular vertices, proved"},
+       {"holder_upper", "of the same; empty where none is proved"},
+       {"c1", "at regular vertices"},
+       {"c2", "at regular vertices"},
+       {"not_c1_at", "valences at which C1 is ruled out"},
+       {"unbounded_at",
+        "valences at which curvature is unbounded, even if the surface is C1 there"}},
+      {}};
   for (const Evidence* one : all) {
     const HolderBracket& bracket = one->regularity.holder;
     rows.push_back({one->member.words, bracket_text(bracket),
@@ -89,8 +91,8 @@ Status add_range_table(PaperPage& page, const std::vector<ValenceRange>& ranges,
       {"§3.3, the range of a", "range"}, rows, numbers,
       fmt::format(
           "`limn tune laplacian-loop --free a --require c1 --valence 3..{} --range`; it "
-          "differs from the formula by at most {:.0e}. Negative a, which smooth, are as good "
-          "as positive ones: the paper's lower bound 0 is not needed.",
+          "differs from the formula by at most {:.0e}. Nor is C1 ruled out at negative a down "
+          "to its lower end: for this condition, which is necessary, the paper's 0 is not needed.",
           kLastRangeValence, worst));
 }
 
@@ -190,7 +192,7 @@ Status add_fairness_table(PaperPage& page, const Control& control,
   const auto cell = [](double value, const Trend& trend) {
     return fmt::format("{:.4g}{}", value,
                        trend.converges == Truth::yes  ? ""
-                       : trend.converges == Truth::no ? " and grows without bound"
+                       : trend.converges == Truth::no ? " and growing"
                                                       : " (not settled)");
   };
   for (const FairnessRecord& record : records) {
@@ -202,9 +204,11 @@ Status add_fairness_table(PaperPage& page, const Control& control,
   }
   return page.add_table(
       {"Fairness: " + control.title, "fairness-" + control.name}, rows, numbers,
-      fmt::format("`limn fairness {}.obj -s …` after {} steps, at limit points. The "
-                  "paper judges by eye; smaller is fairer.",
-                  control.name, records.front().last().level));
+      fmt::format(
+          "`limn fairness {}.obj -s …` after {} steps, at limit points. The "
+          "paper judges by eye; smaller is fairer. “And growing” is seen from step to step, "
+          "not proved.",
+          control.name, records.front().last().level));
 }
 
 Result<std::vector<FairnessRecord>> fairness_of(PaperPage& page, const Control& control,

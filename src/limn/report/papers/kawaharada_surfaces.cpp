@@ -92,6 +92,12 @@ Status add_alone(Figure& figure, DescribedTable& numbers, std::vector<SurfaceSiz
   return Done{};
 }
 
+SpaceVector between(const std::vector<SpaceVector>& list, int from, int to, double t) {
+  const SpaceVector& a = list[static_cast<std::size_t>(from)];
+  const SpaceVector& b = list[static_cast<std::size_t>(to)];
+  return {a[0] + t * (b[0] - a[0]), a[1] + t * (b[1] - a[1]), a[2] + t * (b[2] - a[2])};
+}
+
 /// The part of a surface beyond the vertical plane through the middle of its control mesh, as the
 /// viewer sees it: what it covers comes to light.
 SmoothSurface far_half(const SmoothSurface& surface, const Control& control) {
@@ -103,14 +109,25 @@ SmoothSurface far_half(const SmoothSurface& surface, const Control& control) {
   for (const Point3& p : control.points) middle += nearness(p.x, p.y);
   middle /= static_cast<double>(control.points.size());
   SmoothSurface half = surface;
-  std::erase_if(half.triangles, [&](const std::array<int, 3>& t) {
-    double sum = 0;
-    for (const int v : t) {
-      const SpaceVector& p = surface.vertices[static_cast<std::size_t>(v)];
-      sum += nearness(p[0], p[1]);
+  half.triangles.clear();
+  const auto height = [&](int v) {  // above the plane, towards the viewer
+    const SpaceVector& p = half.vertices[static_cast<std::size_t>(v)];
+    return nearness(p[0], p[1]) - middle;
+  };
+  for (const std::array<int, 3>& t : surface.triangles) {
+    std::vector<int> kept;  // corners of the part beyond the plane
+    for (std::size_t i = 0; i < 3; ++i) {
+      const int from = t[i], to = t[(i + 1) % 3];
+      const double a = height(from), b = height(to);
+      if (a <= 0) kept.push_back(from);
+      if ((a <= 0) == (b <= 0)) continue;
+      kept.push_back(static_cast<int>(half.vertices.size()));
+      half.vertices.push_back(between(half.vertices, from, to, a / (a - b)));
+      half.normals.push_back(between(half.normals, from, to, a / (a - b)));
     }
-    return sum > 3 * middle;
-  });
+    for (std::size_t i = 2; i < kept.size(); ++i)
+      half.triangles.push_back({kept[0], kept[i - 1], kept[i]});
+  }
   return half;
 }
 
