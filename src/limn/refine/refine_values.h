@@ -43,7 +43,9 @@ class ValueStep {
 
   std::vector<Value> run() {
     stencils_.prepare_all();
+    if constexpr (std::is_same_v<Value, Point3>) bigs_ = &stencils_.use_big_rings();
     fill(stencils_.faces_at(), stencils_.corners_at());
+    if constexpr (std::is_same_v<Value, Point3>) sum_big_rings();
     fill(0, stencils_.faces_at());
     fill(stencils_.corners_at(), stencils_.count());
     return std::move(fresh_);
@@ -60,18 +62,34 @@ class ValueStep {
     });
   }
 
+  [[nodiscard]] const Value& value_of(Source source) const {
+    if (source.is_face) return fresh_[stencils_.faces_at() + source.index];
+    if constexpr (std::is_same_v<Value, Point3>)
+      if (static_cast<std::size_t>(source.index) >= old_.size())
+        return big_sums_[static_cast<std::size_t>(source.index) - old_.size()];
+    return old_[source.index];
+  }
+
   [[nodiscard]] Value value(Index i) const {
     Value sum{};
-    stencils_.visit(i, [&](Source source, const Number& weight) {
-      add_scaled(sum, weight,
-                 source.is_face ? fresh_[stencils_.faces_at() + source.index] : old_[source.index]);
-    });
+    stencils_.visit(
+        i, [&](Source source, const Number& weight) { add_scaled(sum, weight, value_of(source)); });
     return sum;
+  }
+
+  /// One after the other, each in a fixed order.
+  void sum_big_rings() {
+    for (const BigRing& ring : *bigs_) {
+      const std::vector<Point3> sums = ring.sums([&](Source source) { return value_of(source); });
+      big_sums_.insert(big_sums_.end(), sums.begin(), sums.end());
+    }
   }
 
   StepStencils<Number> stencils_;
   const std::vector<Value>& old_;
   std::vector<Value> fresh_;
+  const std::vector<BigRing>* bigs_ = nullptr;
+  std::vector<Value> big_sums_;
 };
 
 }  // namespace detail
@@ -79,7 +97,9 @@ class ValueStep {
 /// The values at the refined mesh's vertices, in the order of `births`. `old` has one value per
 /// vertex of `mesh`; `tables` has been prepared for `mesh` and `births`. Every value is
 /// summed by one thread in a fixed order, so one thread and many give the same bits.
-/// Value needs a default (zero) and `add_scaled`. Cost O(size of the refined mesh).
+/// Value needs a default (zero) and `add_scaled`. Cost O(size of the refined mesh) for points, but
+/// for a factor log n where n values are summed round something (big_rings.h says how this rounds);
+/// of other values there n².
 template <class Number, class Value>
 [[nodiscard]] std::vector<Value> refine_values(const Scheme& scheme, const Mesh& mesh,
                                                const Births& births,

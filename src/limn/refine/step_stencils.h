@@ -4,9 +4,11 @@
 /// (fast/plain_rows.h).
 
 #include <algorithm>
+#include <type_traits>
 #include <vector>
 
 #include "limn/base/parallel.h"
+#include "limn/refine/big_rings.h"
 #include "limn/refine/rule_tables.h"
 
 namespace limn {
@@ -49,6 +51,22 @@ class StepStencils {
     if (turns_) rings_ = rings(mesh_, valences_);
   }
 
+  /// Round what has kBigRing anchors or more (big_rings.h), new vertices weigh from now on a sum
+  /// that the caller makes: the old "vertex" past the last by the number of the ring's anchor,
+  /// those of the first ring first. Cost O(mesh). After prepare_all.
+  [[nodiscard]] const std::vector<BigRing>& use_big_rings() {
+    if (births_.from_corners > 0)
+      for (Index f = 0; f < mesh_.face_count(); ++f)
+        if (mesh_.degree(f) >= kBigRing)
+          add_big_ring(RuleKind::corner, mesh_.face_begin(f),
+                       tables_.row(RuleKind::corner, mesh_.degree(f)));
+    for (std::size_t v = 0; v < end_rows_.size(); ++v)
+      if (end_rows_[v] != nullptr && valences_[v] >= kBigRing)
+        add_big_ring(RuleKind::edge_end, mesh_.halfedge_of_vertex(static_cast<Index>(v)),
+                     *end_rows_[v]);
+    return big_rings_;
+  }
+
   /// Calls sink(source, weight) for all that new vertex i weighs, in a fixed order: an old vertex,
   /// or the new vertex faces_at() + source.index. One may come more than once: the weights add.
   /// Nothing where the boundary is left out. Cost: the moves of the rule's walks.
@@ -62,6 +80,21 @@ class StepStencils {
   }
 
  private:
+  /// Where an anchor's sum is, and whose rule says what else it weighs.
+  struct Slot {
+    Index ring = kNone, sum = kNone;
+  };
+
+  void add_big_ring(RuleKind kind, Index h, const Row<double>& row) {
+    if (!row.program) return;
+    BigRing ring(mesh_, kind, h, row);
+    if (!ring.turns()) return;
+    slots_.resize(static_cast<std::size_t>(mesh_.halfedge_count()));
+    for (const Index anchor : ring.anchors())
+      slots_[anchor] = {static_cast<Index>(big_rings_.size()), next_sum_++};
+    big_rings_.push_back(std::move(ring));
+  }
+
   [[nodiscard]] bool uses_ends() const {
     return ends_ && births_.from_edges > 0 && births_.edge_ends.empty();
   }
@@ -77,6 +110,12 @@ class StepStencils {
 
   template <class Sink>
   void visit_row(RuleKind kind, Index h, bool at_target, const Row<Number>& row, Sink& sink) const {
+    if constexpr (std::is_same_v<Number, double>)
+      if (!slots_.empty() && (kind == RuleKind::edge_end || kind == RuleKind::corner) &&
+          slots_[h].ring != kNone) {
+        sink(Source{mesh_.vertex_count() + slots_[h].sum, false}, one_);
+        return visit_stencil(mesh_, kind, h, at_target, big_rings_[slots_[h].ring].singles(), sink);
+      }
     if (row.program)
       visit_stencil(mesh_, kind, h, at_target, row, sink, turns_ ? &rings_ : nullptr);
   }
@@ -151,6 +190,9 @@ class StepStencils {
   std::vector<const Row<Number>*> end_rows_;  // of each old vertex, or empty
   bool turns_ = false;
   Rings rings_;  // where there is a use for them
+  std::vector<BigRing> big_rings_;
+  std::vector<Slot> slots_;  // of each half-edge, or empty
+  Index next_sum_ = 0;
 };
 
 }  // namespace limn
