@@ -118,7 +118,8 @@ TEST(TuneCommand, RefusesWhatItCannotSolve) {
   refused(loop + "--require 'cup = 1/4' --require 'saddle = 1/4'", "one requirement");
   refused(loop + "--free lambda --require 'cup = 1/4'", "one free name");
   refused(loop + "--require 'cup = 1/4' --valence 2", "2 is not between 3 and");
-  refused("butterfly --free w --require 'cup = 1/4' --valence 5..6 -o x.toml", "one number");
+  refused("butterfly --free w --require 'cup = 1/4' --valence 5..6 --time 0 -o x.toml",
+          "one number");
   refused(loop + "--require c1 --range -o x.toml", "not ranges");
   refused(loop + "--require 'cup = 1/5' --valence 5 -o no/x.toml", "cannot write");
   refused(loop + "--require 'cup = 1/(n - n)'", "requirement 'cup = 1/(n - n)': division by zero");
