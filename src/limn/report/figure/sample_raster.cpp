@@ -44,24 +44,10 @@ struct SampleRaster::Scene {
   double size = 1;
 
   explicit Scene(const std::vector<SeenSurface>& surfaces) {
-    SpaceVector low, high;
-    low.fill(std::numeric_limits<double>::infinity());
-    high.fill(-low[0]);
-    for (const SeenSurface& surface : surfaces) {
-      for (const std::array<int, 3>& triangle : surface.triangles) {
-        for (const int v : triangle) {
-          for (std::size_t c = 0; c < 3; ++c) {
-            low[c] = std::min(low[c], surface.vertices[v][c]);
-            high[c] = std::max(high[c], surface.vertices[v][c]);
-          }
-        }
-      }
-    }
-    if (!(low[0] <= high[0])) return;
-    centre = low[2] + (high[2] - low[2]) / 2;
-    const SpaceVector sides = sum(high, low, -1);
-    const double longest = *std::max_element(sides.begin(), sides.end());
-    if (longest > 0) size = longest;
+    const std::optional<SeenBox> box = seen_box(surfaces);
+    if (!box) return;
+    centre = box->low[2] + (box->high[2] - box->low[2]) / 2;
+    if (box->longest > 0) size = box->longest;
   }
 };
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "limn/report/figure/axes.h"
 
@@ -35,6 +36,23 @@ SeenSurface seen_surface(const SmoothSurface& surface, const ParallelView& view)
                  return std::all_of(triangle.begin(), triangle.end(), drawable);
                });
   return seen;
+}
+
+std::optional<SeenBox> seen_box(const std::vector<SeenSurface>& surfaces) {
+  SeenBox box;
+  box.low.fill(std::numeric_limits<double>::infinity());
+  box.high.fill(-box.low[0]);
+  for (const SeenSurface& surface : surfaces)
+    for (const std::array<int, 3>& triangle : surface.triangles)
+      for (const int v : triangle)
+        for (std::size_t c = 0; c < 3; ++c) {
+          box.low[c] = std::min(box.low[c], surface.vertices[v][c]);
+          box.high[c] = std::max(box.high[c], surface.vertices[v][c]);
+        }
+  if (!(box.low[0] <= box.high[0])) return std::nullopt;
+  const SpaceVector sides = sum(box.high, box.low, -1);
+  box.longest = *std::max_element(sides.begin(), sides.end());
+  return box;
 }
 
 std::vector<SeenSurface> seen_surfaces(const SurfaceScene& scene) {

@@ -71,6 +71,14 @@ struct SeenSurface {
 /// O(vertices + triangles).
 [[nodiscard]] SeenSurface seen_surface(const SmoothSurface& surface, const ParallelView& view);
 
+/// The box that holds all triangles.
+struct SeenBox {
+  SpaceVector low, high;
+  double longest = 0;  ///< of its sides
+};
+/// Nothing where there is no triangle. O(triangles).
+[[nodiscard]] std::optional<SeenBox> seen_box(const std::vector<SeenSurface>& surfaces);
+
 /// Those of all surfaces of the scene.
 [[nodiscard]] std::vector<SeenSurface> seen_surfaces(const SurfaceScene& scene);
 

@@ -74,24 +74,10 @@ struct RayCaster::Scenes {
 bool rays_available() { return true; }
 
 void RayCaster::find_cube() {
-  SpaceVector low, high;
-  low.fill(std::numeric_limits<double>::infinity());
-  high.fill(-low[0]);
-  for (const SeenSurface& surface : surfaces_) {
-    for (const std::array<int, 3>& triangle : surface.triangles) {
-      for (const int v : triangle) {
-        for (std::size_t c = 0; c < 3; ++c) {
-          low[c] = std::min(low[c], surface.vertices[v][c]);
-          high[c] = std::max(high[c], surface.vertices[v][c]);
-        }
-      }
-    }
-  }
-  if (!(low[0] <= high[0])) return;
-  centre_ = between(low, high, 0.5);
-  const SpaceVector sides = sum(high, low, -1);
-  const double size = *std::max_element(sides.begin(), sides.end());
-  if (size > 0) size_ = size;
+  const std::optional<SeenBox> box = seen_box(surfaces_);
+  if (!box) return;
+  centre_ = between(box->low, box->high, 0.5);
+  if (box->longest > 0) size_ = box->longest;
 }
 
 Result<RayCaster> RayCaster::over(std::vector<SeenSurface> surfaces) {
