@@ -10,28 +10,18 @@
 #include "limn/refine/refine.h"
 #include "limn/regular/difference_norm.h"
 #include "limn/regular/regular_mask.h"
+#include "tensor_mask.h"
 
 namespace limn {
 namespace {
+
+using test::tensor;
 
 Scheme scheme_of(const std::string& name, const std::vector<std::string>& parameters = {}) {
   Scheme scheme = find_scheme(name).value();
   const Status set = set_parameters(scheme, parameters);
   EXPECT_TRUE(set.ok()) << set.error().text();
   return scheme;
-}
-
-/// A tensor product of one mask for curves, centred.
-Mask tensor(const std::vector<int>& row, int over, int arity) {
-  Mask mask{Lattice::quad, LatticeMatrix{{{{arity, 0}, {0, arity}}}}, {}};
-  const int reach = static_cast<int>(row.size()) - 1;
-  for (int i = 0; i <= reach; ++i)
-    for (int j = 0; j <= reach; ++j) {
-      const Rational value = Rational(row[static_cast<std::size_t>(i)], over) *
-                             Rational(row[static_cast<std::size_t>(j)], over);
-      if (value != 0) mask.coefficients[{2 * i - reach, 2 * j - reach}] = value;
-    }
-  return mask;
 }
 
 struct Stated {
