@@ -5,8 +5,8 @@
 
 #include <Eigen/Eigenvalues>
 
-#include "limn/extraordinary/eigencomponents.h"
 #include "limn/refine/subdivision_matrix.h"
+#include "limn/spectrum/eigencomponents.h"
 
 namespace {
 

@@ -12,7 +12,7 @@
 #include <fmt/core.h>
 
 #include "limn/base/parallel.h"
-#include "limn/extraordinary/fast_limit.h"
+#include "limn/fast/limit/fast_limit.h"
 #include "limn/refine/fast/fast_refiner.h"
 #include "peers/control_meshes.h"
 

@@ -10,7 +10,7 @@
 
 #include <fmt/core.h>
 
-#include "limn/base/file.h"
+#include "limn/base/files/file.h"
 #include "limn/base/parallel.h"
 #include "limn/mesh/io/mesh_file.h"
 #include "limn/refine/fast/fast_refiner.h"

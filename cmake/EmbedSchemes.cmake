@@ -1,5 +1,5 @@
 # cmake -D OUT=FILE.cpp -P EmbedSchemes.cmake -- SCHEME.toml…
-# Writes the source that defines limn::shipped_files() (src/limn/scheme/shipped_files.h).
+# Writes the source that defines limn::shipped_files() (src/limn/scheme/file/shipped_files.h).
 cmake_minimum_required(VERSION 3.25)
 
 set(piece 8000)  # bytes; compilers need only take literals of 64 KiB, some take 16 KiB
@@ -72,7 +72,7 @@ foreach(file IN LISTS files)
 endforeach()
 
 file(WRITE "${OUT}" "// Generated from schemes/*.toml by cmake/EmbedSchemes.cmake.
-#include \"limn/scheme/shipped_files.h\"
+#include \"limn/scheme/file/shipped_files.h\"
 
 namespace limn {
 

@@ -1,4 +1,13 @@
-# The command `limn`: bin/limn below the build folder.
+# The command `limn`: bin/limn below the build folder; and the three papers made anew, which it
+# and the tests use.
+
+file(GLOB papers_sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/apps/papers/*.cpp)
+if(NOT LIMN_FUZZ)
+  add_library(limn_papers STATIC ${papers_sources})
+  limn_flags(limn_papers)
+  target_include_directories(limn_papers PUBLIC ${PROJECT_SOURCE_DIR}/apps)
+  target_link_libraries(limn_papers PUBLIC limn::limn fmt::fmt nlohmann_json::nlohmann_json)
+endif()
 
 file(GLOB command_sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/apps/limn/*.cpp)
 if(LIMN_FUZZ)
@@ -9,7 +18,7 @@ elseif(command_sources)
   set_target_properties(limn_command PROPERTIES OUTPUT_NAME limn)
   target_compile_definitions(limn_command PRIVATE LIMN_VERSION="${PROJECT_VERSION}")
   target_link_libraries(limn_command PRIVATE
-    limn::limn CLI11::CLI11 FastFloat::fast_float fmt::fmt nlohmann_json::nlohmann_json)
+    limn_papers CLI11::CLI11 FastFloat::fast_float fmt::fmt nlohmann_json::nlohmann_json)
 else()
   message(STATUS "apps/limn has no sources: the command is not built")
 endif()

@@ -5,7 +5,7 @@ file(GLOB_RECURSE limn_headers CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/limn/
 if(LIMN_FUZZ)
   # The fuzzers read files and refine meshes by the plain engine: no need to instrument the rest.
   list(FILTER limn_sources EXCLUDE REGEX
-       "/limn/(refine/fast|regular|extraordinary|fairness|tune|report)/")
+       "/limn/(refine/fast|figure|regular|spectrum|limit|fairness|fast|tune|study|report)/")
 endif()
 
 # The command names every scheme file, so that it also runs again when one is added or removed.

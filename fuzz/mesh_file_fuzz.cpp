@@ -11,7 +11,7 @@
 
 #include "limn/mesh/io/mesh_file.h"
 #include "limn/mesh/mesh_faults.h"
-#include "limn/mesh/triangulate.h"
+#include "limn/mesh/polygon/triangulate.h"
 
 namespace {
 

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "limn/scheme/scheme_files.h"
+#include "limn/scheme/file/scheme_files.h"
 
 namespace {
 

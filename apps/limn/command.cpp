@@ -7,7 +7,7 @@
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
 
-#include "limn/base/file.h"
+#include "limn/base/files/file.h"
 #include "limn/base/progress.h"
 #include "limn/scheme/scheme_size.h"
 

@@ -9,7 +9,7 @@
 #include "limn/base/printable.h"
 #include "limn/regular/regular_mask.h"
 #include "limn/regular/sampling_density.h"
-#include "limn/report/artifact_figures.h"
+#include "limn/report/lattice/artifact_figures.h"
 #include "number_option.h"
 #include "scheme_argument.h"
 

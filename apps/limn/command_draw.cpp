@@ -7,9 +7,9 @@
 #include "control_mesh.h"
 #include "limn/base/printable.h"
 #include "limn/base/progress.h"
-#include "limn/report/figure/figure.h"
-#include "limn/report/figure/visibility.h"
-#include "limn/report/surface_scenes.h"
+#include "limn/figure/figure.h"
+#include "limn/figure/space/visibility.h"
+#include "limn/study/surface_scenes.h"
 #include "view_options.h"
 
 namespace limn::app {

@@ -5,11 +5,11 @@
 #include <nlohmann/json.hpp>
 
 #include "command.h"
-#include "limn/base/file.h"
+#include "limn/base/files/file.h"
 #include "limn/base/near_word.h"
 #include "limn/base/printable.h"
 #include "limn/base/progress.h"
-#include "limn/report/papers/papers.h"
+#include "papers/papers.h"
 
 namespace limn::app {
 namespace {

@@ -4,11 +4,11 @@
 #include <nlohmann/json.hpp>
 
 #include "command.h"
-#include "limn/base/file.h"
+#include "limn/base/files/file.h"
 #include "limn/base/printable.h"
-#include "limn/extraordinary/eigencomponents.h"
-#include "limn/regular/second_differences.h"
-#include "limn/report/eigen_report.h"
+#include "limn/regular/smoothness/second_differences.h"
+#include "limn/report/eigen/eigen_report.h"
+#include "limn/spectrum/eigencomponents.h"
 #include "limn/tune/prescribe.h"
 
 namespace limn::app {

@@ -7,7 +7,7 @@
 #include "limn/base/printable.h"
 #include "limn/base/progress.h"
 #include "limn/regular/regular_mask.h"
-#include "limn/report/regularity_report.h"
+#include "limn/report/lattice/regularity_report.h"
 #include "number_option.h"
 #include "time_option.h"
 

@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "command.h"
-#include "limn/base/file.h"
+#include "limn/base/files/file.h"
 #include "limn/base/printable.h"
 #include "limn/base/progress.h"
 #include "limn/base/time_budget.h"

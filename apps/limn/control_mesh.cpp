@@ -5,10 +5,10 @@
 #include <utility>
 
 #include "command.h"
-#include "limn/base/file.h"
+#include "limn/base/files/file.h"
 #include "limn/mesh/io/mesh_file.h"
 #include "limn/mesh/mesh_faults.h"
-#include "limn/mesh/triangulate.h"
+#include "limn/mesh/polygon/triangulate.h"
 
 namespace limn::app {
 namespace {

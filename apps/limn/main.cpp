@@ -5,7 +5,7 @@
 #include <system_error>
 
 #include "command.h"
-#include "limn/base/file_transaction.h"
+#include "limn/base/files/file_transaction.h"
 #include "limn/base/near_word.h"
 #include "limn/base/parallel.h"
 #include "process.h"

@@ -4,7 +4,7 @@
 #include <cctype>
 #include <cstdio>
 
-#include "limn/base/file.h"
+#include "limn/base/files/file.h"
 
 namespace limn::app {
 

@@ -11,7 +11,7 @@
 #include <iostream>
 #include <system_error>
 
-#include "limn/base/unfinished.h"
+#include "limn/base/files/unfinished.h"
 
 namespace limn::app {
 namespace {

@@ -1,4 +1,4 @@
-#include "limn/base/file.h"
+#include "limn/base/files/file.h"
 
 #include <fcntl.h>
 #include <gtest/gtest.h>

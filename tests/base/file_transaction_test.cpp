@@ -1,4 +1,4 @@
-#include "limn/base/file_transaction.h"
+#include "limn/base/files/file_transaction.h"
 
 #include <fcntl.h>
 #include <gtest/gtest.h>
@@ -9,7 +9,7 @@
 #include <csignal>
 #include <filesystem>
 
-#include "limn/base/file.h"
+#include "limn/base/files/file.h"
 
 namespace limn {
 namespace {

@@ -1,4 +1,4 @@
-#include "limn/mesh/dilation.h"
+#include "limn/mesh/split/dilation.h"
 
 #include <gtest/gtest.h>
 

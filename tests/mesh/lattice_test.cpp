@@ -2,7 +2,7 @@
 
 #include <queue>
 
-#include "limn/mesh/split.h"
+#include "limn/mesh/split/split.h"
 
 #include "random_mesh.h"
 

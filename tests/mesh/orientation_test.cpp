@@ -7,7 +7,7 @@
 #include <random>
 
 #include "limn/base/rational.h"
-#include "limn/mesh/orientation.h"
+#include "limn/mesh/polygon/orientation.h"
 
 namespace limn {
 namespace {

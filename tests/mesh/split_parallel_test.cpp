@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "limn/base/parallel.h"
-#include "limn/mesh/split.h"
+#include "limn/mesh/split/split.h"
 #include "random_mesh.h"
 
 namespace limn::test {

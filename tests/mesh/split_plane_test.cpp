@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-#include "limn/mesh/split.h"
+#include "limn/mesh/split/split.h"
 #include "random_mesh.h"
 
 namespace limn::test {

@@ -9,7 +9,7 @@
 #include <numbers>
 
 #include "limn/mesh/mesh.h"
-#include "limn/mesh/triangulate.h"
+#include "limn/mesh/polygon/triangulate.h"
 #include "random_mesh.h"
 
 namespace limn::test {

@@ -7,7 +7,7 @@
 #include <stdexcept>
 
 #include "limn/mesh/lattice.h"
-#include "limn/mesh/split.h"
+#include "limn/mesh/split/split.h"
 #include "mesh/random_mesh.h"
 
 namespace limn::peers {

@@ -1,6 +1,6 @@
 // Limit positions and normals against OpenSubdiv's, boundaries included.
 
-#include "limn/extraordinary/limit_points.h"
+#include "limn/limit/limit_points.h"
 
 #include "limn/refine/refine.h"
 #include "peer_test.h"

@@ -1,4 +1,4 @@
-#include "limn/regular/determinant.h"
+#include "limn/regular/algebra/determinant.h"
 
 #include <gtest/gtest.h>
 

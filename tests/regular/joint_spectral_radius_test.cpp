@@ -1,4 +1,4 @@
-#include "limn/regular/joint_spectral_radius.h"
+#include "limn/regular/smoothness/joint_spectral_radius.h"
 
 #include <gtest/gtest.h>
 
@@ -8,8 +8,8 @@
 #include <complex>
 #include <random>
 
-#include "limn/regular/approx_matrix.h"
-#include "limn/regular/spectral_radius.h"
+#include "limn/regular/algebra/approx_matrix.h"
+#include "limn/regular/smoothness/spectral_radius.h"
 
 namespace limn {
 namespace {

@@ -1,13 +1,13 @@
-#include "limn/regular/regularity.h"
+#include "limn/regular/smoothness/regularity.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 #include "limn/base/parallel.h"
-#include "limn/regular/difference_norm.h"
 #include "limn/regular/regular_mask.h"
-#include "limn/regular/transition_operators.h"
+#include "limn/regular/smoothness/difference_norm.h"
+#include "limn/regular/smoothness/transition_operators.h"
 #include "tensor_mask.h"
 
 namespace limn {

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "limn/regular/regular_mask.h"
-#include "limn/regular/regularity.h"
+#include "limn/regular/smoothness/regularity.h"
 
 namespace limn {
 namespace {

@@ -1,6 +1,6 @@
 // Bounded curvature on the regular lattice, against the literature and against refined data.
 
-#include "limn/regular/second_differences.h"
+#include "limn/regular/smoothness/second_differences.h"
 
 #include <gtest/gtest.h>
 
@@ -8,8 +8,8 @@
 
 #include "limn/mesh/lattice.h"
 #include "limn/refine/refine.h"
-#include "limn/regular/difference_norm.h"
 #include "limn/regular/regular_mask.h"
+#include "limn/regular/smoothness/difference_norm.h"
 #include "tensor_mask.h"
 
 namespace limn {

@@ -1,4 +1,4 @@
-#include "limn/report/artifact_report.h"
+#include "limn/report/lattice/artifact_report.h"
 
 #include <gtest/gtest.h>
 
@@ -7,8 +7,8 @@
 #include <nlohmann/json.hpp>
 
 #include "limn/regular/regular_mask.h"
-#include "limn/report/artifact_figures.h"
-#include "limn/report/lattice_report.h"
+#include "limn/report/lattice/artifact_figures.h"
+#include "limn/report/lattice/lattice_report.h"
 
 namespace limn {
 namespace {

@@ -1,9 +1,9 @@
-#include "limn/report/compare_figure.h"
+#include "limn/report/compare/compare_figure.h"
 
 #include <gtest/gtest.h>
 
-#include "limn/report/figure/visibility.h"
-#include "report/figure/sample_surfaces.h"
+#include "figure/sample_surfaces.h"
+#include "limn/figure/space/visibility.h"
 
 namespace limn {
 namespace {

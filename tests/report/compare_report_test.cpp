@@ -1,4 +1,5 @@
-#include "limn/report/compare_report.h"
+#include "limn/report/compare/compare_report.h"
+#include "limn/report/compare/record_json.h"
 
 #include <gtest/gtest.h>
 

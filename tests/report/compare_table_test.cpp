@@ -1,10 +1,10 @@
-#include "limn/report/compare_table.h"
+#include "limn/report/compare/compare_table.h"
 
 #include <gtest/gtest.h>
 
 #include <limits>
 
-#include "limn/report/compare_rows.h"
+#include "limn/report/compare/compare_rows.h"
 
 namespace limn {
 namespace {

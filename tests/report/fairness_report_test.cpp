@@ -5,8 +5,8 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
-#include "limn/extraordinary/limit_points.h"
 #include "limn/fairness/laplacian.h"
+#include "limn/limit/limit_points.h"
 #include "limn/mesh/lattice.h"
 #include "limn/refine/refine.h"
 #include "limn/report/spectrum_report.h"

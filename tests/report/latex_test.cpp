@@ -6,8 +6,8 @@
 #include <cmath>
 #include <complex>
 
-#include "limn/report/eigen_formula_report.h"
-#include "limn/report/eigen_table.h"
+#include "limn/report/eigen/eigen_formula_report.h"
+#include "limn/report/eigen/eigen_table.h"
 #include "limn/report/scheme_report.h"
 #include "support/latex_structure.h"
 #include "support/shipped.h"

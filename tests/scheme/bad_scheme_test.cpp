@@ -9,7 +9,7 @@
 #include <set>
 #include <sstream>
 
-#include "limn/base/file.h"
+#include "limn/base/files/file.h"
 #include "limn/scheme/scheme.h"
 
 namespace limn {

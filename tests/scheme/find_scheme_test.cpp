@@ -4,7 +4,7 @@
 
 #include <filesystem>
 
-#include "limn/base/file.h"
+#include "limn/base/files/file.h"
 #include "limn/mesh/lattice.h"
 #include "mesh/io/mesh_samples.h"
 #include "scheme/refined.h"

@@ -6,8 +6,8 @@
 #include <filesystem>
 #include <map>
 
-#include "limn/base/file.h"
-#include "limn/scheme/scheme_files.h"
+#include "limn/base/files/file.h"
+#include "limn/scheme/file/scheme_files.h"
 #include "mesh/io/mesh_samples.h"
 
 namespace limn {

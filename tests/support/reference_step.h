@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "limn/mesh/split.h"
+#include "limn/mesh/split/split.h"
 
 namespace limn::test {
 

@@ -9,7 +9,7 @@
 
 #include <fmt/core.h>
 
-#include "limn/extraordinary/eigencomponents.h"
+#include "limn/spectrum/eigencomponents.h"
 #include "support/shipped.h"
 
 namespace limn::test {

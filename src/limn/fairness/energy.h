@@ -2,7 +2,7 @@
 /// Energies of a smooth surface that is known at the vertices of a mesh; the smaller, the fairer.
 ///
 /// The positions are points of the surface itself: whoever refines a control mesh takes its
-/// vertices to the limit first (extraordinary/limit_points.h), at any level.
+/// vertices to the limit first (limit/limit_points.h), at any level.
 
 #include <vector>
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "limn/mesh/mesh.h"
-#include "limn/mesh/split.h"
+#include "limn/mesh/split/split.h"
 
 namespace limn {
 

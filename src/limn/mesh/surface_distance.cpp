@@ -12,7 +12,7 @@
 #include <unsupported/Eigen/BVH>
 
 #include "limn/base/parallel.h"
-#include "limn/mesh/triangulate.h"
+#include "limn/mesh/polygon/triangulate.h"
 
 namespace limn {
 namespace {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "limn/mesh/rings.h"
-#include "limn/mesh/split.h"
+#include "limn/mesh/split/split.h"
 #include "limn/scheme/check.h"
 #include "limn/scheme/placement.h"
 #include "limn/scheme/scheme.h"

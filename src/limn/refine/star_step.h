@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "limn/mesh/split.h"
+#include "limn/mesh/split/split.h"
 
 namespace limn {
 

@@ -6,7 +6,7 @@
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
 
-#include "limn/base/file.h"
+#include "limn/base/files/file.h"
 
 namespace limn {
 namespace {

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "limn/report/fairness_record.h"
-#include "limn/report/figure/figure.h"
+#include "limn/figure/figure.h"
+#include "limn/study/fairness_record.h"
 
 namespace limn {
 

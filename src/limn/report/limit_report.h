@@ -6,7 +6,7 @@
 
 #include <nlohmann/json_fwd.hpp>
 
-#include "limn/extraordinary/limit_points.h"
+#include "limn/limit/limit_points.h"
 
 namespace limn {
 

@@ -8,7 +8,7 @@
 
 #include "limn/base/printable.h"
 #include "limn/regular/regular_mask.h"
-#include "limn/report/lattice_report.h"
+#include "limn/report/lattice/lattice_report.h"
 #include "limn/scheme/placement.h"
 
 namespace limn {

@@ -3,7 +3,7 @@
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
 
-#include "limn/extraordinary/limit_points.h"
+#include "limn/limit/limit_points.h"
 
 namespace limn {
 namespace {

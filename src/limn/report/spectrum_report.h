@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "limn/fairness/spectrum.h"
-#include "limn/report/figure/figure.h"
+#include "limn/figure/figure.h"
 #include "limn/scheme/scheme.h"
 
 namespace limn {

@@ -3,7 +3,7 @@
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
 
-#include "limn/report/eigen_report.h"
+#include "limn/report/eigen/eigen_report.h"
 
 namespace limn {
 namespace {

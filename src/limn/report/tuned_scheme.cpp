@@ -7,7 +7,7 @@
 #include <fmt/ranges.h>
 
 #include "limn/base/printable.h"
-#include "limn/scheme/scheme_text.h"
+#include "limn/scheme/file/scheme_text.h"
 
 namespace limn {
 namespace {

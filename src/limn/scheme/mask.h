@@ -3,16 +3,16 @@
 /// refined lattice. A scheme can be given by it, or by its factors; rules for regular meshes
 /// then follow from it.
 
-#include "limn/mesh/dilation.h"
 #include "limn/mesh/lattice.h"
+#include "limn/mesh/split/dilation.h"
 #include "limn/number/laurent.h"
 #include "limn/scheme/scheme.h"
 
 namespace limn {
 
 /// Coefficients a(k) by *twice* the offset k from the mask's centre, in the basis of the refined
-/// lattice (mesh/dilation.h, mesh/lattice.h): even pairs for primal splits, odd pairs for dual
-/// ones. They sum to |det M|, and to 1 over each coset of M Z².
+/// lattice (mesh/split/dilation.h, mesh/lattice.h): even pairs for primal splits, odd pairs for
+/// dual ones. They sum to |det M|, and to 1 over each coset of M Z².
 struct Mask {
   Lattice lattice = Lattice::triangle;
   LatticeMatrix dilation;

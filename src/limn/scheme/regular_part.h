@@ -1,6 +1,7 @@
 #pragma once
 /// What the regular surface round a vertex lets the verdicts on the vertex say. regular/ finds it
-/// (regular/second_differences.h) and extraordinary/ uses it; neither includes the other.
+/// (regular/smoothness/second_differences.h) and spectrum/ uses it; neither includes the
+/// other.
 
 #include <string>
 

@@ -18,7 +18,7 @@
 
 #include "limn/base/error.h"
 #include "limn/mesh/flag.h"
-#include "limn/mesh/split.h"
+#include "limn/mesh/split/split.h"
 
 namespace limn {
 

@@ -5,16 +5,16 @@
 #include <fmt/core.h>
 #include <fmt/ranges.h>
 
-#include "limn/base/file.h"
+#include "limn/base/files/file.h"
 #include "limn/base/near_word.h"
 #include "limn/base/printable.h"
 #include "limn/scheme/check.h"
+#include "limn/scheme/file/names.h"
+#include "limn/scheme/file/scheme_files.h"
+#include "limn/scheme/file/scheme_reader.h"
+#include "limn/scheme/file/shipped_files.h"
 #include "limn/scheme/mask.h"
-#include "limn/scheme/names.h"
-#include "limn/scheme/scheme_files.h"
-#include "limn/scheme/scheme_reader.h"
 #include "limn/scheme/scheme_size.h"
-#include "limn/scheme/shipped_files.h"
 
 namespace limn {
 namespace {

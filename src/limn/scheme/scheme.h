@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "limn/base/error.h"
-#include "limn/mesh/split.h"
+#include "limn/mesh/split/split.h"
 #include "limn/scheme/expression.h"
 #include "limn/scheme/role.h"
 

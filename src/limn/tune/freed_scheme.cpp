@@ -7,9 +7,9 @@
 #include <fmt/ranges.h>
 
 #include "limn/base/near_word.h"
-#include "limn/regular/polynomial_orders.h"
 #include "limn/regular/regular_mask.h"
-#include "limn/regular/second_differences.h"
+#include "limn/regular/smoothness/polynomial_orders.h"
+#include "limn/regular/smoothness/second_differences.h"
 #include "limn/scheme/check.h"
 
 namespace limn {

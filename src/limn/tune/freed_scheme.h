@@ -16,9 +16,9 @@
 #include <utility>
 #include <vector>
 
-#include "limn/extraordinary/frequency_blocks.h"
 #include "limn/scheme/regular_part.h"
 #include "limn/scheme/scheme.h"
+#include "limn/spectrum/frequency_blocks.h"
 
 namespace limn {
 
@@ -61,10 +61,10 @@ class FreedScheme {
   /// has the weights sum to something else than 1, divides by zero, …
   [[nodiscard]] Result<FrequencyBlocks> blocks(int n, double x);
 
-  /// What the regular lattice allows where the name is x (regular/second_differences.h): the
-  /// scheme's own where x changes no neighbour. Else, where the mask at x has sum rules of order 3
-  /// or more, found for each x; below, where curvature is unbounded unless shifts are dependent,
-  /// that it is unbounded at one such x is taken to hold at all of that order.
+  /// What the regular lattice allows where the name is x (regular/smoothness/second_differences.h):
+  /// the scheme's own where x changes no neighbour. Else, where the mask at x has sum rules of
+  /// order 3 or more, found for each x; below, where curvature is unbounded unless shifts are
+  /// dependent, that it is unbounded at one such x is taken to hold at all of that order.
   [[nodiscard]] RegularPart regular_part(int n, double x);
 
   /// An expression in n, the scheme's names (the freed one is x) and the given ones beside them.

@@ -6,7 +6,7 @@
 #include <fmt/core.h>
 
 #include "limn/scheme/check.h"
-#include "limn/scheme/scheme_text.h"
+#include "limn/scheme/file/scheme_text.h"
 
 namespace limn {
 namespace {

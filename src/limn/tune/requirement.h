@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "limn/extraordinary/eigencomponents.h"
+#include "limn/spectrum/eigencomponents.h"
 #include "limn/tune/freed_scheme.h"
 
 namespace limn {

@@ -2,7 +2,7 @@
 /// Eigencomponents at one valence as x moves: only blocks that have changed are solved again. Most
 /// parameters weigh whole rings, and so touch frequency 0 alone. Private to tune/.
 
-#include "limn/extraordinary/eigencomponents.h"
+#include "limn/spectrum/eigencomponents.h"
 
 namespace limn {
 

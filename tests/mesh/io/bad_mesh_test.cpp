@@ -5,7 +5,7 @@
 #include <fstream>
 #include <map>
 
-#include "limn/base/file.h"
+#include "limn/base/files/file.h"
 #include "limn/mesh/io/mesh_file.h"
 #include "mesh/io/mesh_samples.h"
 

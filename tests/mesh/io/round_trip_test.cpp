@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-#include "limn/base/file.h"
+#include "limn/base/files/file.h"
 #include "limn/base/parallel.h"
 #include "limn/mesh/io/mesh_file.h"
 #include "mesh/io/mesh_samples.h"

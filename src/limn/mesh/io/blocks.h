@@ -6,7 +6,7 @@
 #include <array>
 #include <string>
 
-#include "limn/base/file.h"
+#include "limn/base/files/file.h"
 #include "limn/base/parallel.h"
 #include "limn/mesh/polygons.h"
 

@@ -6,12 +6,12 @@
 #include <string_view>
 
 #include "limn/base/error.h"
-#include "limn/base/file.h"
+#include "limn/base/files/file.h"
 #include "limn/mesh/io/mesh_file.h"
 #include "limn/mesh/io/text_scanner.h"
 #include "limn/mesh/mesh_limits.h"
+#include "limn/mesh/polygon/triangulate.h"
 #include "limn/mesh/polygons.h"
-#include "limn/mesh/triangulate.h"
 
 namespace limn::io {
 

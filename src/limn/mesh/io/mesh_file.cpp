@@ -10,7 +10,7 @@
 #include <limits>
 #include <utility>
 
-#include "limn/base/file.h"
+#include "limn/base/files/file.h"
 #include "limn/mesh/io/formats.h"
 
 namespace limn {

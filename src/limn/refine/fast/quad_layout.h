@@ -8,7 +8,7 @@
 /// Vertices are numbered in blocks: the control vertices, as they are; the n-1 inner points of
 /// each edge, from the origin of halfedge_of_edge(e); the (n-1)² inner points of each patch, row by
 /// row (y = 1, 2, …), x ascending. So for n = 2 these are the vertices born from vertices, edges
-/// and faces, in the order of the split (mesh/split.h).
+/// and faces, in the order of the split (mesh/split/split.h).
 /// Faces come patch by patch, row by row, x ascending: (x, y) (x+1, y) (x+1, y+1) (x, y+1).
 
 #include <array>

@@ -9,7 +9,7 @@
 #include <array>
 #include <vector>
 
-#include "limn/mesh/split.h"
+#include "limn/mesh/split/split.h"
 #include "limn/refine/fast/star_places.h"
 
 namespace limn::fast {

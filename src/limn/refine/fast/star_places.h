@@ -10,7 +10,7 @@
 /// A *patch* of n edges a side is the triangle x, y ≥ 0, x + y ≤ n or the square 0 ≤ x, y ≤ n; the
 /// frame of a side has that side along y = 0.
 
-#include "limn/mesh/dilation.h"
+#include "limn/mesh/split/dilation.h"
 #include "limn/refine/fast/stencil.h"
 
 namespace limn::fast {

@@ -1,0 +1,42 @@
+#pragma once
+/// The characteristic map [Reif 1995]: the planar surface whose control net is the tangent pair of
+/// eigenvectors. C1 needs it regular and injective.
+
+#include <string>
+
+#include "limn/base/truth.h"
+#include "limn/limit/star_surface.h"
+#include "limn/spectrum/frequency_blocks.h"
+
+namespace limn {
+
+struct CharacteristicMap {
+  int valence = 0;
+  double eigenvalue = 0;  ///< the tangent's
+  Mesh net;               ///< the star of the rings that control the surface
+  std::vector<Point3>
+      net_points;     ///< (u, v, 0); the first spoke's neighbour of the centre is (1, 0)
+  StarSurface image;  ///< of the faces round the vertex
+  /// Whether the eigenvectors gave the map turned over: most Jacobians were negative. An
+  /// eigenvector has no sign, so this is no fault; the second coordinate was negated, and all that
+  /// is here is of the map that keeps the orientation.
+  bool turned_over = false;
+  /// Smallest signed area of a face of the image over the mean of all, each divided by the square
+  /// of its distance from the centre; negative where it folds.
+  double smallest_area = 0;
+  /// Of samples, which prove nothing. yes: the Jacobian has one sign at all sampled points, so have
+  /// the areas of faces, and the image goes round the centre once; no: it is not so; undecided:
+  /// rounding could be it, also where the Jacobian vanishes at all points.
+  Truth regular = Truth::undecided;
+  std::string reason;
+};
+
+/// Sets all but the net, the image and the eigenvalue, from these; turns back what is turned over.
+void judge_characteristic_map(CharacteristicMap& map);
+
+/// At valence n, after so many steps (4: 16 faces along each edge). Fails where the scheme has no
+/// real tangent pair at n, and as `FrequencyAnalysis::blocks` does.
+[[nodiscard]] Result<CharacteristicMap> approx_characteristic_map(const Scheme& scheme, int n,
+                                                                  int steps = 4);
+
+}  // namespace limn

@@ -1,0 +1,91 @@
+#include "limn/limit/limit_kinds.h"
+
+#include <algorithm>
+
+#include "limn/mesh/lattice.h"
+#include "limn/refine/star_step.h"
+
+namespace limn {
+
+bool LimitKinds::at_boundary(const Mesh& mesh, Index at) const {
+  return !scheme_.split->births_corners && mesh.is_boundary_vertex(at);
+}
+
+/// Edges at an interior vertex, corners of a face, or faces at a boundary vertex.
+int LimitKinds::size_of(const Mesh& mesh, Index at) const {
+  if (scheme_.split->births_corners) return mesh.degree(mesh.face(at));
+  return mesh.valence(at) - (mesh.is_boundary_vertex(at) ? 1 : 0);
+}
+
+Status LimitKinds::prepare(const Mesh& mesh, std::vector<LimitSite>& sites,
+                           std::vector<LimitPoints::Refused>* refused) {
+  std::size_t kept = 0;
+  for (const LimitSite& site : sites) {
+    const bool boundary = at_boundary(mesh, site.at);
+    const int size = size_of(mesh, site.at);
+    const Result<const LimitKind*> kind = find(boundary, size);
+    if (kind) {
+      sites[kept++] = site;
+      continue;
+    }
+    Error error = kind.error();
+    if (refused != nullptr && check_rules(boundary, size)) {
+      refused->push_back({site.result, error.message});
+      continue;
+    }
+    error.message = fmt::format("vertex {}: {}", site.result, error.message);
+    return error;
+  }
+  sites.resize(kept);
+  return Done{};
+}
+
+Result<const LimitKind*> LimitKinds::find(bool boundary, int size) {
+  std::map<int, Result<LimitKind>>& kinds = kinds_[boundary ? 1 : 0];
+  auto found = kinds.find(size);
+  if (found == kinds.end()) found = kinds.emplace(size, make(boundary, size)).first;
+  if (!found->second) return found->second.error();
+  return &*found->second;
+}
+
+Status LimitKinds::check_rules(bool boundary, int size) const {
+  const auto check = [&](RuleKind kind, int n) -> Status {
+    const Result<Row<double>> row = tabulate_row<double>(scheme_, kind, n);
+    if (!row) return row.error();
+    return Done{};
+  };
+  const Split& split = *scheme_.split;
+  if (split.births_corners) return check(RuleKind::corner, size);
+  if (!boundary) return check(RuleKind::vertex, size);
+  if (Status status = check(RuleKind::boundary_vertex, size + 1); !status) return status;
+  return check(split.trisects_boundary ? RuleKind::boundary_edge_end : RuleKind::boundary_edge, 0);
+}
+
+Pattern LimitKinds::pattern(bool boundary, int size, int shape) const {
+  const Split& split = *scheme_.split;
+  if (boundary) return {fan(split.lattice, size, shape), fan_size(split.lattice, size, shape - 1)};
+  return {split_star(split, size, shape), split_star_size(split, size, shape - 1)};
+}
+
+Result<LimitKind> LimitKinds::make(bool boundary, int size) {
+  if (Status status = check_rules(boundary, size); !status) return status.error();
+  Result<LimitStencil> limit = boundary ? approx_boundary_limit_stencil(scheme_, size)
+                                        : approx_limit_stencil(analysis_, size);
+  if (!limit) return limit.error();
+  // What is inside must be regular: rules that look from an edge's end see one ring farther.
+  const int more = scheme_.rule(RuleKind::edge_end) ? 1 : 0;
+  const int shape = limit->rings + more;
+  rings_ = std::max(rings_, limit->rings);
+  LimitKind kind{std::move(*limit), shape, pattern(boundary, size, shape), std::nullopt};
+  if (!curvatures_ || boundary) return kind;
+  // what is not known of the curvature takes nothing from the limit
+  Result<std::optional<CurvatureStencil>> curvature =
+      approx_curvature_stencil(scheme_, analysis_, size);
+  if (!curvature || !*curvature) return kind;
+  const int rings = std::max(kind.limit.rings, (*curvature)->rings);
+  rings_ = std::max(rings_, rings);
+  kind.curvature = LimitKind::Curved{**std::move(curvature), pattern(boundary, size, rings + more)};
+  return kind;
+}
+
+}  // namespace limn

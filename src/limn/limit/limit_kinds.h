@@ -1,0 +1,211 @@
+#pragma once
+/// From the vertices of a mesh to where their limit stencils apply: what limit points and limit
+/// forms share. Private to them.
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <fmt/core.h>
+
+#include "limn/base/parallel.h"
+#include "limn/limit/limit_curvature.h"
+#include "limn/limit/limit_sites.h"
+#include "limn/limit/partial_rules.h"
+#include "limn/refine/linear_form.h"
+
+namespace limn {
+
+/// What is measured at vertices of one kind: their stencils, and where these apply.
+struct LimitKind {
+  LimitStencil limit;
+  int shape = 0;  ///< rings that must be regular but for the vertex
+  Pattern pattern;
+  /// Curvature looks farther, so that its neighbourhood may never become regular where the limit's
+  /// does.
+  struct Curved {
+    CurvatureStencil stencil;
+    Pattern pattern;
+  };
+  std::optional<Curved> curvature;
+};
+
+/// The kinds of a scheme, found when they are met.
+class LimitKinds {
+ public:
+  LimitKinds(const Scheme& scheme, bool curvatures)
+      : scheme_(scheme), curvatures_(curvatures), analysis_(scheme) {}
+
+  /// Finds those of the sites. Without `refused`, fails at the first vertex that has none; with it,
+  /// such sites move there, each with its reason. Fails where a rule is missing.
+  Status prepare(const Mesh& mesh, std::vector<LimitSite>& sites,
+                 std::vector<LimitPoints::Refused>* refused);
+  /// At the boundary or not; of so many faces (dual splits: a face of so many corners).
+  Result<const LimitKind*> find(bool boundary, int size);
+  /// Of a site that is prepared for.
+  [[nodiscard]] const LimitKind& at(const Mesh& mesh, Index at) const {
+    return *kinds_[at_boundary(mesh, at) ? 1 : 0].at(size_of(mesh, at));
+  }
+  [[nodiscard]] bool at_boundary(const Mesh& mesh, Index at) const;
+  [[nodiscard]] int rings() const { return rings_; }  ///< of the widest of them
+
+ private:
+  [[nodiscard]] int size_of(const Mesh& mesh, Index at) const;
+  /// That the scheme has the rules of a vertex (dual splits: a face) of this kind.
+  [[nodiscard]] Status check_rules(bool boundary, int size) const;
+  [[nodiscard]] Result<LimitKind> make(bool boundary, int size);
+  [[nodiscard]] Pattern pattern(bool boundary, int size, int shape) const;
+
+  const Scheme& scheme_;
+  bool curvatures_;
+  FrequencyAnalysis analysis_;
+  std::array<std::map<int, Result<LimitKind>>, 2> kinds_;  // interior, boundary; by size
+  int rings_ = 1;
+};
+
+[[nodiscard]] inline bool is_known(const Point3& value) { return !std::isnan(value.x); }
+[[nodiscard]] inline bool is_known(const LinearForm<double>& value) {
+  return std::none_of(value.terms.begin(), value.terms.end(),
+                      [](const auto& term) { return std::isnan(term.second); });
+}
+
+/// Whether all values that the stencil weighs are known.
+template <class Value>
+[[nodiscard]] bool are_known(const LimitStencil& stencil, const std::vector<Index>& vertices,
+                             const std::vector<Value>& values) {
+  for (const std::vector<double>* weights :
+       {&stencil.position, &stencil.first_tangent, &stencil.second_tangent})
+    for (std::size_t i = 0; i < weights->size(); ++i)
+      if ((*weights)[i] != 0 && !is_known(values[static_cast<std::size_t>(vertices[i])]))
+        return false;
+  return true;
+}
+
+/// The place of a limit: a mesh after some steps, where the vertex's neighbourhood is of its kind.
+template <class Value>
+struct LimitPlace {
+  const LimitKind& kind;
+  const Mesh& mesh;
+  const std::vector<Value>& values;
+  Index start;                              ///< the half-edge from which is numbered:
+  const std::vector<Index>& neighbourhood;  ///< the vertices that the stencils weigh
+  Index vertex;                             ///< of the control mesh
+};
+
+/// Calls limit(LimitPlace) once for each vertex that is not isolated, on several threads, and
+/// curvature(LimitPlace) for those of which one is sought and found. Fails as LimitKinds::prepare
+/// and `refine`, and where no few steps make a neighbourhood regular; with `refused`, this is told
+/// there and the rest done.
+template <class Value, class Limit, class Curvature>
+class LimitSearch {
+ public:
+  LimitSearch(const Scheme& scheme, LimitKinds& kinds, const LimitOptions& options, Limit limit,
+              Curvature curvature)
+      : scheme_(scheme),
+        dual_(scheme.split->births_corners),
+        kinds_(kinds),
+        options_(options),
+        limit_(limit),
+        curvature_(curvature),
+        rules_(scheme, options.boundary ? Boundary::refined : Boundary::left_out) {}
+
+  [[nodiscard]] Status run(const Mesh& control, const std::vector<Value>& control_values,
+                           const std::vector<Index>& vertices,
+                           std::vector<LimitPoints::Refused>* refused) {
+    constexpr int kMostSteps = 12;  // until a neighbourhood is regular; each halves its faces
+    constexpr int kMargin = 3;      // rings round a neighbourhood, so that a cut does not reach it
+    int step = options_.steps_made;
+    LimitPatch<Value> patch;
+    if (dual_) {
+      Result<LimitPatch<Value>> first =
+          dual_patch(scheme_, control, control_values, vertices, step++, rules_.tables());
+      if (!first) return first.error();
+      patch = std::move(*first);
+    } else {
+      patch.sites = limit_sites(control, vertices);
+    }
+    bool in_patch = dual_;
+    for (int round = 0; round < kMostSteps; ++round) {
+      const Mesh& mesh = in_patch ? patch.mesh : control;
+      const std::vector<Value>& values = in_patch ? patch.values : control_values;
+      if (Status status = kinds_.prepare(mesh, patch.sites, refused); !status) return status;
+      const bool boundary_rests = scheme_.split->trisects_boundary && step % 2 != 0;
+      if (Status status = visit(mesh, values, boundary_rests, patch.sites); !status) return status;
+      if (patch.sites.empty()) return Done{};
+      if (options_.progress) options_.progress(static_cast<int>(patch.sites.size()));
+      Result<LimitPatch<Value>> next = refined_patch(
+          scheme_, mesh, values, patch.sites, kinds_.rings() + kMargin, step++, rules_.tables());
+      if (!next) return next.error();
+      patch = std::move(*next);
+      in_patch = true;
+    }
+    return refuse(patch.sites, kMostSteps, refused);
+  }
+
+ private:
+  enum State : char { waiting, done, unknown };
+
+  /// Takes the limits that can be taken on this mesh, and drops the sites that are done.
+  Status visit(const Mesh& mesh, const std::vector<Value>& values, bool boundary_rests,
+               std::vector<LimitSite>& sites) {
+    std::vector<State> states(sites.size(), waiting);
+    parallel_for(std::size_t{0}, sites.size(), [&](std::size_t first, std::size_t last) {
+      std::vector<Index> neighbourhood;
+      for (std::size_t i = first; i < last; ++i)
+        if (!boundary_rests || !beside_boundary_edge(mesh, sites[i].at))
+          states[i] = visit(mesh, values, sites[i], neighbourhood);
+    });
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < sites.size(); ++i) {
+      if (states[i] == unknown) return rules_.error_at(sites[i].result);
+      if (states[i] == waiting) sites[kept++] = sites[i];
+    }
+    sites.resize(kept);
+    return Done{};
+  }
+
+  State visit(const Mesh& mesh, const std::vector<Value>& values, LimitSite& site,
+              std::vector<Index>& neighbourhood) {
+    const LimitKind& kind = kinds_.at(mesh, site.at);
+    const Index start = dual_ ? site.at : mesh.halfedge_of_vertex(site.at);
+    const LimitPlace<Value> place{kind, mesh, values, start, neighbourhood, site.result};
+    if (!site.has_limit && kind.pattern.match(mesh, start, neighbourhood)) {
+      if (!rules_.complete() && !are_known(kind.limit, neighbourhood, values)) return unknown;
+      limit_(place);
+      site.has_limit = true;
+    }
+    if (!kind.curvature) return site.has_limit ? done : waiting;
+    if (!kind.curvature->pattern.match(mesh, start, neighbourhood)) return waiting;
+    curvature_(place);
+    return done;
+  }
+
+  /// What is left when no further steps are made.
+  [[nodiscard]] Status refuse(const std::vector<LimitSite>& sites, int steps,
+                              std::vector<LimitPoints::Refused>* refused) const {
+    for (const LimitSite& site : sites) {
+      if (site.has_limit) continue;  // its curvature alone is not found
+      const std::string reason =
+          fmt::format("after {} steps its surroundings are still not regular", steps);
+      if (refused == nullptr)
+        return Error{
+            fmt::format("no limit point at vertex {}: {}", site.result, reason), {}, {}, 0, 0};
+      refused->push_back({site.result, reason});
+    }
+    return Done{};
+  }
+
+  const Scheme& scheme_;
+  bool dual_;
+  LimitKinds& kinds_;
+  const LimitOptions& options_;
+  Limit limit_;
+  Curvature curvature_;
+  PartialRules rules_;
+};
+
+}  // namespace limn

@@ -1,0 +1,149 @@
+#include "limn/limit/limit_points.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+#include "limn/limit/limit_kinds.h"
+#include "limn/mesh/unit_normal.h"
+#include "limn/refine/refine_values.h"
+
+namespace limn {
+namespace {
+
+constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+
+using Tangent = std::array<double, 3>;
+
+Tangent tangent_of(const Point3& p) { return {p.x, p.y, p.z}; }
+
+/// The largest coordinate.
+double size_of(const std::vector<Index>& vertices, const std::vector<Point3>& values) {
+  double size = 0;
+  for (const Index v : vertices)
+    size = std::max({size, std::abs(values[v].x), std::abs(values[v].y), std::abs(values[v].z)});
+  return size;
+}
+
+Point3 normal_of(std::span<const Tangent> tangents, double size) {
+  const Tangent normal = unit_normal<double>(tangents, size);
+  return {normal[0], normal[1], normal[2]};
+}
+
+/// The sum of the faces' normals round a vertex, or that of one face, by their areas.
+Point3 normal_of_faces(const Mesh& mesh, const std::vector<Point3>& values, Index start, bool face,
+                       double size) {
+  std::vector<Tangent> chain;
+  const Point3 from = values[mesh.origin(start)];
+  const auto add = [&](Index v) { chain.push_back(tangent_of(values[v] - from)); };
+  Index h = start;
+  for (Index last = start; h != kNone;) {
+    add(mesh.target(h));
+    last = h;
+    h = face ? mesh.next(h) : mesh.rotate(h);
+    if (h == kNone) add(mesh.origin(mesh.prev(last)));
+    if (h == start) {
+      add(mesh.target(start));
+      break;
+    }
+  }
+  return normal_of(chain, size);
+}
+
+Point3 weighted(const std::vector<double>& weights, const std::vector<Index>& vertices,
+                const std::vector<Point3>& values) {
+  Point3 sum;
+  for (std::size_t i = 0; i < weights.size(); ++i)
+    if (weights[i] != 0) add_scaled(sum, weights[i], values[vertices[i]]);
+  return sum;
+}
+
+/// Principal curvatures of u t1 + v t2 + cup (u² + v²) + saddle1 (u² − v²) + saddle2 2uv at 0.
+LimitPoints::Curvatures principal(const Point3& t1, const Point3& t2, const Point3& normal,
+                                  const std::array<Point3, 3>& quadratics) {
+  const std::array<double, 6> lengths{t1.x, t1.y, t1.z, t2.x, t2.y, t2.z};
+  const int exponent = largest_exponent(lengths);
+  if (exponent == kNoExponent || normal == Point3{}) return {kNaN, kNaN};
+  // of the surface that is 2^exponent times as small
+  const auto scaled = [&](const Point3& p) {
+    return Point3{std::ldexp(p.x, -exponent), std::ldexp(p.y, -exponent),
+                  std::ldexp(p.z, -exponent)};
+  };
+  const Point3 a = scaled(t1), b = scaled(t2);
+  Eigen::Matrix2d first;
+  Eigen::Matrix2d second;
+  first << dot(a, a), dot(a, b), dot(a, b), dot(b, b);
+  const double c = 2 * dot(normal, scaled(quadratics[0]));
+  const double s = 2 * dot(normal, scaled(quadratics[1]));
+  const double m = 2 * dot(normal, scaled(quadratics[2]));
+  second << c + s, m, m, c - s;
+  if (!(first.determinant() > 0) || !second.allFinite()) return {kNaN, kNaN};
+  const Eigen::Vector2d values =
+      Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::Matrix2d>(second, first).eigenvalues();
+  return {std::ldexp(values(1), -exponent), std::ldexp(values(0), -exponent)};
+}
+
+using Spot = LimitPlace<Point3>;
+
+void take_limit(const Spot& at, bool dual, LimitPoints& out) {
+  const LimitStencil& limit = at.kind.limit;
+  out.positions[at.vertex] = weighted(limit.position, at.neighbourhood, at.values);
+  if (!limit.has_plane) return;
+  const double size = size_of(at.neighbourhood, at.values);
+  if (limit.first_tangent.empty()) {
+    out.normals[at.vertex] = normal_of_faces(at.mesh, at.values, at.start, dual, size);
+    return;
+  }
+  const std::array<Tangent, 2> tangents{
+      tangent_of(weighted(limit.first_tangent, at.neighbourhood, at.values)),
+      tangent_of(weighted(limit.second_tangent, at.neighbourhood, at.values))};
+  out.normals[at.vertex] = normal_of(tangents, size);
+}
+
+/// After the limit.
+void take_curvature(const Spot& at, LimitPoints& out) {
+  const LimitStencil& limit = at.kind.limit;
+  const CurvatureStencil& stencil = at.kind.curvature->stencil;
+  const auto sum = [&](const std::vector<double>& weights) {
+    return weighted(weights, at.neighbourhood, at.values);
+  };
+  out.curvatures[at.vertex] =
+      principal(sum(limit.first_tangent), sum(limit.second_tangent), out.normals[at.vertex],
+                {sum(stencil.cup), sum(stencil.first_saddle), sum(stencil.second_saddle)});
+}
+
+}  // namespace
+
+Result<LimitPoints> approx_limit_points(const Scheme& scheme, const Mesh& mesh,
+                                        const std::vector<Point3>& values,
+                                        const LimitOptions& options) {
+  LimitPoints out;
+  out.positions.resize(values.size());
+  out.normals.resize(values.size());
+  if (options.curvatures) out.curvatures.assign(values.size(), {kNaN, kNaN});
+  std::vector<Index> vertices = options.vertices;
+  if (vertices.empty()) {
+    vertices.resize(values.size());
+    std::iota(vertices.begin(), vertices.end(), 0);
+  }
+  for (const Index v : vertices)
+    if (mesh.is_isolated(v)) out.positions[v] = values[v];
+  LimitKinds kinds(scheme, options.curvatures && options.regular.bounded != Truth::no);
+  const bool dual = scheme.split->births_corners;
+  const auto limit = [&](const Spot& at) { take_limit(at, dual, out); };
+  const auto curvature = [&](const Spot& at) { take_curvature(at, out); };
+  LimitSearch<Point3, decltype(limit), decltype(curvature)> search(scheme, kinds, options, limit,
+                                                                   curvature);
+  const Status status =
+      search.run(mesh, values, vertices, options.partial ? &out.refused : nullptr);
+  if (!status) return status.error();
+  for (const LimitPoints::Refused& one : out.refused)
+    out.positions[one.vertex] = values[one.vertex];
+  std::sort(out.refused.begin(), out.refused.end(),
+            [](const auto& a, const auto& b) { return a.vertex < b.vertex; });
+  return out;
+}
+
+}  // namespace limn

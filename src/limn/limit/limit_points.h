@@ -1,0 +1,65 @@
+#pragma once
+/// Limit positions and normals at the vertices of a mesh, for any scheme, boundaries included.
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "limn/limit/limit_stencil.h"
+#include "limn/mesh/mesh.h"
+
+namespace limn {
+
+struct LimitPoints {
+  std::vector<Point3> positions;  ///< one per vertex
+  /// Unit normals, by the faces' orientation; they do not depend on the size of the model. Zero
+  /// where there is none: at an isolated vertex, at an interior one of valence 2, and where the
+  /// tangents vanish or are parallel, to rounding. Where no tangent plane follows from the
+  /// eigenvectors, that of the faces round the vertex some steps on.
+  std::vector<Point3> normals;
+  /// Principal curvatures, the larger first, of the quadratic surface that the tangents, the cup
+  /// and the saddles make (limit_curvature.h); positive where the surface bends towards its normal.
+  /// NaN at the boundary, where there is no normal, where curvature is not bounded (by the
+  /// eigenvalues of the vertex, and everywhere where LimitOptions says so of the regular surface),
+  /// and where (dual splits, beside the boundary) the neighbourhood never becomes regular.
+  struct Curvatures {
+    double largest, smallest;
+  };
+  std::vector<Curvatures> curvatures;  ///< empty unless asked for
+  /// Vertices without a limit, which stay where they are, without normals; ascending. Empty
+  /// unless LimitOptions::partial.
+  struct Refused {
+    Index vertex;
+    std::string reason;
+  };
+  std::vector<Refused> refused;
+};
+
+struct LimitOptions {
+  int steps_made = 0;  ///< that led to the mesh: the boundary of sqrt3 moves in every second one
+  bool curvatures = false;
+  RegularPart regular = {};  ///< of the scheme; where its curvature is unbounded none is given
+  std::vector<Index> vertices = {};  ///< only these; empty: all. The results of others are zero
+  /// False where the mesh was cut out of a larger one: what hangs on its boundary then has no
+  /// meaning, and no boundary rules are needed.
+  bool boundary = true;
+  /// Where a limit cannot be had at some vertices (the scheme does not converge there, or what
+  /// controls them is too large), give those of the others. A missing rule is an error all the
+  /// same.
+  bool partial = false;
+  std::function<void(int left)> progress = {};  ///< vertices still to do
+};
+
+/// Limit points of the surface whose control points are `values`, one per vertex of `mesh`. Each is
+/// a limit stencil on a neighbourhood that is regular but for its centre. Where others are near (in
+/// a coarse mesh) the neighbourhood is refined until it is. A vertex of a dual split's mesh is
+/// taken to the centre of its face after one step, at the boundary to the nearest such point of the
+/// surface. In double precision. Fails as the limit stencils do, and, naming the vertex, where its
+/// limit depends on a rule that the scheme does not have: boundary rules are needed only where the
+/// mesh has a boundary. A curvature that is not known takes nothing from the rest. Cost O(vertices)
+/// and some steps round the vertices that are near irregular ones.
+[[nodiscard]] Result<LimitPoints> approx_limit_points(const Scheme& scheme, const Mesh& mesh,
+                                                      const std::vector<Point3>& values,
+                                                      const LimitOptions& options = {});
+
+}  // namespace limn

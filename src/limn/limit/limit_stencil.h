@@ -1,0 +1,40 @@
+#pragma once
+/// Limit position and tangent plane at a vertex as weighted sums of the control points round it:
+/// left eigenvectors of the subdivision matrix [BGSK §2.1, (2)], for any scheme.
+
+#include <map>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "limn/spectrum/eigenvectors.h"
+
+namespace limn {
+
+/// Weights over the vertices of a star (dual splits: a face star) or, at the boundary, of a fan;
+/// numbered as in mesh/lattice.h.
+struct LimitStencil {
+  int rings = 0;                 ///< of the star or fan
+  std::vector<double> position;  ///< sums to 1
+  /// The derivatives along two directions of the characteristic map, the second counterclockwise
+  /// from the first, so that their cross product points outward; sum to 0. Empty where no two
+  /// eigenvectors lead all others but the position's and turn once round the vertex: there is no
+  /// tangent plane then.
+  std::vector<double> first_tangent, second_tangent;
+  /// False where refinement does not flatten the faces round the vertex either: at valence 2, where
+  /// frequency 1 is real and has no pair.
+  bool has_plane = true;
+};
+
+/// At an interior vertex of valence n (dual splits: a face of n corners), from least_valence
+/// (least_valence.h) on. In double precision.
+/// Fails as `FrequencyAnalysis::blocks` does, and where the scheme does not converge there (the
+/// reason is the verdict's).
+[[nodiscard]] Result<LimitStencil> approx_limit_stencil(FrequencyAnalysis& analysis, int n);
+
+/// At a boundary vertex of so many faces, from the dense matrix of its fan. Fails where the scheme
+/// has no boundary rules or does not converge there, and where more than 1000 vertices control the
+/// surface. For splits that keep the old vertices. Cost: the cube of their number.
+[[nodiscard]] Result<LimitStencil> approx_boundary_limit_stencil(const Scheme& scheme, int faces);
+
+}  // namespace limn

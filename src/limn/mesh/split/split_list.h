@@ -1,0 +1,48 @@
+#pragma once
+/// Private to the splits: their functions, one per split_NAME.cpp, and what they share.
+
+#include <cassert>
+#include <cstddef>
+#include <limits>
+
+#include "limn/mesh/split/split.h"
+
+namespace limn::detail {
+
+SplitResult split_triangle_dyadic(const Mesh& mesh, int step);
+SplitResult split_quad_dyadic(const Mesh& mesh, int step);
+SplitResult split_quad_dual(const Mesh& mesh, int step);
+SplitResult split_sqrt3(const Mesh& mesh, int step);
+
+/// A dyadic split cuts edge e into edge 2e, at the origin of the half-edge that stands for e,
+/// and edge 2e+1. These are the halves at the origin and at the target of h.
+inline Index edge_at_origin(const Mesh& mesh, Index h) {
+  const Index e = mesh.edge(h);
+  return 2 * e + (mesh.halfedge_of_edge(e) == h ? 0 : 1);
+}
+inline Index edge_at_target(const Mesh& mesh, Index h) {
+  const Index e = mesh.edge(h);
+  return 2 * e + (mesh.halfedge_of_edge(e) == h ? 1 : 0);
+}
+
+/// Arrays with room for `halfedges` half-edges, no twin set.
+inline Mesh::Arrays make_arrays(Index vertices, Index edges, Index degree,
+                                std::ptrdiff_t halfedges) {
+  assert(halfedges <= std::numeric_limits<Index>::max());
+  Mesh::Arrays arrays;
+  arrays.vertex_count = vertices;
+  arrays.edge_count = edges;
+  arrays.degree = degree;
+  const auto size = static_cast<std::size_t>(halfedges);
+  arrays.origin.resize(size);
+  arrays.twin.assign(size, kNone);
+  arrays.edge.resize(size);
+  return arrays;
+}
+
+/// True where the triangle splits may be applied: every face (if any) has three corners.
+inline bool is_triangular(const Mesh& mesh) {
+  return mesh.face_count() == 0 || mesh.uniform_degree() == 3;
+}
+
+}  // namespace limn::detail

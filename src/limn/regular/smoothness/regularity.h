@@ -1,0 +1,81 @@
+#pragma once
+/// How smooth a scheme is on the regular lattice, with proof.
+///
+/// The refined data S^n f have differences of order k whose growth is the joint spectral radius ρ
+/// of finitely many matrices: the transition operators, one for each digit, on the smallest space
+/// of sequences that holds the differences of order k of the unit impulse and that they map to
+/// itself (transition_operators.h). With k the order of the sum rules, the limit functions have
+/// the Hölder exponent -log ρ / log √|det M| at least, and exactly that where the shifts of φ are
+/// stable [DynLevin2002; Jia1999; Han2003]. Hölder exponents are Zygmund's: α = r + s, 0 < s ≤ 1,
+/// says that the derivatives of order r have differences, of the second order where s = 1, that
+/// shrink like |h|^{s'} for every s' < s.
+///
+/// ρ lies between the spectral radius of one product and a norm (joint_spectral_radius.h), after
+/// common invariant subspaces have been split off exactly. All that is called proved rests on exact
+/// rationals or on doubles rounded outwards.
+
+#include <functional>
+#include <limits>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "limn/base/time_budget.h"
+#include "limn/base/truth.h"
+#include "limn/regular/smoothness/joint_spectral_radius.h"
+#include "limn/regular/smoothness/polynomial_orders.h"
+
+namespace limn {
+
+struct RegularityOptions {
+  /// Work for each irreducible block: vertices of a polytope whose norm bounds it. Where it does
+  /// not suffice for `tolerance` the bracket reached is given.
+  int budget = 7000;
+  double tolerance = 4e-3;  ///< width of the Hölder bracket below which little more is sought
+  int most_steps = 4;       ///< of the difference schemes, tried for a norm below 1; 0: none
+  /// Called with what is done next, if given.
+  std::function<void(const std::string&)> progress;
+  /// Infinite: without end. When the time ends what was reached is given, proved all the same.
+  double seconds = std::numeric_limits<double>::infinity();
+  TimeBudget::Clock clock = steady_seconds;
+};
+
+struct HolderBracket {
+  double lower = 0;                   ///< proved for every limit function
+  std::optional<double> upper;        ///< of φ; proved; nothing where stability is not
+  JointSpectralRadius radius;         ///< of the transition operators, digit by digit
+  std::vector<LatticeVector> digits;  ///< of radius.product
+};
+
+/// Whether the scheme converges, uniformly, to limit functions that are r times continuously
+/// differentiable.
+struct Smoothness {
+  Truth verdict = Truth::undecided;
+  /// ‖(S_r)^power‖∞ ≤ norm < 1, rounded up, where S_r is the scheme of the differences of order
+  /// r + 1, times |det M|^{r/2}; 0: none of the powers tried is below 1, and the proof, if there is
+  /// one, is the bracket.
+  int power = 0;
+  double norm = 0;
+  std::string reason;
+};
+
+struct Regularity {
+  PolynomialOrders orders;
+  HolderBracket holder;
+  /// C0, C1, C2, and as long as the one before is proved: C3, C4, ….
+  std::vector<Smoothness> smoothness;
+  /// Whether the shifts of φ are stable: yes where proved, else undecided.
+  Truth stable = Truth::undecided;
+  std::string stability_reason;
+  bool time_ended = false;  ///< the time budget ended the search: more time might tell more
+};
+
+/// Brackets the regularity of a mask. Deterministic, whatever the number of threads, as long as the
+/// time does not end. Cost: seconds at the default options for masks of radius 3 that have a
+/// factor or two, minutes for wider ones: then bound the time. Fails where a coset of the mask does
+/// not sum to 1, and where the mask is so wide that more than 400 control points would have to be
+/// followed.
+[[nodiscard]] Result<Regularity> enclose_regularity(const Mask& mask,
+                                                    const RegularityOptions& options = {});
+
+}  // namespace limn

@@ -1,0 +1,56 @@
+#include "limn/report/compare/record_json.h"
+
+#include <cmath>
+
+#include <nlohmann/json.hpp>
+
+#include "limn/report/eigen/eigen_report.h"
+#include "limn/report/lattice/artifact_report.h"
+#include "limn/report/lattice/regularity_report.h"
+
+namespace limn {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json finite(double value) { return std::isfinite(value) ? Json(value) : Json(); }
+
+Json wave_json(const WaveArtifacts& wave) {
+  return {{"edges_per_wavelength", wave.edges_per_wavelength},
+          {"worst_percent", finite(wave.worst)},
+          {"worst_direction_degrees", wave.worst_direction},
+          {"best_percent", finite(wave.best)},
+          {"best_direction_degrees", wave.best_direction}};
+}
+
+template <class T, class Make>
+Json json_of(const Result<T>& result, Make make) {
+  return result ? Json(make(*result)) : Json();
+}
+
+}  // namespace
+
+nlohmann::ordered_json record_json(const SchemeRecord& record) {
+  Json json{{"scheme", record.label}, {"split", record.split}};
+  json["interpolating"] = json_of(record.interpolating, [](bool yes) { return yes; });
+  json["regularity"] = json_of(record.regularity, [&](const Regularity& regularity) {
+    return regularity_json(record.label, regularity);
+  });
+  json["regular_part"] = regular_part_json(record.regular_part);
+  json["artifacts"] = json_of(record.artifacts, [](const std::vector<WaveArtifacts>& waves) {
+    Json list = Json::array();
+    for (const WaveArtifacts& wave : waves) list.push_back(wave_json(wave));
+    return list;
+  });
+  json["sampling"] = {{"total_energy", json_of(record.sampling, density_json)},
+                      {"mean_energy", json_of(record.mean_sampling, density_json)}};
+  json["valences"] = Json::array();
+  for (const ValenceRecord& one : record.valences)
+    json["valences"].push_back(one.components
+                                   ? eigen_json(*one.components)
+                                   : Json{{"valence", one.valence}, {"components", nullptr}});
+  json["missing"] = missing_parts(record);
+  return json;
+}
+
+}  // namespace limn

@@ -1,0 +1,130 @@
+#include "limn/report/lattice/regularity_report.h"
+
+#include <cmath>
+
+#include <fmt/core.h>
+#include <nlohmann/json.hpp>
+
+#include "limn/base/outward.h"
+
+namespace limn {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::string orders_text(const PolynomialOrders& orders) {
+  std::string text = fmt::format("sum rules of order {}", orders.sum_rules);
+  if (orders.reproduction >= 0)
+    text += fmt::format("; polynomials up to degree {} are reproduced", orders.reproduction);
+  return text;
+}
+
+std::string smoothness_text(int r, const Smoothness& smoothness) {
+  std::string text =
+      fmt::format("C{}  {:<9}  {}", r, to_string(smoothness.verdict), smoothness.reason);
+  if (smoothness.power > 0)
+    text +=
+        fmt::format("; {} of the differences of order {} {} norm ≤ {}",
+                    smoothness.power == 1 ? "one step" : fmt::format("{} steps", smoothness.power),
+                    r + 1, smoothness.power == 1 ? "has" : "have", rounded_up(smoothness.norm));
+  return text + "\n";
+}
+
+std::string radius_text(const HolderBracket& bracket) {
+  const JointSpectralRadius& radius = bracket.radius;
+  std::string text = fmt::format("joint spectral radius [{}, {}]", rounded_down(radius.lower),
+                                 rounded_up(radius.upper));
+  if (!bracket.digits.empty()) {
+    text += "; the product that has the lower: digits";
+    for (const LatticeVector digit : bracket.digits)
+      text += fmt::format(" ({}, {})", digit[0], digit[1]);
+  }
+  if (radius.eigenvalue) text += fmt::format("; eigenvalue {}", to_string(*radius.eigenvalue));
+  text += '\n';
+  int single = 0;
+  for (const JointSpectralRadius::Block& block : radius.blocks) single += block.size == 1 ? 1 : 0;
+  if (single > 0)
+    text += fmt::format("  {} {} of 1 row\n", single, single == 1 ? "block" : "blocks");
+  for (const JointSpectralRadius::Block& block : radius.blocks) {
+    if (block.size == 1) continue;
+    text += fmt::format("  {}a block of {} rows, ≤ {}",
+                        block.irreducible ? "" : "perhaps reducible: ", block.size,
+                        rounded_up(block.upper));
+    if (block.vertices > 0) text += fmt::format(" by a polytope of {} vertices", block.vertices);
+    text += '\n';
+  }
+  return text;
+}
+
+Json proof_json(const Smoothness& smoothness) {
+  Json json{{"reason", smoothness.reason}, {"power", Json()}, {"norm", Json()}};
+  if (smoothness.power > 0) {
+    json["power"] = smoothness.power;
+    json["norm"] = smoothness.norm;
+  }
+  return json;
+}
+
+Json radius_json(const HolderBracket& bracket) {
+  const JointSpectralRadius& radius = bracket.radius;
+  Json blocks = Json::array();
+  for (const JointSpectralRadius::Block& block : radius.blocks)
+    blocks.push_back({{"size", block.size},
+                      {"lower", block.lower},
+                      {"upper", block.upper},
+                      {"vertices", block.vertices},
+                      {"irreducible", block.irreducible}});
+  return {{"lower", radius.lower},
+          {"upper", radius.upper},
+          {"exact", radius.exact},
+          {"product", bracket.digits},
+          {"eigenvalue", radius.eigenvalue ? Json(to_string(*radius.eigenvalue)) : Json()},
+          {"blocks", std::move(blocks)}};
+}
+
+}  // namespace
+
+std::string to_string(const HolderBracket& bracket) {
+  if (!bracket.upper) return "at least " + rounded_down(bracket.lower);
+  if (*bracket.upper == bracket.lower) return fmt::format("{:.17g}", bracket.lower);
+  return fmt::format("[{}, {}]", rounded_down(bracket.lower), rounded_up(*bracket.upper));
+}
+
+Json regularity_json(const std::string& name, const Regularity& regularity) {
+  const HolderBracket& holder = regularity.holder;
+  const auto& smoothness = regularity.smoothness;
+  Json verdicts = Json::array();
+  Json proofs;
+  for (std::size_t r = 0; r < smoothness.size(); ++r) {
+    verdicts.push_back(to_string(smoothness[r].verdict));
+    proofs[fmt::format("c{}", r)] = proof_json(smoothness[r]);
+  }
+  return {
+      {"scheme", name},
+      {"holder", {{"lower", holder.lower}, {"upper", holder.upper ? Json(*holder.upper) : Json()}}},
+      {"c0", to_string(smoothness[0].verdict)},
+      {"c1", to_string(smoothness[1].verdict)},
+      {"c2", to_string(smoothness[2].verdict)},
+      {"smoothness", std::move(verdicts)},
+      {"sum_rules", regularity.orders.sum_rules},
+      {"reproduction", regularity.orders.reproduction},
+      {"stable",
+       {{"verdict", to_string(regularity.stable)}, {"reason", regularity.stability_reason}}},
+      {"proofs", std::move(proofs)},
+      {"time_ended", regularity.time_ended},
+      {"joint_spectral_radius", radius_json(holder)}};
+}
+
+std::string regularity_text(const std::string& name, const Regularity& regularity) {
+  std::string text = fmt::format("{}\n{}\nHölder exponent {}\n", name,
+                                 orders_text(regularity.orders), to_string(regularity.holder));
+  for (std::size_t r = 0; r < regularity.smoothness.size(); ++r)
+    text += smoothness_text(static_cast<int>(r), regularity.smoothness[r]);
+  text += fmt::format("stable shifts: {} ({})\n", to_string(regularity.stable),
+                      regularity.stability_reason);
+  if (regularity.time_ended)
+    text += "the time ended before the bracket was as narrow as was asked: more time tells more\n";
+  return text + radius_text(regularity.holder);
+}
+
+}  // namespace limn

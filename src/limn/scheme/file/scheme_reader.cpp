@@ -1,0 +1,421 @@
+#include <algorithm>
+#include <array>
+#include <map>
+#include <utility>
+
+#include <fmt/core.h>
+#include <fmt/ranges.h>
+
+#include "limn/base/fault_order.h"
+#include "limn/base/near_word.h"
+#include "limn/scheme/file/scheme_reader.h"
+#include "limn/scheme/file/scheme_words.h"
+#include "limn/scheme/file/toml_data.h"
+#include "limn/scheme/file/toml_reader.h"
+#include "limn/scheme/placement.h"
+
+namespace limn {
+namespace {
+
+/// Reads one file into one Scheme.
+class SchemeFileReader {
+ public:
+  SchemeFileReader(std::string file, const ExtendedScheme& extended, Faults& faults)
+      : in_(std::move(file), faults), extended_(extended) {}
+
+  Draft run(std::string_view text) {
+    const toml::table root = in_.parse(text);
+    scheme_.file = in_.file();
+    if (in_.faults() > 0) {
+      unread_.everything = true;
+      return {std::move(scheme_), std::move(unread_)};
+    }
+    read_split(root);
+    in_.each(root, "the file",
+             [&](const toml::key& key, const toml::node& node) { read_header(key, node); });
+    read_rules(root);
+    if (extends_) inherit(*extends_);
+    check_given_once();
+    unread_.something = in_.faults() > 0;
+    return {std::move(scheme_), std::move(unread_)};
+  }
+
+ private:
+  void read_split(const toml::table& root) {
+    const toml::node* node = root.get("split");
+    std::vector<std::string> known;
+    for (const Split& split : splits()) known.emplace_back(split.name);
+    const std::string hint = fmt::format("expected one of {}", fmt::join(known, ", "));
+    if (node == nullptr) {
+      if (root.get("extends") != nullptr) return;               // it comes from there
+      if (const toml::node* misspelt = misspelt_split(root)) {  // which is told as an unknown key
+        if (const auto* name = misspelt->as_string()) scheme_.split = find_split(name->get());
+      } else {
+        in_.fail(Error{"the file names no split", hint, in_.file(), 1, 1});
+      }
+      has_faulty_split_ = scheme_.split == nullptr;
+      return;
+    }
+    const std::size_t before = in_.faults();
+    const std::string name = in_.text(*node, "split");
+    scheme_.split = find_split(name);
+    has_faulty_split_ = scheme_.split == nullptr;
+    if (in_.unharmed_since(before) && has_faulty_split_)
+      in_.fail(*node, fmt::format("unknown split '{}'", name), did_you_mean(name, known, hint));
+  }
+
+  /// The value of a key that was meant to be "split".
+  static const toml::node* misspelt_split(const toml::table& root) {
+    const std::vector<std::string> known = known_keys();
+    for (const auto& [key, node] : root) {
+      if (std::find(known.begin(), known.end(), key.str()) != known.end()) continue;
+      const std::vector<std::string> near = near_words(key.str(), known);
+      if (std::find(near.begin(), near.end(), "split") != near.end()) return &node;
+    }
+    return nullptr;
+  }
+
+  void read_header(const toml::key& key, const toml::node& node) {
+    const std::string_view name = key.str();
+    if (name == "name") {
+      scheme_.name = in_.text(node, name);
+    } else if (name == "title") {
+      scheme_.title = in_.text(node, name);
+    } else if (name == "source") {
+      scheme_.source = in_.text(node, name);
+    } else if (name == "notes") {
+      scheme_.notes = in_.text(node, name);
+    } else if (name == "extends") {
+      extends_place_ = in_.place(node);
+      const std::string text = in_.text(node, name);
+      if (node.is_string())
+        extends_ = text;
+      else
+        unread_.everything = true;
+    } else if (name == "let") {
+      in_.each(node, name, [&](const toml::key& k, const toml::node& v) { read_let(k, v); });
+    } else if (name == "parameter") {
+      in_.each(node, name, [&](const toml::key& k, const toml::node& v) { read_parameter(k, v); });
+    } else if (name == "roles") {
+      in_.each(node, name, [&](const toml::key& k, const toml::node& v) { read_roles(k, v); });
+    } else if (name == "facts") {
+      in_.each_element(node, name, [&](const toml::node& v) { read_fact(in_, v, scheme_); });
+    } else if (name == "mask") {
+      const std::size_t before = in_.faults();
+      scheme_.mask = read_rows(in_, node, name);
+      if (!in_.unharmed_since(before)) unread_.everything = true;  // all rules follow from it
+    } else if (name == "factors") {
+      const std::size_t before = in_.faults();
+      scheme_.factors = read_factors(in_, node);
+      if (!in_.unharmed_since(before)) unread_.everything = true;
+    } else if (name != "split" && name != "boundary" &&
+               (!find_rule(name) || name.starts_with(kBoundary))) {
+      in_.unknown_key(key, "a scheme file", known_keys());
+      unread_.tables = unread_.tables || node.is_table() || node.is_array();
+    }
+  }
+
+  /// Whether it can be defined by that name here.
+  bool check_name(const toml::key& key) {
+    const Place at = in_.place(key);
+    const std::string name(key.str());
+    const bool possible = is_identifier(name) && !is_reserved(name);
+    if (!possible)
+      in_.fail(Error{fmt::format("'{}' cannot be the name of a let or a parameter", name),
+                     "use letters, digits and _; n, k, pi and the functions are taken", at.file,
+                     at.line, at.column});
+    const bool fresh = names_.insert({name, at}).second;
+    if (!fresh)
+      in_.fail(Error{fmt::format("'{}' is defined twice", name), {}, at.file, at.line, at.column});
+    if (!possible || !fresh) unread_.definitions.insert(name);
+    return possible && fresh;
+  }
+
+  void read_let(const toml::key& key, const toml::node& node) {
+    if (!check_name(key)) return;
+    const std::size_t before = in_.faults();
+    Formula formula = in_.formula(node, key.str());
+    if (in_.unharmed_since(before))
+      scheme_.lets.emplace_back(key.str(), std::move(formula));
+    else
+      unread_.definitions.emplace(key.str());
+  }
+
+  void read_parameter(const toml::key& key, const toml::node& node) {
+    if (!check_name(key)) return;
+    const std::size_t before = in_.faults();
+    Parameter parameter;
+    parameter.name = key.str();
+    bool has_default = false;
+    in_.each(node, key.str(), [&](const toml::key& k, const toml::node& v) {
+      if (k.str() == "default") {
+        parameter.value = in_.formula(v, "default");
+        has_default = true;
+      } else if (k.str() == "range") {
+        read_range(v, parameter);
+      } else if (k.str() == "meaning") {
+        parameter.meaning = in_.text(v, "meaning");
+      } else {
+        in_.unknown_key(k, "a parameter", {"default", "range", "meaning"});
+      }
+    });
+    if (in_.unharmed_since(before) && !has_default)
+      in_.fail(node, fmt::format("parameter '{}' has no default", parameter.name),
+               "add default = \"...\"");
+    if (in_.unharmed_since(before))
+      scheme_.parameters.push_back(std::move(parameter));
+    else
+      unread_.definitions.emplace(key.str());
+  }
+
+  void read_range(const toml::node& node, Parameter& parameter) {
+    std::vector<Formula> bounds;
+    const std::size_t before = in_.faults();
+    in_.each_element(node, "range",
+                     [&](const toml::node& v) { bounds.push_back(in_.formula(v, "range")); });
+    if (!in_.unharmed_since(before)) return;
+    if (bounds.size() != 2) {
+      in_.fail(node, "a range needs two bounds, as [\"0\", \"1\"]");
+      return;
+    }
+    parameter.low = bounds[0];
+    parameter.high = bounds[1];
+  }
+
+  void read_roles(const toml::key& key, const toml::node& node) {
+    const std::optional<RuleKind> kind = find_rule(key.str());
+    if (!kind) {
+      const Place at = in_.place(key);
+      in_.fail(Error{fmt::format("unknown key '{}' in roles", key.str()),
+                     did_you_mean(key.str(), rule_names(),
+                                  "expected the name of a rule, as edge or \"boundary.edge\""),
+                     at.file, at.line, at.column});
+      has_unread_roles_ = true;
+      return;
+    }
+    in_.each(node, key.str(), [&](const toml::key& role, const toml::node& v) {
+      const std::size_t before = in_.faults();
+      Walk walk = read_role(*kind, role, v);
+      if (!in_.unharmed_since(before))
+        own_roles_[{*kind, std::string(role.str())}] = std::nullopt;
+      else
+        own_roles_[{*kind, std::string(role.str())}] = std::move(walk);
+    });
+  }
+
+  Walk read_role(RuleKind kind, const toml::key& role, const toml::node& node) {
+    if (!node.is_string()) {
+      (void)in_.text(node, role.str());
+      return {};
+    }
+    const Place at = in_.place(node);
+    Result<Walk> walk = parse_walk(in_.text(node, role.str()));
+    if (!walk) {
+      in_.fail(Error{fmt::format("role '{}': {}", role.str(), walk.error().message),
+                     walk.error().hint, at.file, at.line, at.column + walk.error().column});
+      return {};
+    }
+    if (role.str() == "when")
+      in_.fail(node, "'when' cannot be the name of a role", "it stands for the guard of a case");
+    else if (scheme_.split != nullptr)
+      check_role(kind, role.str(), *walk, at);
+    return std::move(*walk);
+  }
+
+  void read_rules(const toml::table& root) {
+    for (int i = 0; i < kRuleKinds; ++i) {
+      const auto kind = static_cast<RuleKind>(i);
+      std::string_view name = rule_name(kind);
+      const toml::node* node = nullptr;
+      if (name.substr(0, kBoundary.size()) == kBoundary) {
+        if (const toml::node* boundary = root.get("boundary"))
+          if (const toml::table* table = boundary->as_table())
+            node = table->get(name.substr(kBoundary.size()));
+      } else {
+        node = root.get(name);
+      }
+      if (node != nullptr) read_rule(kind, *node);
+    }
+    if (const toml::node* boundary = root.get("boundary"))
+      in_.each(*boundary, "boundary", [&](const toml::key& key, const toml::node&) {
+        if (!find_rule(std::string(kBoundary) + std::string(key.str())))
+          in_.unknown_key(key, "boundary", boundary_keys());
+      });
+  }
+
+  void read_rule(RuleKind kind, const toml::node& node) {
+    const std::size_t before = in_.faults();
+    bool& unread = unread_.rules[static_cast<std::size_t>(kind)];
+    Rule rule;
+    if (node.is_array()) {
+      in_.each_element(node, rule_name(kind),
+                       [&](const toml::node& v) { rule.push_back(read_case(kind, v)); });
+    } else {
+      rule.push_back(read_case(kind, node));
+    }
+    for (std::size_t i = 0; in_.unharmed_since(before) && i + 1 < rule.size(); ++i)
+      if (!rule[i].when)
+        in_.fail(Error{"a case without a guard hides the cases after it",
+                       "give it a guard, as when = \"n == 3\", or put it last", in_.file(),
+                       rule[i].place.line, rule[i].place.column});
+    if (in_.unharmed_since(before) && rule.empty())
+      in_.fail(node, fmt::format("the {} rule has no case", rule_name(kind)));
+    unread = unread || !in_.unharmed_since(before);
+    if (!rule.empty()) scheme_.rules[static_cast<std::size_t>(kind)] = std::move(rule);
+  }
+
+  /// Weights that cannot be read are left out.
+  RuleCase read_case(RuleKind kind, const toml::node& node) {
+    RuleCase result;
+    result.place = in_.place(node);
+    const std::size_t before = in_.faults();
+    bool any = false;
+    in_.each(node, rule_name(kind), [&](const toml::key& key, const toml::node& v) {
+      const std::size_t before_key = in_.faults();
+      if (key.str() == "when") {
+        Formula guard = in_.formula(v, "when");
+        if (in_.unharmed_since(before_key)) result.when = std::move(guard);
+        if (!rule_has_valence(kind))
+          in_.fail(v, fmt::format("the {} rule has no n to guard", rule_name(kind)));
+        return;
+      }
+      any = true;
+      std::optional<Walk> walk = find_role(kind, key);
+      Formula value = in_.formula(v, key.str());
+      if (!walk) unread_.rules[static_cast<std::size_t>(kind)] = true;
+      if (walk && in_.unharmed_since(before_key))
+        result.weights.push_back({std::string(key.str()), std::move(*walk), std::move(value)});
+    });
+    if (in_.unharmed_since(before) && !any)
+      in_.fail(node, fmt::format("the {} rule has no weights", rule_name(kind)));
+    return result;
+  }
+
+  /// Nothing where the role is not known or was faulty when it was defined.
+  std::optional<Walk> find_role(RuleKind kind, const toml::key& key) {
+    const std::string name(key.str());
+    if (scheme_.split == nullptr) {
+      if (!has_faulty_split_)
+        in_.fail(Error{"a file that extends another and states rules must name its split",
+                       "add split = \"...\", the same as there", in_.file(), in_.place(key).line,
+                       in_.place(key).column});
+      has_faulty_split_ = true;  // told once
+      return std::nullopt;
+    }
+    if (const auto own = own_roles_.find({kind, name}); own != own_roles_.end())
+      return own->second ? checked(kind, *own->second, key) : std::nullopt;
+    std::vector<std::string> known{"when"};
+    for (const NamedRole& role : named_roles(kind, scheme_.split->lattice)) {
+      if (role.name == name) return checked(kind, parse_walk(role.walk).value(), key);
+      if (!parse_walk(role.walk).value().reads_face || gives_every_face_a_vertex())
+        known.emplace_back(role.name);
+    }
+    for (const auto& [own, walk] : own_roles_)
+      if (own.first == kind) known.push_back(own.second);
+    if (!has_unread_roles_)
+      in_.unknown_key(
+          key, fmt::format("the {} rule of a {} scheme", rule_name(kind), scheme_.split->name),
+          known, fmt::format("a role defined under [roles.{}]", rule_name(kind)));
+    return std::nullopt;
+  }
+
+  /// Precondition, as for the next: the split is known.
+  [[nodiscard]] bool gives_every_face_a_vertex() const {
+    return scheme_.split->births_faces && !scheme_.split->trisects_boundary;
+  }
+
+  /// Fails at `at` where the walk makes no sense in the rule. Precondition: the split is known.
+  void check_role(RuleKind kind, std::string_view name, const Walk& walk, const Place& at) {
+    const Split& split = *scheme_.split;
+    const Result<Placement> placement = place(kind, split.lattice, walk);
+    if (!placement)
+      in_.fail(Error{fmt::format("role '{}' of the {} rule: {}", name, rule_name(kind),
+                                 placement.error().message),
+                     placement.error().hint, at.file, at.line, at.column});
+    else if (walk.reads_face && !gives_every_face_a_vertex())
+      in_.fail(Error{fmt::format("role '{}' reads the new vertex of a face, and the split {} does "
+                                 "not give every face one",
+                                 name, split.name),
+                     {},
+                     at.file,
+                     at.line,
+                     at.column});
+  }
+
+  std::optional<Walk> checked(RuleKind kind, const Walk& walk, const toml::key& key) {
+    const std::size_t before = in_.faults();
+    check_role(kind, key.str(), walk, in_.place(key));
+    return in_.unharmed_since(before) ? std::optional<Walk>(walk) : std::nullopt;
+  }
+
+  /// Takes from the extended scheme what this file does not state.
+  void inherit(const std::string& name) {
+    const auto fail = [&](std::string message, std::string hint = {}) {
+      in_.fail(Error{std::move(message), std::move(hint), in_.file(), extends_place_.line,
+                     extends_place_.column});
+      unread_.everything = true;
+    };
+    if (name.empty()) {
+      fail("extends names no scheme", "give a shipped name or a path, or leave it out");
+      return;
+    }
+    Faults of_base;
+    std::optional<Scheme> base = extended_(name, of_base);
+    for (Error fault : by_place(of_base.list())) {
+      std::string hint = std::exchange(fault.hint, {});
+      fail(fmt::format("extends '{}': {}", name, fault.text()), std::move(hint));
+    }
+    if (!base) return;
+    if (scheme_.split != nullptr && base->split != scheme_.split) {
+      fail(fmt::format("'{}' has the split {}, this file {}", name, base->split->name,
+                       scheme_.split->name));
+      return;
+    }
+    scheme_.split = base->split;
+    for (std::size_t i = 0; i < kRuleKinds; ++i)
+      if (!scheme_.rules[i]) scheme_.rules[i] = std::move(base->rules[i]);
+    for (auto& let : base->lets)
+      if (names_.find(let.first) == names_.end()) scheme_.lets.push_back(std::move(let));
+    for (Parameter& parameter : base->parameters)
+      if (names_.find(parameter.name) == names_.end())
+        scheme_.parameters.push_back(std::move(parameter));
+  }
+
+  /// Rules follow from a mask or from factors, so stating them too would say them twice.
+  void check_given_once() {
+    if (!scheme_.mask && !scheme_.factors) return;
+    const std::size_t before = in_.faults();
+    const Place place = scheme_.mask ? scheme_.mask->place : scheme_.factors->place;
+    const std::string_view given = scheme_.mask ? "its mask" : "factors";
+    const auto twice = [&](std::string_view also) {
+      in_.fail(Error{fmt::format("the scheme is given by {} and by {} too", given, also),
+                     "keep the rules, the mask or the factors", place.file, place.line,
+                     place.column});
+    };
+    if (scheme_.mask && scheme_.factors) twice("factors");
+    for (const auto& rule : scheme_.rules)
+      if (rule) twice(extends_ ? "the rules that it extends" : "rules");
+    if (!in_.unharmed_since(before)) unread_.everything = true;
+  }
+
+  TomlReader in_;
+  const ExtendedScheme& extended_;
+  Scheme scheme_;
+  Unread unread_;
+  std::optional<std::string> extends_;
+  Place extends_place_;
+  bool has_faulty_split_ = false;  // and that was told
+  bool has_unread_roles_ = false;  // of a rule that is not known
+  std::map<std::string, Place> names_;
+  // nothing: its definition is faulty
+  std::map<std::pair<RuleKind, std::string>, std::optional<Walk>> own_roles_;
+};
+
+}  // namespace
+
+Draft read_scheme_text(std::string_view text, const std::string& file,
+                       const ExtendedScheme& extended, Faults& faults) {
+  return SchemeFileReader(file, extended, faults).run(text);
+}
+
+}  // namespace limn

@@ -1,0 +1,49 @@
+#include "limn/scheme/file/scheme_words.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+
+#include "limn/scheme/role.h"
+
+namespace limn {
+
+std::vector<std::string> known_keys() {
+  std::vector<std::string> keys{"name",    "title", "split",     "source", "notes",
+                                "extends", "let",   "parameter", "roles"};
+  for (int i = 0; i < kRuleKinds; ++i)
+    if (const std::string name(rule_name(static_cast<RuleKind>(i))); !name.starts_with(kBoundary))
+      keys.push_back(name);
+  keys.insert(keys.end(), {"boundary", "mask", "factors", "facts"});
+  return keys;
+}
+
+std::vector<std::string> boundary_keys() {
+  std::vector<std::string> keys;
+  for (int i = 0; i < kRuleKinds; ++i)
+    if (const std::string name(rule_name(static_cast<RuleKind>(i))); name.starts_with(kBoundary))
+      keys.push_back(name.substr(kBoundary.size()));
+  return keys;
+}
+
+std::vector<std::string> rule_names() {
+  std::vector<std::string> names;
+  for (int i = 0; i < kRuleKinds; ++i) names.emplace_back(rule_name(static_cast<RuleKind>(i)));
+  return names;
+}
+
+bool is_identifier(std::string_view name) {
+  if (name.empty() || (std::isalpha(static_cast<unsigned char>(name[0])) == 0 && name[0] != '_'))
+    return false;
+  return std::all_of(name.begin(), name.end(), [](char c) {
+    return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
+  });
+}
+
+bool is_reserved(std::string_view name) {
+  constexpr std::array<std::string_view, 9> reserved{"n",    "k",   "pi", "cos", "sin",
+                                                     "sqrt", "and", "or", "not"};
+  return std::find(reserved.begin(), reserved.end(), name) != reserved.end();
+}
+
+}  // namespace limn

@@ -1,0 +1,15 @@
+#pragma once
+/// The parts of a scheme file that are data rather than rules: masks, factors, facts.
+
+#include "limn/scheme/file/toml_reader.h"
+
+namespace limn {
+
+/// { rows = [[…], …], scale = … }; `what` names it in errors.
+Rows read_rows(TomlReader& in, const toml::node& node, std::string_view what);
+/// { stages = …, directions = [{ step = [1, 0], count = … }, …], kernel = ROWS }
+Factors read_factors(TomlReader& in, const toml::node& node);
+/// One entry of [[facts]]: into scheme.facts, scheme.equivalences or scheme.stated_mask.
+void read_fact(TomlReader& in, const toml::node& node, Scheme& scheme);
+
+}  // namespace limn

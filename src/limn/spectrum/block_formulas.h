@@ -1,0 +1,55 @@
+#pragma once
+/// Frequency blocks whose entries are formulas, and their eigenvalues. Private to eigen_formula.
+
+#include <optional>
+#include <vector>
+
+#include "limn/spectrum/eigen_formula.h"
+#include "limn/spectrum/symbolic_weights.h"
+
+namespace limn {
+
+/// A frequency: a number, or a symbol for all others.
+struct Frequency {
+  std::optional<int> number;
+  Symbolic value;
+};
+
+using SymbolicMatrix = std::vector<std::vector<Symbolic>>;
+
+/// A pattern's terms as formulas. The pattern must outlive it.
+class BlockFormulas {
+ public:
+  /// `unknown`: the name of the characteristic polynomial's variable. Fails where a weight is no
+  /// formula.
+  [[nodiscard]] static Result<BlockFormulas> make(const SectorPattern& pattern,
+                                                  SymbolicWeights& weights,
+                                                  const std::string& unknown);
+
+  /// The highest harmonic of a repeated weight: frequencies up to it are special.
+  [[nodiscard]] int highest_harmonic() const;
+
+  /// Similar to the block of frequency_blocks.h: the points' phases within their sectors, a
+  /// diagonal matrix, are left out. Phases are powers of one symbol, e^{iπω/n}.
+  [[nodiscard]] Result<SymbolicMatrix> block(const Frequency& frequency) const;
+
+  /// The block's eigenvalues, ring by ring. Fails where the scheme has no mirror symmetry, and
+  /// where a formula grows too large.
+  [[nodiscard]] Result<FrequencyFormulas> eigenvalues(const Frequency& frequency) const;
+
+ private:
+  BlockFormulas(const SectorPattern& pattern, Symbolic n, const std::string& unknown)
+      : pattern_(pattern), n_(std::move(n)), unknown_(variable(unknown)) {}
+  [[nodiscard]] Result<Symbolic> term_value(const SectorTerm& term,
+                                            const Frequency& frequency) const;
+  [[nodiscard]] int half_sectors(const SectorTerm& term) const;
+  [[nodiscard]] Result<Symbolic> along(const SectorTerm& term, const Frequency& frequency) const;
+
+  const SectorPattern& pattern_;
+  Symbolic n_;
+  Symbol unknown_;
+  std::vector<Symbolic> plain_;
+  std::vector<RepeatedWeight> repeated_;
+};
+
+}  // namespace limn

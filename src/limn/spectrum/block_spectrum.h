@@ -1,0 +1,48 @@
+#pragma once
+/// Eigenvalues of frequency blocks, with their rings, multiplicities and Jordan blocks.
+
+#include <cmath>
+#include <complex>
+#include <vector>
+
+#include "limn/spectrum/frequency_blocks.h"
+
+namespace limn {
+
+struct Eigenvalue {
+  std::complex<double> value;
+  int frequency = 0;
+  /// The least number of rings that are invariant by themselves and have it.
+  int ring = 0;
+  int multiplicity = 1;  ///< algebraic, within its frequency's block
+  int jordan = 1;        ///< size of its largest Jordan block there
+
+  /// |value|, sooner than std::abs where it is real, as most are.
+  [[nodiscard]] double modulus() const {
+    return value.imag() == 0 ? std::abs(value.real()) : std::abs(value);
+  }
+};
+
+/// The eigenvalues of one block, largest modulus first, repeated by multiplicity.
+struct BlockSpectrum {
+  int frequency = 0;
+  std::vector<Eigenvalue> eigenvalues;
+};
+
+/// Eigenvalues closer than this are called equal; between it and kUndecidedBelow nothing is said.
+inline constexpr double kEqualBelow = 1e-10;
+inline constexpr double kUndecidedBelow = 1e-8;
+
+/// What becomes of eigenvalues closer than about 1e-6, which may be one defective eigenvalue that
+/// rounding split: `joined` gives them their mean, exact if they are one; `apart` leaves them,
+/// exact if they are several.
+enum class Near { joined, apart };
+
+/// The spectrum of one block, 0 ≤ ω ≤ ⌊n/2⌋, in double precision.
+[[nodiscard]] BlockSpectrum approx_spectrum(const FrequencyBlocks& blocks, int omega,
+                                            Near near = Near::joined);
+
+/// Of all blocks, ω = 0 … ⌊n/2⌋, near ones joined. Cost: one small eigenvalue problem for each.
+[[nodiscard]] std::vector<BlockSpectrum> approx_spectra(const FrequencyBlocks& blocks);
+
+}  // namespace limn

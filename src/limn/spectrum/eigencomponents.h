@@ -1,0 +1,76 @@
+#pragma once
+/// Eigenvalues of the subdivision matrix, each known by its rotational frequency [BGSK §2.2], and
+/// what they say about the surface.
+
+#include <array>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "limn/base/truth.h"
+#include "limn/scheme/regular_part.h"
+#include "limn/spectrum/block_spectrum.h"
+
+namespace limn {
+
+/// A label: eigenvalue number `index` (largest first) of a frequency's block.
+struct Component {
+  std::string_view name;
+  int frequency;
+  std::size_t index;
+
+  /// At n = 3 frequency 2 is the conjugate of frequency 1 and has no label of its own.
+  [[nodiscard]] bool exists_at(int valence) const { return frequency <= valence / 2; }
+};
+inline constexpr std::array<Component, 4> kComponents{
+    {{"position", 0, 0}, {"cup", 0, 1}, {"tangent", 1, 0}, {"saddle", 2, 0}}};
+
+/// The labelled eigenvalue; nothing where it is not real. `spectrum` is that of its frequency.
+[[nodiscard]] std::optional<double> labelled(const Component& component,
+                                             const BlockSpectrum& spectrum);
+
+/// A shape's eigenvalue (the cup's or the saddle's) against the square of the tangent's: less,
+/// equal, greater. A comparison of two numbers: curvature is what `Verdict::bounded_curvature`
+/// says.
+enum class Curvature { flat, bounded, unbounded, undecided };
+[[nodiscard]] std::string_view to_string(Curvature curvature);
+
+/// What the eigenvalues say, and the regular surface round the vertex. `convergent`: of the vertex
+/// alone. A C1 surface needs more than `c1_necessary`: a characteristic map that is regular and
+/// injective, and C1 regular surfaces; none of that is looked at here.
+struct Verdict {
+  Truth convergent = Truth::undecided;  ///< 1 is simple, all others are smaller
+  /// The tangent pair leads all others but 1, in every block. no: not C1. Undecided where the
+  /// tangent's eigenvalue has a Jordan block that drowns all that ties with it: then the map of the
+  /// chain's eigenvector decides, of which the standard theorem does not speak.
+  Truth c1_necessary = Truth::undecided;
+  /// What bounded curvature needs of the eigenvalues: c1_necessary, and all others are at most
+  /// tangent², those that are equal to it without Jordan blocks.
+  Truth curvature_necessary = Truth::undecided;
+  /// What the lattice allows, as it was given.
+  RegularPart regular_part;
+  /// curvature_necessary and regular_part together: whether curvature is bounded at the vertex, if
+  /// the surface is C1 there.
+  Truth bounded_curvature = Truth::undecided;
+  std::optional<Curvature> cup, saddle;  ///< nothing where the valence has no such shape
+  std::vector<std::string> reasons;
+};
+
+struct Eigencomponents {
+  int valence = 0;
+  int rings = 0;
+  std::vector<BlockSpectrum> spectra;  ///< ω = 0 … ⌊n/2⌋
+  /// Dominant of ω = 0 and of ω = 1, subdominant of ω = 0, dominant of ω = 2 (none at n = 3, where
+  /// that is the conjugate of ω = 1; none where it is not real).
+  std::optional<double> position, tangent, cup, saddle;
+  Verdict verdict;
+};
+
+/// In double precision: an "approximate" reading; certificates are another matter. `regular`: of
+/// the scheme's regular lattice; without it bounded curvature is refuted at most. Cost: one small
+/// eigenvalue problem for each frequency.
+[[nodiscard]] Eigencomponents approx_eigencomponents(const FrequencyBlocks& blocks,
+                                                     const RegularPart& regular = {});
+
+}  // namespace limn

@@ -1,0 +1,171 @@
+#include "limn/spectrum/frequency_blocks.h"
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <numbers>
+#include <numeric>
+
+#include <fmt/core.h>
+
+#include "limn/spectrum/least_valence.h"
+#include "limn/spectrum/sector_pattern.h"
+
+namespace limn {
+namespace {
+
+constexpr double kTwoPi = 2 * std::numbers::pi;
+
+/// The named weights at one valence: one number each, or n of a repeated role.
+using Weights = std::vector<std::vector<double>>;
+
+Result<Weights> evaluated(const Scheme& scheme, const SectorPattern& pattern, int n) {
+  Weights weights(pattern.names.size());
+  std::vector<double> shares;
+  shares.reserve(pattern.names.size());
+  for (const NamedWeight& name : pattern.names) shares.push_back(to_double(name.share));
+  // each scope evaluates a let that several weights use once
+  const auto evaluate = [&](Scope<double> scope, bool repeated) -> Status {
+    for (std::size_t i = 0; i < pattern.names.size(); ++i) {
+      const NamedWeight& name = pattern.names[i];
+      if (name.repeated != repeated) continue;
+      const Result<double> value = scope(name.weight->value);
+      if (!value) return value.error();
+      weights[i].push_back(shares[i] * *value);
+    }
+    return Done{};
+  };
+  if (Status status = evaluate({scheme, n, std::nullopt}, false); !status) return status.error();
+  const bool any = std::any_of(pattern.names.begin(), pattern.names.end(),
+                               [](const NamedWeight& name) { return name.repeated; });
+  for (int k = 0; any && k < n; ++k)
+    if (Status status = evaluate({scheme, n, k}, true); !status) return status.error();
+  return weights;
+}
+
+/// A row of the block of frequency 0 sums to 1: constants are reproduced.
+Status check_sums(const Scheme& scheme, const FrequencyBlocks& blocks) {
+  const Eigen::VectorXcd sums = blocks.blocks.front().rowwise().sum();
+  for (Eigen::Index i = 0; i < sums.size(); ++i)
+    if (!(std::abs(sums(i) - 1.0) < 1e-9))
+      return Error{
+          fmt::format("scheme '{}' has weights that sum to about {:.9g}, not 1, at valence {}",
+                      scheme.name, sums(i).real(), blocks.valence),
+          {},
+          scheme.file,
+          0,
+          0};
+  return Done{};
+}
+
+/// A pattern's terms at one valence, frequency after frequency.
+class TermsAt {
+ public:
+  TermsAt(const SectorPattern& pattern, const Weights& weights, int n)
+      : pattern_(pattern), weights_(weights), n_(n) {
+    for (int k = 0; k < n; ++k) roots_.push_back(std::polar(1.0, kTwoPi * k / n));
+    for (const SectorTerm& term : pattern.terms) {
+      double factor = term.coefficient;
+      for (const int name : term.names) factor *= weights[static_cast<std::size_t>(name)].front();
+      factors_.push_back(factor);
+      steps_.push_back(phase(term.angle));
+    }
+    phases_.resize(pattern.terms.size());
+    sums_.resize(weights.size());
+    for (const std::vector<double>& values : weights)
+      totals_.push_back(std::accumulate(values.begin(), values.end(), 0.0));
+  }
+
+  /// The block of frequency ω; called for ω = 0, 1, 2, … in this order.
+  Eigen::MatrixXcd block(int omega) {
+    constexpr int kResync = 16;  // so that errors of the recurrence for e^{iωx} do not add up
+    const bool with_center = pattern_.has_center && omega == 0;
+    const int shift = with_center ? 1 : 0;  // the centre, -1, comes first
+    const auto size = static_cast<Eigen::Index>(pattern_.orbits.size()) + shift;
+    Eigen::MatrixXcd block = Eigen::MatrixXcd::Zero(size, size);
+    for (std::size_t name = 0; name < sums_.size(); ++name)
+      if (pattern_.names[name].repeated) sums_[name] = transformed(weights_[name], omega);
+    for (std::size_t i = 0; i < pattern_.terms.size(); ++i) {
+      const SectorTerm& term = pattern_.terms[i];
+      if (!with_center && (term.row == kCenter || term.column == kCenter)) continue;
+      phases_[i] = omega % kResync == 0 ? phase(term.angle * omega) : phases_[i] * steps_[i];
+      block(term.row + shift, term.column + shift) += factors_[i] * along(term, omega, phases_[i]);
+    }
+    return block;
+  }
+
+ private:
+  [[nodiscard]] std::complex<double> phase(double sectors) const {
+    return std::polar(1.0, kTwoPi * sectors / n_);
+  }
+
+  /// The sum of w_k e^{2πiωk/n}.
+  [[nodiscard]] std::complex<double> transformed(const std::vector<double>& values,
+                                                 int omega) const {
+    std::complex<double> sum = 0;
+    std::size_t at = 0;
+    for (const double value : values) {
+      sum += value * roots_[at];
+      at += static_cast<std::size_t>(omega);
+      if (at >= roots_.size()) at -= roots_.size();
+    }
+    return sum;
+  }
+
+  /// What the positions of a term sum to, without its factor.
+  [[nodiscard]] std::complex<double> along(const SectorTerm& term, int omega,
+                                           std::complex<double> first) const {
+    if (term.every_sector) return omega == 0 ? n_ : 0.0;
+    if (term.repeated < 0) return first;
+    const auto name = static_cast<std::size_t>(term.repeated);
+    if (term.slope == 0) return first * totals_[name];
+    return first * (term.slope > 0 ? sums_[name] : std::conj(sums_[name]));
+  }
+
+  const SectorPattern& pattern_;
+  const Weights& weights_;
+  int n_;
+  std::vector<std::complex<double>> roots_, steps_, phases_;
+  std::vector<std::complex<double>> sums_;  // of each repeated name's weights, transformed at ω
+  std::vector<double> factors_;
+  std::vector<double> totals_;  // of each name's weights
+};
+
+}  // namespace
+
+FrequencyAnalysis::FrequencyAnalysis(const Scheme& scheme, int rings)
+    : scheme_(&scheme), rings_(rings) {}
+FrequencyAnalysis::~FrequencyAnalysis() = default;
+FrequencyAnalysis::FrequencyAnalysis(FrequencyAnalysis&&) noexcept = default;
+FrequencyAnalysis& FrequencyAnalysis::operator=(FrequencyAnalysis&&) noexcept = default;
+
+Result<const SectorPattern*> FrequencyAnalysis::pattern_at(int n) {
+  Result<CenterCases> cases = center_cases(*scheme_, n);
+  if (!cases) return cases.error();
+  std::unique_ptr<SectorPattern>& pattern = patterns_[*cases];
+  if (pattern) return pattern.get();
+  const Result<int> rings = rings_ > 0 ? rings_ : control_rings(*scheme_, *cases);
+  if (!rings) return rings.error();
+  Result<SectorPattern> made = sector_pattern(*scheme_, *cases, *rings);
+  if (!made) return made.error();
+  pattern = std::make_unique<SectorPattern>(std::move(*made));
+  return pattern.get();
+}
+
+Result<FrequencyBlocks> FrequencyAnalysis::blocks(int n) {
+  if (const int least = least_valence(*scheme_->split); n < least)
+    return Error{fmt::format("valence {} is below {}", n, least), {}, {}, 0, 0};
+  const Result<const SectorPattern*> pattern = pattern_at(n);
+  if (!pattern) return pattern.error();
+  const SectorPattern& p = **pattern;
+  const Result<Weights> weights = evaluated(*scheme_, p, n);
+  if (!weights) return weights.error();
+  FrequencyBlocks result{n, p.rings, p.has_center, p.orbits, {}};
+  TermsAt terms(p, *weights, n);
+  result.blocks.reserve(static_cast<std::size_t>(n / 2 + 1));
+  for (int omega = 0; omega <= n / 2; ++omega) result.blocks.push_back(terms.block(omega));
+  if (Status status = check_sums(*scheme_, result); !status) return status.error();
+  return result;
+}
+
+}  // namespace limn

@@ -1,0 +1,354 @@
+#include "limn/spectrum/sector_pattern.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdlib>
+#include <map>
+#include <tuple>
+
+#include <fmt/core.h>
+
+#include "limn/mesh/lattice.h"
+#include "limn/refine/linear_form.h"
+#include "limn/refine/refine_values.h"
+#include "limn/refine/star_step.h"
+
+namespace limn {
+namespace {
+
+/// Sectors of the star that is refined: no regular valence, and wide enough that stencils at the
+/// centre's neighbours do not meet round it.
+constexpr int kSectors = 13;
+constexpr int kMostRings = 7;   // that control the surface, and one more
+constexpr int kSeenBeyond = 4;  // rings of the star's margin
+
+Error not_invariant(const Scheme& scheme, int rings) {
+  return {fmt::format("{} rings are not invariant under scheme '{}'", rings, scheme.name),
+          "take more rings",
+          {},
+          0,
+          0};
+}
+
+/// A vertex of a star as sector and orbit (kCenter: the centre).
+struct Seat {
+  int orbit, sector;
+};
+
+class Seats {
+ public:
+  Seats(const Split& split, int rings) : center_(!split.births_corners) {
+    for (int ring = 1; ring <= rings; ++ring) {
+      first_orbit_.push_back(static_cast<int>(orbits_.size()));
+      const int size =
+          (split_star_size(split, kSectors, ring) - split_star_size(split, kSectors, ring - 1)) /
+          kSectors;
+      const double middle = center_ ? 0 : ring - 1;  // dual: the corner's diagonal
+      for (int k = 0; k < size; ++k) orbits_.push_back({ring, (k - middle) / size});
+    }
+  }
+  [[nodiscard]] const std::vector<Orbit>& orbits() const { return orbits_; }
+
+  /// Of vertex v < star_size, numbered as in mesh/lattice.h.
+  [[nodiscard]] Seat of(Index v) const {
+    int left = static_cast<int>(v) - (center_ ? 1 : 0);
+    if (left < 0) return {kCenter, 0};
+    for (std::size_t r = 0;; ++r) {
+      const int next =
+          r + 1 < first_orbit_.size() ? first_orbit_[r + 1] : static_cast<int>(orbits_.size());
+      const int size = next - first_orbit_[r];
+      if (left < kSectors * size) return {first_orbit_[r] + left % size, left / size};
+      left -= kSectors * size;
+    }
+  }
+
+ private:
+  bool center_;
+  std::vector<Orbit> orbits_;
+  std::vector<int> first_orbit_;  // of each ring
+};
+
+/// Names given to the weights at the centre, and which of them a repeated role's positions are.
+class Namer {
+ public:
+  std::vector<NamedWeight> names;
+  struct Position {
+    int name;
+    int k;  // -1: not of a repeated role
+  };
+  std::vector<Position> positions;  // by WeightForm's index
+
+  Row<WeightForm> row(const RuleCase* rule_case, RuleKind kind, Lattice lattice) {
+    Row<WeightForm> row;
+    if (rule_case == nullptr) return row;
+    const auto program = std::make_shared<Program>(compile(*rule_case, kind, lattice));
+    for (const Step& step : *program) {
+      const bool repeated = step.walk.repeated;
+      const int name = static_cast<int>(names.size());
+      names.push_back({kind, step.weight, step.share, repeated, step.per_sector});
+      for (int k = 0; k < (repeated ? kSectors : 1); ++k) {
+        row.weights.push_back(WeightForm::name(static_cast<int>(positions.size())));
+        positions.push_back({name, repeated ? k : -1});
+      }
+    }
+    row.program = program;
+    return row;
+  }
+
+  /// A row of a regular rule.
+  Result<Row<WeightForm>> regular_row(const Scheme& scheme, RuleKind kind, int n,
+                                      const RegularNames& named) {
+    const Result<const RuleCase*> rule_case = applicable_case(scheme, kind, n);
+    if (!rule_case) return rule_case.error();
+    Row<WeightForm> row;
+    if (*rule_case == nullptr) {
+      if (kind == RuleKind::edge_end) return row;
+      return missing_rule(scheme, kind, n);
+    }
+    const auto program =
+        std::make_shared<Program>(compile(**rule_case, kind, scheme.split->lattice));
+    for (const Step& step : *program)
+      for (int k = 0; k < (step.walk.repeated ? n : 1); ++k) {
+        NamedWeight name{kind, step.weight, step.share, false, false, n, std::nullopt};
+        if (step.walk.repeated) name.k = k;
+        row.weights.push_back(named(name) ? form_of(name) : WeightForm());
+      }
+    row.program = program;
+    return row;
+  }
+
+ private:
+  WeightForm form_of(const NamedWeight& name) {
+    const auto same = std::find_if(names.begin(), names.end(), [&](const NamedWeight& other) {
+      return other.weight == name.weight && other.share == name.share &&
+             other.regular == name.regular && other.k == name.k;
+    });
+    if (same == names.end()) {
+      names.push_back(name);
+      positions.push_back({static_cast<int>(names.size()) - 1, -1});
+      return WeightForm::name(static_cast<int>(positions.size()) - 1);
+    }
+    const int number = static_cast<int>(same - names.begin());
+    const auto position = std::find_if(positions.begin(), positions.end(),
+                                       [&](const Position& p) { return p.name == number; });
+    return WeightForm::name(static_cast<int>(position - positions.begin()));
+  }
+};
+
+Result<Row<WeightForm>> constant_row(const Scheme& scheme, RuleKind kind, int n) {
+  Result<Row<double>> numbers = tabulate_row<double>(scheme, kind, n);
+  if (!numbers) return numbers.error();
+  Row<WeightForm> row;
+  row.program = numbers->program;
+  row.weights.assign(numbers->weights.begin(), numbers->weights.end());
+  return row;
+}
+
+/// The terms of one row from its linear form.
+class RowTerms {
+ public:
+  RowTerms(const Namer& namer, const Seats& places, int row, double row_angle)
+      : namer_(namer), places_(places), row_(row), row_angle_(row_angle) {}
+
+  /// False where what was found has no such pattern.
+  [[nodiscard]] bool add(Index vertex, const WeightForm& form) {
+    const Seat seat = places_.of(vertex);
+    const int sector = seat.sector > kSectors / 2 ? seat.sector - kSectors : seat.sector;
+    for (const auto& [indices, coefficient] : form.terms()) {
+      if (coefficient == 0) continue;
+      Key key{seat.orbit, {}, -1, coefficient};
+      int k = -1;
+      for (const int index : indices) {
+        const Namer::Position& position = namer_.positions[static_cast<std::size_t>(index)];
+        if (position.k < 0) {
+          key.names.push_back(position.name);
+          continue;
+        }
+        if (key.repeated >= 0) return false;
+        key.repeated = position.name;
+        k = position.k;
+      }
+      found_[key].push_back({sector, k});
+    }
+    return true;
+  }
+
+  [[nodiscard]] bool append_to(std::vector<SectorTerm>& terms) const {
+    for (const auto& [key, positions] : found_) {
+      SectorTerm term{row_, key.column, 0, key.coefficient, key.names, key.repeated, 0, false};
+      const double from = row_ == kCenter ? 0 : row_angle_;
+      const double to = key.column == kCenter
+                            ? from
+                            : places_.orbits()[static_cast<std::size_t>(key.column)].angle;
+      if (key.repeated >= 0) {
+        if (!line_up(positions, term)) return false;
+        if (key.column != kCenter) term.angle += to - from;
+        terms.push_back(term);
+      } else if (row_ == kCenter && key.column != kCenter) {
+        // rotation leaves the centre, so all sectors come alike
+        if (positions.size() % kSectors != 0) return false;
+        term.every_sector = true;
+        const std::size_t per_sector_count = positions.size() / kSectors;
+        term.coefficient *= static_cast<double>(per_sector_count);
+        terms.push_back(term);
+      } else if (row_ == kCenter && per_sector(key.names)) {
+        term.every_sector = true;
+        term.coefficient /= kSectors;  // what came from the sectors' faces was added up
+        terms.push_back(term);
+      } else {
+        for (const auto& [sector, k] : positions) {
+          if (std::abs(sector) >= kSectors / 2) return false;
+          term.angle = key.column == kCenter ? 0 : sector + to - from;
+          terms.push_back(term);
+        }
+      }
+    }
+    return true;
+  }
+
+ private:
+  struct Key {
+    int column;
+    std::vector<int> names;
+    int repeated;
+    double coefficient;
+    friend bool operator<(const Key& a, const Key& b) {
+      return std::tie(a.column, a.names, a.repeated, a.coefficient) <
+             std::tie(b.column, b.names, b.repeated, b.coefficient);
+    }
+  };
+  struct Position {
+    int sector, k;
+  };
+
+  [[nodiscard]] bool per_sector(const std::vector<int>& names) const {
+    return std::any_of(names.begin(), names.end(), [&](int name) {
+      return namer_.names[static_cast<std::size_t>(name)].per_sector;
+    });
+  }
+
+  /// Positions k = 0 … of a repeated role lie one sector on from each other, one way round or the
+  /// other.
+  static bool line_up(const std::vector<Position>& positions, SectorTerm& term) {
+    if (positions.size() != kSectors) return false;
+    std::array<int, kSectors> sector{};
+    for (const Position& position : positions)
+      sector[static_cast<std::size_t>(position.k)] = position.sector;
+    const auto turned = [](int difference) {
+      return (difference % kSectors + kSectors) % kSectors;
+    };
+    const int slope = turned(sector[1] - sector[0]);
+    if (slope != 1 && slope != kSectors - 1 && slope != 0) return false;
+    for (std::size_t k = 1; k < kSectors; ++k)
+      if (turned(sector[k] - sector[k - 1]) != slope) return false;
+    term.slope = slope == kSectors - 1 ? -1 : slope;
+    term.angle = sector[0];
+    return true;
+  }
+
+  const Namer& namer_;
+  const Seats& places_;
+  int row_;
+  double row_angle_;
+  std::map<Key, std::vector<Position>> found_;
+};
+
+/// A star refined once, in forms whose coefficients are polynomials in the centre's weights.
+struct StarForms {
+  StarStep step;
+  Namer namer;
+  std::vector<LinearForm<WeightForm>> forms;  // by vertex of step.fine
+};
+
+Result<StarForms> refined_star(const Scheme& scheme, const CenterCases& cases, int rings,
+                               const RegularNames& named) {
+  const Split& split = *scheme.split;
+  const std::vector<RuleKind> kinds = center_rules(split);
+  StarForms star{star_step(split, kSectors, rings), {}, {}};
+  RuleTables<WeightForm> tables(
+      scheme, Boundary::left_out, [&](RuleKind kind, int n) -> Result<Row<WeightForm>> {
+        const auto at = std::find(kinds.begin(), kinds.end(), kind);
+        if (n != kSectors || at == kinds.end())
+          return named ? star.namer.regular_row(scheme, kind, n, named)
+                       : constant_row(scheme, kind, n);
+        return star.namer.row(cases[static_cast<std::size_t>(at - kinds.begin())], kind,
+                              split.lattice);
+      });
+  const StarStep& step = star.step;
+  if (Status status = tables.prepare(step.coarse, step.fine.births); !status) return status.error();
+  star.forms = refine_values(scheme, step.coarse, step.fine.births, tables,
+                             unit_forms<WeightForm>(step.coarse.vertex_count()));
+  return star;
+}
+
+}  // namespace
+
+std::vector<RuleKind> center_rules(const Split& split) {
+  if (split.births_corners) return {RuleKind::corner};
+  if (split.births_edges) return {RuleKind::vertex, RuleKind::edge_end};
+  return {RuleKind::vertex};
+}
+
+Result<CenterCases> center_cases(const Scheme& scheme, int n) {
+  CenterCases cases;
+  for (const RuleKind kind : center_rules(*scheme.split)) {
+    const Result<const RuleCase*> found = applicable_case(scheme, kind, n);
+    if (!found) return found.error();
+    if (*found == nullptr && kind != RuleKind::edge_end) return missing_rule(scheme, kind, n);
+    cases.push_back(*found);
+  }
+  return cases;
+}
+
+Result<int> control_rings(const Scheme& scheme, const CenterCases& cases,
+                          const RegularNames& named) {
+  // D(r): the farthest ring that ring r of the refined star hangs on. It grows more slowly than
+  // r, so that what controls the faces round the centre at every level is the last r ≤ D(r).
+  const Result<StarForms> star = refined_star(scheme, cases, kMostRings, named);
+  if (!star) return star.error();
+  const Seats seats(*scheme.split, kMostRings + kSeenBeyond);
+  const auto ring = [&](Index v) {
+    const Seat seat = seats.of(v);
+    return seat.orbit == kCenter ? 0 : seats.orbits()[static_cast<std::size_t>(seat.orbit)].ring;
+  };
+  std::array<int, kMostRings + 1> farthest{};
+  for (Index v = 0; v < star->step.size; ++v)
+    for (const auto& [vertex, form] : star->forms[star->step.images[v]].terms)
+      farthest[static_cast<std::size_t>(ring(v))] =
+          std::max(farthest[static_cast<std::size_t>(ring(v))], ring(vertex));
+  int rings = 1;
+  for (int r = 1; r <= kMostRings; ++r)
+    if (farthest[static_cast<std::size_t>(r)] >= r) rings = r;
+  if (rings < kMostRings) return rings;
+  return Error{
+      fmt::format("scheme '{}' reaches farther than {} rings", scheme.name, kMostRings - 1),
+      {},
+      scheme.file,
+      0,
+      0};
+}
+
+Result<SectorPattern> sector_pattern(const Scheme& scheme, const CenterCases& cases, int rings,
+                                     const RegularNames& named) {
+  const Split& split = *scheme.split;
+  const Result<StarForms> star = refined_star(scheme, cases, rings, named);
+  if (!star) return star.error();
+  const Seats seats(split, rings);
+  const double turn = split.dilation.rows[0][1] == 0 ? 0 : 0.5;
+  SectorPattern pattern{rings, seats.orbits(), !split.births_corners, star->namer.names, {}};
+  for (Index v = 0; v < star->step.size; ++v) {
+    const Seat seat = seats.of(v);
+    if (seat.sector != 0) continue;
+    const double angle = seat.orbit == kCenter
+                             ? 0
+                             : seats.orbits()[static_cast<std::size_t>(seat.orbit)].angle + turn;
+    RowTerms terms(star->namer, seats, seat.orbit, angle);
+    for (const auto& [vertex, form] : star->forms[star->step.images[v]].terms)
+      if (vertex >= star->step.size || !terms.add(vertex, form))
+        return not_invariant(scheme, rings);
+    if (!terms.append_to(pattern.terms)) return not_invariant(scheme, rings);
+  }
+  return pattern;
+}
+
+}  // namespace limn

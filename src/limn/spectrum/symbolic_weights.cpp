@@ -1,0 +1,189 @@
+#include "limn/spectrum/symbolic_weights.h"
+
+#include <algorithm>
+
+#include <fmt/core.h>
+
+#include "limn/number/polynomial_text.h"
+#include "limn/scheme/check.h"
+
+namespace limn {
+namespace {
+
+Error no_sum(const NamedWeight& name, const std::string& why) {
+  const Place& place = name.weight->value.place;
+  return {fmt::format("the weights of '{}' have no closed Fourier sum over k: {}",
+                      name.weight->role, why),
+          "sums of cos(2*pi*k/n), its multiples and terms such as (k == 0) have", place.file,
+          place.line, place.column};
+}
+
+/// The largest integer that is not above q.
+int floor_of(const Rational& q) {
+  const Integer above = boost::multiprecision::numerator(q);
+  const Integer below = boost::multiprecision::denominator(q);
+  Integer quotient = above / below;
+  if (quotient * below > above) --quotient;
+  return quotient.convert_to<int>();
+}
+
+/// Positions near k = 0 and near k = n that comparisons treat apart.
+struct Apart {
+  int first = 0;  ///< k = 0 … first-1
+  int last = 0;   ///< k = n-1 … n-last
+  bool bounded = true;
+
+  /// k + c > 0 or n - k + c > 0 was supposed.
+  void suppose(const Polynomial& positive) {
+    constexpr int kMost = 50;
+    Rational constant = 0;
+    bool from_start = false;
+    for (const auto& [monomial, coefficient] : positive.terms()) {
+      if (monomial.empty()) constant = coefficient;
+      if (!monomial.empty() && monomial.front().first->name == "k") from_start = coefficient > 0;
+    }
+    if (-constant > kMost) {
+      bounded = false;
+    } else if (constant <= 0 && from_start) {
+      first = std::max(first, floor_of(-constant) + 1);
+    } else if (constant < 0) {
+      last = std::max(last, floor_of(-constant));
+    }
+  }
+};
+
+Result<Symbolic> harmonic_at(const RepeatedWeight& weight, int j, const Symbolic& n) {
+  Result<Symbolic> sum = Symbolic(0);
+  for (const auto& [m, coefficient] : weight.harmonics) {
+    Result<Symbolic> angle =
+        Symbolic::divide(Symbolic(Polynomial(pi_symbol()) * Polynomial(2 * m * j)), n);
+    if (angle) angle = symbolic_cos(*angle);
+    if (angle) angle = Symbolic::multiply(*angle, coefficient);
+    if (angle && sum) angle = Symbolic::add(*sum, *angle);
+    if (!angle) return angle;
+    sum = angle;
+  }
+  return sum;
+}
+
+/// What `weight` at position j has beyond its harmonics.
+Result<Symbolic> beyond_harmonics(const RepeatedWeight& weight, const Result<Symbolic>& value,
+                                  int j, const Symbolic& n) {
+  if (!value) return value;
+  const Result<Symbolic> harmonic = harmonic_at(weight, j, n);
+  if (!harmonic) return harmonic.error();
+  return Symbolic::add(*value, harmonic->negated());
+}
+
+}  // namespace
+
+std::string regular_name(const std::string& name, int n) { return fmt::format("{}_{}", name, n); }
+
+SymbolicWeights::SymbolicWeights(const Scheme& scheme, const NamesKept& kept)
+    : scheme_(scheme), kept_(kept) {
+  n_ = Polynomial(whole_number("n", [this](const Polynomial& positive) {
+    for (const auto& [monomial, coefficient] : positive.terms())
+      if (monomial.empty()) hold_from(-coefficient);
+  }));
+}
+
+SymbolicWeights::SymbolicWeights(const Scheme& scheme, const NamesKept& kept, int n)
+    : scheme_(scheme), kept_(kept), number_(n), n_(n) {}
+
+void SymbolicWeights::hold_from(const Rational& bound) {
+  constexpr int kBeyondAll = 1000;  // valences that are looked at
+  least_valence_ = bound > kBeyondAll ? std::max(least_valence_, kBeyondAll)
+                                      : std::max(least_valence_, floor_of(bound) + 1);
+}
+
+Result<Symbolic> SymbolicWeights::value(const NamedWeight& name, const std::optional<Symbolic>& n,
+                                        const std::optional<Symbolic>& k) const {
+  Scope<Symbolic> scope(scheme_, std::nullopt, std::nullopt);
+  if (n) scope.give("n", *n);
+  if (k) scope.give("k", *k);
+  if (!name.regular)
+    for (const std::string& let : kept_.lets) scope.give(let, Polynomial(variable(let)));
+  for (const std::string& one : kept_.parameters) {
+    const bool regular = name.regular && kept_.hanging_on_n.count(one) > 0;
+    if (regular && *name.regular == 0) continue;  // an edge has no n; the error will say so
+    scope.give(one, Polynomial(variable(regular ? regular_name(one, *name.regular) : one)));
+  }
+  const Result<Symbolic> found = scope(name.weight->value);
+  if (!found) return found.error();
+  return Symbolic::multiply(*found, Polynomial(name.share));
+}
+
+Result<Symbolic> SymbolicWeights::plain(const NamedWeight& name) {
+  if (!name.regular) return value(name, n_, std::nullopt);
+  std::optional<Symbolic> n;
+  std::optional<Symbolic> k;
+  if (rule_has_valence(name.kind)) n = Symbolic(*name.regular);
+  if (name.k) k = Symbolic(*name.k);
+  return value(name, n, k);
+}
+
+Result<RepeatedWeight> SymbolicWeights::repeated(const NamedWeight& name) {
+  return number_ ? one_by_one(name) : of_every_valence(name);
+}
+
+Result<RepeatedWeight> SymbolicWeights::one_by_one(const NamedWeight& name) const {
+  const int n = *number_;
+  RepeatedWeight result;
+  for (int k = 0; k < n; ++k) {
+    Result<Symbolic> weight = value(name, n_, Symbolic(k));
+    if (!weight) return weight.error();
+    if (2 * k == n) {  // half of it on either side, so that both come alike
+      weight = Symbolic::multiply(*weight, Polynomial(Rational(1, 2)));
+      if (!weight) return weight.error();
+      result.first.emplace(k, *weight);
+      result.last.emplace(k, *weight);
+    } else if (2 * k < n) {
+      result.first.emplace(k, *weight);
+    } else {
+      result.last.emplace(n - k, *weight);
+    }
+  }
+  return result;
+}
+
+Result<RepeatedWeight> SymbolicWeights::of_every_valence(const NamedWeight& name) {
+  Apart apart;
+  const Symbol k = whole_number("k", [&](const Polynomial& positive) { apart.suppose(positive); });
+  const Result<Symbolic> amid = value(name, n_, Symbolic(Polynomial(k)));
+  if (!amid) return amid.error();
+  if (!apart.bounded) return no_sum(name, "a comparison treats too many k apart");
+
+  RepeatedWeight result;
+  const Symbol cosine =
+      cosine_symbol(1, product({{k, 1}}, power(n_.numerator().terms().begin()->first, -1)));
+  const std::map<int, Polynomial> powers = amid->numerator().powers_of(cosine);
+  const bool plain = std::none_of(powers.begin(), powers.end(),
+                                  [](const auto& one) { return one.second.hangs_on("k"); });
+  if (!plain || amid->denominator().hangs_on("k") || (!powers.empty() && powers.begin()->first < 0))
+    return no_sum(name, "amid k = 0 … n-1 it is " + sum_text(amid->numerator(), Notation::text));
+  int highest = 0;
+  for (const auto& [j, coefficient] : chebyshev_coefficients(amid->numerator(), cosine)) {
+    if (j % 2 != 0) return no_sum(name, "cos(pi*k/n) has not n for its period");
+    const Result<Symbolic> harmonic = Symbolic::divide(coefficient, amid->denominator());
+    if (!harmonic) return harmonic.error();
+    result.harmonics.emplace(j / 2, *harmonic);
+    highest = std::max(highest, j / 2);
+  }
+  for (int j = 0; j < apart.first; ++j) {
+    const Result<Symbolic> rest = beyond_harmonics(result, value(name, n_, Symbolic(j)), j, n_);
+    if (!rest) return rest.error();
+    result.first.emplace(j, *rest);
+  }
+  // comparisons at k = n-j suppose n so large that these and the first ones lie apart
+  for (int j = 1; j <= apart.last; ++j) {
+    const Result<Symbolic> position = Symbolic::add(n_, -j);
+    if (!position) return position.error();
+    const Result<Symbolic> rest = beyond_harmonics(result, value(name, n_, *position), j, n_);
+    if (!rest) return rest.error();
+    result.last.emplace(j, *rest);
+  }
+  hold_from(2 * highest);  // of omega ≤ n/2 only omega = m then meets cos(2πmk/n)
+  return result;
+}
+
+}  // namespace limn

@@ -1,0 +1,106 @@
+#include "limn/study/fairness_record.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "limn/fairness/laplacian.h"
+#include "limn/fairness/second_form.h"
+#include "limn/limit/limit_points.h"
+#include "limn/refine/refine.h"
+
+namespace limn {
+namespace {
+
+constexpr int kMostLevels = 12;  // of meshes that hardly grow
+// refined and limit points, normals, and what is fitted
+constexpr std::size_t kBytesPerVertex = 3 * sizeof(Point3) + sizeof(SecondForm);
+
+int default_levels(const Scheme& scheme, const Mesh& control) {
+  int levels = 1;
+  while (levels < kMostLevels &&
+         estimate_refinement(*scheme.split, control, levels + 1, sizeof(Point3)).vertices <=
+             kFairnessVertices)
+    ++levels;
+  return levels;
+}
+
+Result<FairnessLevel> measured(const Scheme& scheme, const Refined<Point3>& fine, int level) {
+  LimitOptions options;
+  options.steps_made = level;
+  const Result<LimitPoints> limit = approx_limit_points(scheme, fine.mesh, fine.values, options);
+  if (!limit) return limit.error();
+  const Result<SurfaceEnergies> energies = approx_energies(fine.mesh, limit->positions);
+  if (!energies) return energies.error();
+  FairnessLevel result;
+  result.level = level;
+  result.vertices = fine.mesh.vertex_count();
+  result.faces = fine.mesh.face_count();
+  result.laplacian_energy = laplacian_energy(fine.mesh, limit->positions);
+  result.laplacian_rounding =
+      laplacian_rounding(fine.mesh, limit->positions, result.laplacian_energy);
+  result.scaled_laplacian =
+      result.laplacian_energy * std::pow(scheme.split->dilation.growth(), level);
+  result.energies = *energies;
+  return result;
+}
+
+template <class Value>
+Trend trend_over(const FairnessRecord& record, Value value, double negligible) {
+  std::vector<double> values;
+  values.reserve(record.levels.size());
+  for (const FairnessLevel& level : record.levels) values.push_back(value(level));
+  return trend_of(values, negligible);
+}
+
+/// Changes that are none: what rounding makes, and what is far below the energies of a surface of
+/// this area that bends.
+void set_trends(FairnessRecord& record) {
+  constexpr double kNegligible = 1e-9;
+  const FairnessLevel& last = record.last();
+  const SurfaceEnergies::Rounding& rounding = last.energies.rounding;
+  const double area = last.energies.area > rounding.area ? last.energies.area : 0;
+  const double least = area > 0 ? kNegligible : 0;
+  record.area = trend_over(
+      record, [](const auto& l) { return l.energies.area; }, rounding.area);
+  record.thin_plate = trend_over(
+      record, [](const auto& l) { return l.energies.thin_plate; },
+      std::max(least, rounding.thin_plate));
+  record.curvature_variation = trend_over(
+      record, [](const auto& l) { return l.energies.curvature_variation; },
+      std::max(area > 0 ? least / area : 0, rounding.curvature_variation));
+  const double scale =
+      last.laplacian_energy > 0 ? last.scaled_laplacian / last.laplacian_energy : 1;
+  record.scaled_laplacian = trend_over(
+      record, [](const auto& l) { return l.scaled_laplacian; },
+      std::max(least * area, last.laplacian_rounding * scale));
+}
+
+}  // namespace
+
+Result<FairnessRecord> approx_fairness(const std::string& label, const Scheme& scheme,
+                                       const Mesh& control, const std::vector<Point3>& points,
+                                       const FairnessOptions& options) {
+  const int levels = options.levels > 0 ? options.levels : default_levels(scheme, control);
+  const Status refinable =
+      check_refinable(scheme, control, levels, kBytesPerVertex, available_memory());
+  if (!refinable) return refinable.error();
+  FairnessRecord record;
+  record.scheme = label;
+  record.split = scheme.split->name;
+  record.growth = scheme.split->dilation.growth();
+  RuleTables<double> tables(scheme);
+  Refined<Point3> fine{control, points};
+  for (int level = 1; level <= levels; ++level) {
+    if (options.progress) options.progress(level, levels);
+    Result<Refined<Point3>> next = refine_once(scheme, fine.mesh, fine.values, level - 1, tables);
+    if (!next) return next.error();
+    fine = std::move(*next);
+    const Result<FairnessLevel> row = measured(scheme, fine, level);
+    if (!row) return row.error();
+    record.levels.push_back(*row);
+  }
+  set_trends(record);
+  return record;
+}
+
+}  // namespace limn

@@ -1,0 +1,40 @@
+#pragma once
+/// Limit surfaces as scenes to be drawn.
+
+#include <vector>
+
+#include "limn/figure/space/surface_scene.h"
+#include "limn/mesh/mesh.h"
+#include "limn/scheme/scheme.h"
+
+namespace limn {
+
+/// The limit surface of a control mesh, sampled after so many steps, with limit normals; faces are
+/// cut into triangles by fans. By the quick engine where it has the limit (fast_limit.h), else by
+/// the plain one. Fails as `refine` and `approx_limit_points` do, and before the work where that
+/// and a picture of it need more memory than there is.
+[[nodiscard]] Result<SmoothSurface> limit_surface(const Scheme& scheme, const Mesh& control,
+                                                  const std::vector<Point3>& points, int steps);
+
+/// What a picture of such a surface takes.
+struct DrawingEstimate {
+  double vertices = 0, triangles = 0;
+  double bytes = 0;  ///< at most, from the control mesh to the picture
+};
+[[nodiscard]] DrawingEstimate estimate_drawing(const Scheme& scheme, const Mesh& control,
+                                               int steps);
+
+/// More triangles than this are not drawn: a page of pixels shows no more.
+inline constexpr double kMostTriangles = 2e7;
+
+/// An error where the surface would have more than `kMostTriangles`; it names how many steps can be
+/// drawn.
+[[nodiscard]] Status check_drawable(const Scheme& scheme, const Mesh& control, int steps);
+
+/// Its vertices and triangles.
+[[nodiscard]] Polygons polygons_of(const SmoothSurface& surface);
+
+/// The edges of a mesh.
+[[nodiscard]] ControlNet control_net(const Mesh& mesh, const std::vector<Point3>& points);
+
+}  // namespace limn

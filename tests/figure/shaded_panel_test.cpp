@@ -1,0 +1,329 @@
+#include "limn/figure/space/shaded_panel.h"
+
+#include <gtest/gtest.h>
+
+#include <numbers>
+
+#include "limn/base/parallel.h"
+#include "limn/figure/figure.h"
+#include "limn/figure/space/shading.h"
+#include "limn/figure/space/visibility.h"
+#include "sample_surfaces.h"
+
+namespace limn::test {
+namespace {
+
+constexpr FigureFormat kFormats[] = {FigureFormat::pdf, FigureFormat::svg, FigureFormat::png};
+constexpr Box kBox = {0, 0, 206, 206};  // a scene has 200 points each way
+
+class Pictures : public testing::Test {
+ protected:
+  void SetUp() override {
+    if (!rays_available()) GTEST_SKIP() << "built without Embree";
+  }
+};
+
+template <class Panel>
+Canvas drawn(const Panel& panel, const Box& box = kBox) {
+  Canvas canvas(box.right(), box.bottom());
+  panel.draw(canvas, box);
+  return canvas;
+}
+
+const ImageOp& image_of(const Canvas& canvas) {
+  for (const DrawingOp& op : canvas.ops())
+    if (const auto* image = std::get_if<ImageOp>(&op)) return *image;
+  throw std::runtime_error("there is no image");
+}
+
+/// Corners of all strokes of this width.
+std::vector<PagePoint> stroked_points(const Canvas& canvas, double width) {
+  std::vector<PagePoint> points;
+  for (const DrawingOp& op : canvas.ops())
+    if (const auto* stroke = std::get_if<StrokeOp>(&op))
+      if (stroke->stroke.width == width)
+        points.insert(points.end(), stroke->path.points().begin(), stroke->path.points().end());
+  return points;
+}
+
+/// In [0, 1], of the pixel there.
+double brightness(const ImageOp& op, const PagePoint& at) {
+  const auto index = [](double share, int size) {
+    return static_cast<std::size_t>(std::clamp(static_cast<int>(share * size), 0, size - 1));
+  };
+  const std::size_t column = index((at[0] - op.box.x) / op.box.width, op.image.width);
+  const std::size_t row = index((at[1] - op.box.y) / op.box.height, op.image.height);
+  const std::uint8_t* pixel = &op.image.rgba[4 * (row * std::size_t(op.image.width) + column)];
+  return (pixel[0] + pixel[1] + pixel[2]) / 765.0;
+}
+
+SurfaceScene scene_of(const SmoothSurface& surface) { return {.surfaces = {surface}}; }
+
+SurfaceScene sphere_from_x(int cells) {
+  return {.surfaces = {sphere(cells)},
+          .azimuth = 0,
+          .elevation = 0,
+          .frame = SpaceBox{{-1, -1, -1}, {1, 1, 1}}};
+}
+
+/// θ of the light that the unit sphere mirrors at (x, y) of the page, from the eye upwards.
+double light_angle(double x, double y) {
+  const double z = std::sqrt(1 - x * x - y * y);
+  return std::atan2(2 * z * y, 2 * z * z - 1);
+}
+
+TEST_F(Pictures, StripesOfASphereAreThoseOfTheFormula) {
+  const Canvas canvas = drawn(ShadedPanel{
+      .scene = sphere_from_x(150), .stripes = LightLines{.count = 24}, .resolution = 150});
+  const ImageOp& image = image_of(canvas);
+  int dark = 0, bright = 0;
+  for (int i = -70; i <= 70; ++i) {
+    for (int j = -70; j <= 70; ++j) {
+      const double x = i * 0.01, y = j * 0.01;
+      if (std::hypot(x, y) > 0.9 || std::abs(std::abs(x) - std::sqrt(0.5)) < 0.15) continue;
+      const double turn = 24 * light_angle(x, y) / (2 * std::numbers::pi) - 0.5;
+      const double off = std::abs(turn - std::round(turn));
+      const double seen = brightness(image, {103 + 100 * x, 103 - 100 * y});
+      dark += off < 0.15 ? 1 : 0;
+      bright += off > 0.35 ? 1 : 0;
+      if (off < 0.15) EXPECT_LT(seen, 0.3) << x << ' ' << y;
+      if (off > 0.35) EXPECT_GT(seen, 0.6) << x << ' ' << y;
+    }
+  }
+  EXPECT_GT(dark, 1000);
+  EXPECT_GT(bright, 1000);
+}
+
+/// The curves of one panel run in the dark stripes of the other.
+TEST_F(Pictures, CurvesAndStripesAgree) {
+  for (const SmoothSurface& surface : {torus(60, 0.4), saddle(24), sphere(8)}) {
+    const LightLines lights = {.direction = SpaceVector{1, 0.3, 0.2}, .count = 16};
+    const Canvas pixels =
+        drawn(ShadedPanel{.scene = scene_of(surface), .stripes = lights, .resolution = 150});
+    const Canvas curves =
+        drawn(ReflectionLinePanel{.scene = scene_of(surface), .lights = lights, .line_width = 0.3});
+    const ImageOp& image = image_of(pixels);
+    const std::vector<PagePoint> points = stroked_points(curves, 0.3);
+    const auto dark = std::count_if(points.begin(), points.end(), [&](const PagePoint& at) {
+      return brightness(image, at) < 0.5;
+    });
+    EXPECT_GT(points.size(), 60u);
+    EXPECT_GT(static_cast<double>(dark), 0.9 * static_cast<double>(points.size()));
+  }
+}
+
+TEST_F(Pictures, AreWhiteRoundASmoothDisk) {
+  SurfaceScene scene = sphere_from_x(100);
+  scene.frame = SpaceBox{{-1.25, -1.25, -1.25}, {1.25, 1.25, 1.25}};
+  const Canvas canvas = drawn(ShadedPanel{.scene = scene});
+  const ImageOp& image = image_of(canvas);
+  EXPECT_NEAR(image.image.width, 200 * 300 / 72, 1);
+  EXPECT_NEAR(image.box.x, 3, 1e-12);
+  const double pixel = 200.0 / image.image.width;
+  for (int i = 0; i < 360; ++i) {
+    const double a = i * std::numbers::pi / 180;
+    const auto at = [&](double radius) -> PagePoint {
+      return {103 + radius * std::cos(a), 103 - radius * std::sin(a)};
+    };
+    EXPECT_EQ(brightness(image, at(80 + 1.6 * pixel)), 1) << i;
+    EXPECT_LT(brightness(image, at(80 - 1.6 * pixel)), 0.9) << i;
+  }
+  EXPECT_GT(brightness(image, {78, 66}), brightness(image, {130, 150}) + 0.2);  // lit from above
+}
+
+TEST_F(Pictures, AreTheSameForAnyNumberOfThreads) {
+  SurfaceScene scene = scene_of(saddle(20));  // from above, rays run along its edges
+  scene.surfaces.push_back(saddle(10));
+  scene.azimuth = -90;
+  scene.elevation = 90;
+  for (const bool striped : {false, true}) {
+    ShadedPanel panel{.scene = scene, .resolution = 72};
+    if (striped) panel.stripes = LightLines{};
+    set_thread_limit(1);
+    const Canvas one = drawn(panel);
+    set_thread_limit(0);
+    const Canvas many = drawn(panel);
+    EXPECT_EQ(image_of(one).image.rgba, image_of(many).image.rgba);
+  }
+}
+
+/// Of a plate whose sides cut pixels anywhere, the pixels hold its area and its middle.
+TEST_F(Pictures, CoverPixelsByTheirShares) {
+  SurfaceScene scene = {.azimuth = 0, .elevation = 0, .frame = SpaceBox{{-1, -1, -1}, {1, 1, 1}}};
+  scene.surfaces = {sampled_surface(1, 1, [](double s, double t) -> SurfacePoint {
+    return {{0, s - 0.37, 0.7 * t - 0.21}, {1, 0, 0}};
+  })};
+  scene.surfaces[0].colour = grey(0.5);
+  const Canvas canvas = drawn(ShadedPanel{.scene = scene, .resolution = 20});
+  const Image& image = image_of(canvas).image;
+  const double full = 1 - image.rgba[4 * std::size_t(image.width) * (image.height / 2) +
+                                     4 * std::size_t(image.width / 2)] /
+                              255.0;
+  double area = 0, x = 0, y = 0;
+  for (int row = 0; row < image.height; ++row) {
+    for (int column = 0; column < image.width; ++column) {
+      const std::size_t pixel = std::size_t(row) * image.width + column;
+      const double share = (1 - image.rgba[4 * pixel] / 255.0) / full;
+      area += share;
+      x += share * (column + 0.5);
+      y += share * (row + 0.5);
+    }
+  }
+  const double unit = image.width / 2.0;  // pixels
+  EXPECT_NEAR(area, 0.7 * unit * unit, 0.005 * unit * unit);
+  EXPECT_NEAR(x / area, unit * (1 + 0.13), 0.02);
+  EXPECT_NEAR(y / area, unit * (1 - 0.14), 0.02);
+}
+
+/// Pixels do not change where triangles are turned over or normals are: both sides are alike.
+TEST_F(Pictures, DoNotDependOnOrientation) {
+  const SmoothSurface surface = torus(40, 0.4);
+  SmoothSurface turned = surface, flipped = surface;
+  for (std::size_t t = 0; t < turned.triangles.size(); t += 2)
+    std::swap(turned.triangles[t][0], turned.triangles[t][1]);
+  for (SpaceVector& normal : flipped.normals) normal = sum({}, normal, -3);
+  const auto pixels = [](const SmoothSurface& of) {
+    return image_of(drawn(ShadedPanel{.scene = scene_of(of), .resolution = 72})).image.rgba;
+  };
+  const std::vector<std::uint8_t> expected = pixels(surface);
+  for (const auto& other : {pixels(turned), pixels(flipped)}) {
+    ASSERT_EQ(other.size(), expected.size());
+    int most = 0;
+    for (std::size_t i = 0; i < other.size(); ++i)
+      most = std::max(most, std::abs(other[i] - expected[i]));
+    EXPECT_LE(most, 1);
+  }
+}
+
+/// Of two surfaces each is seen where it is in front.
+TEST_F(Pictures, ShowTheSurfaceInFront) {
+  const auto tilted = [](double slope) {
+    return height_surface(10, [slope](double x, double) {
+      return SpaceVector{slope * x, slope, 0.0};
+    });
+  };
+  SurfaceScene scene = {.surfaces = {tilted(0.2), tilted(-0.2)}, .azimuth = -90, .elevation = 90};
+  scene.surfaces[0].colour = {0, 0.8, 0};
+  scene.surfaces[1].colour = {0.8, 0, 0};
+  const Canvas canvas = drawn(ShadedPanel{.scene = scene, .resolution = 72});
+  const Image& image = image_of(canvas).image;
+  for (int row = 0; row < image.height; ++row) {
+    for (int column = 0; column < image.width; ++column) {
+      const std::uint8_t* pixel = &image.rgba[4 * (std::size_t(row) * image.width + column)];
+      if (std::abs(column - image.width / 2) < 2) continue;
+      ASSERT_EQ(pixel[1] > pixel[0], column > image.width / 2) << row << ' ' << column;
+    }
+  }
+}
+
+/// A segment through the sphere is dashed within and behind it.
+TEST_F(Pictures, DashTheHiddenNet) {
+  SurfaceScene scene = sphere_from_x(80);
+  scene.frame = SpaceBox{{-2, -2, -2}, {2, 2, 2}};
+  scene.net = {.vertices = {{0, -2, 0}, {0, 2, 0}, {1.5, 0, 1}, {1e300, 0, 0}},
+               .edges = {{0, 1}, {1, 2}, {2, 7}, {-1, 0}, {0, 3}}};
+  const Canvas canvas = drawn(ShadedPanel{.scene = scene, .resolution = 36});
+  std::vector<const StrokeOp*> dashed, solid;
+  for (const DrawingOp& op : canvas.ops())
+    if (const auto* stroke = std::get_if<StrokeOp>(&op))
+      (stroke->stroke.dash.empty() ? solid : dashed).push_back(stroke);
+  ASSERT_EQ(dashed.size(), 1u);
+  ASSERT_EQ(solid.size(), 1u);
+  const std::vector<PagePoint>& hidden = dashed[0]->path.points();
+  ASSERT_EQ(hidden.size(), 2u);
+  EXPECT_NEAR(hidden[0][0], 53, 0.1);  // the sphere is 100 points wide, round 103
+  EXPECT_NEAR(hidden[1][0], 153, 0.1);
+  EXPECT_EQ(solid[0]->path.points().size(), 6u);
+}
+
+TEST_F(Pictures, OfOneFrameShareAScale) {
+  SurfaceScene small = sphere_from_x(60);
+  for (SpaceVector& vertex : small.surfaces[0].vertices) vertex = sum({}, vertex, 0.5);
+  const auto width = [](const SurfaceScene& scene) {
+    double left = 1e9, right = -1e9;
+    const ReflectionLinePanel panel{.scene = scene, .line_width = 0.4};
+    for (const PagePoint& at : stroked_points(drawn(panel), 1.5 * 0.4))
+      left = std::min(left, at[0]), right = std::max(right, at[0]);
+    return right - left;
+  };
+  EXPECT_NEAR(width(sphere_from_x(60)), 200, 0.5);
+  EXPECT_NEAR(width(small), 100, 0.5);
+  small.frame = {};
+  EXPECT_NEAR(width(small), 200, 0.5);
+}
+
+/// In a file of pixels the image has the file's own, whole ones.
+TEST_F(Pictures, HaveThePixelsOfTheFile) {
+  Canvas canvas(kBox.right(), kBox.bottom(), kPngDensity);
+  ShadedPanel{.scene = sphere_from_x(20), .title = "a"}.draw(canvas, kBox);
+  const ImageOp& op = image_of(canvas);
+  EXPECT_EQ(op.box.width * kPngDensity, op.image.width);
+  EXPECT_EQ(op.box.height * kPngDensity, op.image.height);
+  for (const double side : {op.box.x, op.box.y})
+    EXPECT_EQ(side * kPngDensity, std::round(side * kPngDensity));
+  EXPECT_GE(op.image.width, 2 * 180);
+}
+
+TEST_F(Pictures, NameTiesInTheLegend) {
+  SurfaceScene scene = scene_of(saddle(6));
+  scene.surfaces.push_back(saddle(6));
+  const ShadedPanel panel{
+      .scene = scene, .ties = TieLook{grey(0.5), "both"}, .names = {"one", "other"}};
+  EXPECT_EQ(panel.height(200), (ShadedPanel{.scene = scene, .names = {"a", "b"}}.height(200) + 11));
+  const Canvas canvas = drawn(panel);
+  std::string words;
+  for (const DrawingOp& op : canvas.ops())
+    if (const auto* text = std::get_if<TextOp>(&op)) words += text->text + " ";
+  EXPECT_EQ(words, "one other both ");
+}
+
+TEST(SurfacePanels, TakeBadInput) {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  SmoothSurface broken = sphere(6), far = sphere(6), flat = sphere(6), thin = sphere(6);
+  broken.vertices[3] = {nan, 0, 0};
+  broken.normals[9] = {0, 0, 0};
+  broken.triangles[5] = {0, 1, 1 << 30};
+  for (SpaceVector& vertex : far.vertices) vertex = sum({}, vertex, 1e99);
+  for (SpaceVector& vertex : flat.vertices) vertex[2] = 0;
+  for (SpaceVector& vertex : thin.vertices) vertex = {vertex[0], 0, 0};
+  SmoothSurface point = sphere(4), unfinished = sphere(4);
+  for (SpaceVector& vertex : point.vertices) vertex = {1, 2, 3};
+  unfinished.normals.resize(3);
+  for (const SmoothSurface& surface :
+       {broken, far, flat, thin, point, unfinished, SmoothSurface{}}) {
+    SurfaceScene scene = scene_of(surface);
+    scene.net = {.vertices = {{nan, 0, 0}, {0, 0, 1}}, .edges = {{0, 1}, {1, 1}, {5, 5}}};
+    for (const double elevation : {30.0, 0.0, nan}) {
+      scene.elevation = elevation;
+      Figure figure(3);
+      figure.add(ShadedPanel{.scene = scene, .resolution = 20});
+      figure.add(ShadedPanel{.scene = scene, .stripes = LightLines{}, .resolution = nan});
+      figure.add(ReflectionLinePanel{.scene = scene, .lights = {.count = 3}});
+      if (!figures_available()) continue;
+      for (const FigureFormat format : kFormats) EXPECT_TRUE(figure.canvas().render(format).ok());
+    }
+  }
+  Figure empty(2);
+  empty.add(ShadedPanel{}).add(ReflectionLinePanel{});
+  EXPECT_GT(empty.canvas().height(), 0);
+}
+
+TEST(SurfacePanels, SayThatTheyLackEmbree) {
+  if (rays_available()) GTEST_SKIP() << "built with Embree";
+  std::string words;
+  const Canvas canvas = drawn(ReflectionLinePanel{.scene = sphere_from_x(4)});
+  for (const DrawingOp& op : canvas.ops())
+    if (const auto* text = std::get_if<TextOp>(&op)) words += text->text + " ";
+  EXPECT_NE(words.find("Embree"), std::string::npos);
+}
+
+TEST(Stripes, AreAsWideAsTheirGaps) {
+  double sum_of_all = 0;
+  for (int i = 0; i < 1000; ++i) sum_of_all += stripe_darkness(i * 0.001 - 3);
+  EXPECT_NEAR(sum_of_all / 1000, 0.5, 1e-3);
+  EXPECT_EQ(stripe_darkness(7), 1);
+  EXPECT_EQ(stripe_darkness(-2.5), 0);
+}
+
+}  // namespace
+}  // namespace limn::test
