@@ -1,11 +1,15 @@
 # The library: every source below src/limn, and the shipped schemes as one generated source.
 
 file(GLOB_RECURSE limn_sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/limn/*.cpp)
-file(GLOB_RECURSE limn_headers CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/limn/*.h)
+# Only these are installed. The others are for the sources, the command and the tests.
+file(STRINGS ${PROJECT_SOURCE_DIR}/cmake/public_headers.txt limn_headers REGEX "^limn/")
+list(TRANSFORM limn_headers PREPEND ${PROJECT_SOURCE_DIR}/src/)
+set_property(DIRECTORY ${PROJECT_SOURCE_DIR} APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS
+             ${PROJECT_SOURCE_DIR}/cmake/public_headers.txt)
 if(LIMN_FUZZ)
   # The fuzzers read files and refine meshes by the plain engine: no need to instrument the rest.
   list(FILTER limn_sources EXCLUDE REGEX
-       "/limn/(refine/fast|figure|regular|spectrum|limit|fairness|fast|tune|study|report)/")
+       "/limn/(refine/fast|figure|regular|spectrum|limit|fairness|fast|surface|tune|study|report)/")
 endif()
 
 # The command names every scheme file, so that it also runs again when one is added or removed.
@@ -29,6 +33,7 @@ set_target_properties(limn PROPERTIES
   POSITION_INDEPENDENT_CODE ON)
 target_sources(limn PUBLIC
   FILE_SET HEADERS BASE_DIRS ${PROJECT_SOURCE_DIR}/src FILES ${limn_headers})
+target_include_directories(limn PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/src>)
 # Libraries that only our sources use, as headers, are no business of those who use an installed limn.
 target_link_libraries(limn
   PUBLIC Eigen3::Eigen Boost::headers

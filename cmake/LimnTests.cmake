@@ -89,5 +89,7 @@ if(Python3_FOUND)
     COMMAND Python3::Interpreter ${PROJECT_SOURCE_DIR}/tools/check_floors)
   add_test(NAME tools:check_floors
     COMMAND Python3::Interpreter ${PROJECT_SOURCE_DIR}/tests/tools/check_floors_test.py)
-  set_tests_properties(tools:floors_hold tools:check_floors PROPERTIES TIMEOUT 60 LABELS tools)
+  add_test(NAME tools:public_headers
+    COMMAND Python3::Interpreter ${PROJECT_SOURCE_DIR}/tools/check_public_headers)
+  set_tests_properties(tools:floors_hold tools:check_floors tools:public_headers PROPERTIES TIMEOUT 60 LABELS tools)
 endif()

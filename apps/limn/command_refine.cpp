@@ -13,7 +13,7 @@
 #include "limn/base/printable.h"
 #include "limn/base/progress.h"
 #include "limn/fast/limit/fast_limit.h"
-#include "limn/limit/limit_estimate.h"
+#include "limn/surface/surface_estimate.h"
 #include "limn/limit/limit_points.h"
 #include "limn/refine/fast/fast_refiner.h"
 #include "limn/refine/refine.h"

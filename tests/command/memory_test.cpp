@@ -8,7 +8,7 @@
 #include <csignal>
 #include <filesystem>
 
-#include "limn/limit/limit_estimate.h"
+#include "limn/surface/surface_estimate.h"
 #include "limn/mesh/io/mesh_file.h"
 #include "run_command.h"
 

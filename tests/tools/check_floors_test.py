@@ -55,6 +55,12 @@ class CheckFloors(unittest.TestCase):
         self.assert_fault("src/limn/mesh/a.cpp", '#include "a.h"\n', 1, 'from "limn/" on')
         self.assert_fault("src/limn/mesh/a.cpp", "#include <limn/mesh/a.h>\n", 1, "with quotes")
 
+    def test_front(self):
+        self.assert_fault("src/limn/report/a.cpp", '#include "limn/limn.h"\n', 1, "those who use")
+        self.assertEqual(self.faults({
+            "src/limn/limn.h": '#include "limn/report/a.h"\n#include "limn/base/a.h"\n',
+            "examples/a.cpp": '#include "limn/limn.h"\n'}), [])
+
     def test_reserved_headers(self):
         self.assert_fault("src/limn/refine/a.cpp", "#include <flint/arb.h>\n", 1, "only")
         self.assert_fault("tests/mesh/a_test.cpp", "#include <CGAL/Surface_mesh.h>\n", 1, "only")

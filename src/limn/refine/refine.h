@@ -1,33 +1,13 @@
 #pragma once
 /// Refinement of meshes: scheme × mesh → finer mesh.
 
-#include <cstdint>
 #include <functional>
 
 #include "limn/base/memory.h"
+#include "limn/refine/refine_estimate.h"
 #include "limn/refine/refine_values.h"
 
 namespace limn {
-
-/// What refining will come to, from counts alone. Cost O(levels).
-struct RefineEstimate {
-  double vertices = 0, faces = 0;  ///< of the result
-  double peak_bytes = 0;           ///< at most, while the last step is being made
-};
-[[nodiscard]] RefineEstimate estimate_refinement(const Split& split, const Mesh& mesh, int levels,
-                                                 std::size_t bytes_per_value);
-
-/// In words: "5 levels make about 3e+06 vertices and 6e+06 faces, in about 0.2 GiB of memory".
-[[nodiscard]] std::string text_of(const RefineEstimate& estimate, int levels);
-
-/// That an estimate for so many levels is within `memory_limit` bytes; the error names it.
-[[nodiscard]] Status check_memory(const RefineEstimate& estimate, int levels, double memory_limit);
-
-/// Whether `levels` steps can be taken: triangles for a scheme that needs them, fewer than
-/// 2^31 half-edges, and the estimated memory within `memory_limit` bytes. The error names the
-/// estimate.
-[[nodiscard]] Status check_refinable(const Scheme& scheme, const Mesh& mesh, int levels,
-                                     std::size_t bytes_per_value, double memory_limit);
 
 /// Called after each step with the number of steps made so far.
 using RefineProgress = std::function<void(int done, int levels, const Mesh& mesh)>;

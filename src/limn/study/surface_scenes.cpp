@@ -5,7 +5,7 @@
 #include <fmt/core.h>
 
 #include "limn/fast/limit/fast_limit.h"
-#include "limn/limit/limit_estimate.h"
+#include "limn/surface/surface_estimate.h"
 #include "limn/limit/limit_points.h"
 #include "limn/refine/refine.h"
 

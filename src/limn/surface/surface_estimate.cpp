@@ -1,4 +1,4 @@
-#include "limn/limit/limit_estimate.h"
+#include "limn/surface/surface_estimate.h"
 
 #include <algorithm>
 

@@ -1,0 +1,129 @@
+#include "limn/refine/refine_estimate.h"
+
+#include <algorithm>
+
+#include <fmt/core.h>
+
+#include "limn/base/memory.h"
+
+namespace limn {
+namespace {
+
+constexpr double kLargestHalfedgeCount = 2147483647.0;
+
+/// Counts of a mesh; what a split does to them is linear.
+struct Counts {
+  double vertices = 0, edges = 0, faces = 0, halfedges = 0;
+};
+
+/// After one step, an upper bound: exact but for the boundaries of dual splits, which lose faces.
+Counts after_step(const Split& split, const Counts& c, int step) {
+  Counts r;
+  if (split.births_corners) {
+    r.vertices = c.halfedges;
+    r.faces = c.vertices + c.edges + c.faces;
+    r.halfedges = 4 * c.halfedges;
+    r.edges = 2 * c.halfedges;
+    return r;
+  }
+  r.vertices = c.vertices + (split.births_edges ? c.edges : 0) + (split.births_faces ? c.faces : 0);
+  if (split.trisects_boundary) {
+    const double cut = step % 2 == 1 ? 2 * c.edges - c.halfedges : 0;
+    r.vertices += cut;  // two new vertices on a cut edge, none in its face
+    r.faces = c.halfedges;
+    r.halfedges = 3 * c.halfedges;
+    r.edges = c.edges + c.halfedges + cut;
+  } else if (split.any_polygons) {
+    r.faces = c.halfedges;
+    r.halfedges = 4 * c.halfedges;
+    r.edges = 2 * c.edges + c.halfedges;
+  } else {
+    r.faces = 4 * c.faces;
+    r.halfedges = 12 * c.faces;
+    r.edges = 2 * c.edges + 3 * c.faces;
+  }
+  return r;
+}
+
+double bytes_of(const Counts& c, std::size_t bytes_per_value) {
+  constexpr double kIndex = sizeof(Index);
+  const double mesh = kIndex * (5 * c.halfedges + c.edges + c.vertices + c.faces);
+  return mesh + static_cast<double>(bytes_per_value) * c.vertices;
+}
+
+std::string size_text(double vertices, double faces, int levels) {
+  return fmt::format("{} levels would make about {:.3g} vertices and {:.3g} faces", levels,
+                     vertices, faces);
+}
+
+struct Forecast {
+  Counts last;
+  double peak_bytes = 0;
+};
+
+Forecast forecast(const Split& split, const Mesh& mesh, int levels, std::size_t bytes_per_value) {
+  Counts counts{static_cast<double>(mesh.vertex_count()), static_cast<double>(mesh.edge_count()),
+                static_cast<double>(mesh.face_count()), static_cast<double>(mesh.halfedge_count())};
+  Forecast result{counts, bytes_of(counts, bytes_per_value)};
+  for (int i = 0; i < levels; ++i) {
+    const Counts next = after_step(split, counts, i);
+    result.peak_bytes = std::max(
+        result.peak_bytes, bytes_of(counts, bytes_per_value) + bytes_of(next, bytes_per_value));
+    counts = next;
+  }
+  result.last = counts;
+  return result;
+}
+
+}  // namespace
+
+RefineEstimate estimate_refinement(const Split& split, const Mesh& mesh, int levels,
+                                   std::size_t bytes_per_value) {
+  const Forecast result = forecast(split, mesh, levels, bytes_per_value);
+  return {result.last.vertices, result.last.faces, result.peak_bytes};
+}
+
+std::string text_of(const RefineEstimate& estimate, int levels) {
+  return fmt::format(
+      "{} level{} make about {:.3g} vertices and {:.3g} faces, in about {} of memory", levels,
+      levels == 1 ? "" : "s", estimate.vertices, estimate.faces, bytes_text(estimate.peak_bytes));
+}
+
+Status check_memory(const RefineEstimate& estimate, int levels, double memory_limit) {
+  if (estimate.peak_bytes <= memory_limit) return Done{};
+  return Error{fmt::format("{} and need about {} of memory; {} are free",
+                           size_text(estimate.vertices, estimate.faces, levels),
+                           bytes_text(estimate.peak_bytes), bytes_text(memory_limit)),
+               "use fewer levels",
+               {},
+               0,
+               0};
+}
+
+Status check_refinable(const Scheme& scheme, const Mesh& mesh, int levels,
+                       std::size_t bytes_per_value, double memory_limit) {
+  const Split& split = *scheme.split;
+  if (levels < 0)
+    return Error{fmt::format("{} is no number of levels", levels), "give 0 or more", {}, 0, 0};
+  if (!split.any_polygons && mesh.uniform_degree() != 3)
+    for (Index f = 0; f < mesh.face_count(); ++f)
+      if (mesh.degree(f) != 3)
+        return Error{fmt::format("scheme '{}' refines triangles, but face {} has {} corners",
+                                 scheme.name, f, mesh.degree(f)),
+                     "--triangulate cuts polygons into triangles",
+                     {},
+                     0,
+                     0};
+  const Forecast result = forecast(split, mesh, levels, bytes_per_value);
+  if (result.last.halfedges > kLargestHalfedgeCount)
+    return Error{
+        size_text(result.last.vertices, result.last.faces, levels) + ", more than 2^31 half-edges",
+        "use fewer levels",
+        {},
+        0,
+        0};
+  return check_memory({result.last.vertices, result.last.faces, result.peak_bytes}, levels,
+                      memory_limit);
+}
+
+}  // namespace limn
