@@ -6,8 +6,7 @@
 #include <cstdio>
 #include <cstdlib>
 
-#include "limn/fast/limit/fast_limit.h"
-#include "limn/mesh/io/mesh_file.h"
+#include "limn/limn.h"
 
 namespace {
 

@@ -2,8 +2,7 @@
 #include <cstdio>
 #include <cstdlib>
 
-#include "limn/mesh/io/mesh_file.h"
-#include "limn/refine/refine.h"
+#include "limn/limn.h"
 
 namespace {
 
@@ -25,9 +24,9 @@ int main(int argc, char** argv) {
   if (!control) return fail(control.error());
   const limn::Result<limn::Mesh> mesh = limn::Mesh::build(*control);
   if (!mesh) return fail(mesh.error());
-  auto fine = limn::refine(*scheme, *mesh, control->positions, std::atoi(argv[3]));
+  const limn::Result<limn::RefinedSurface> fine =
+      limn::refine_surface(*scheme, *mesh, control->positions, {.levels = std::atoi(argv[3])});
   if (!fine) return fail(fine.error());
-  const limn::Status written =
-      limn::write_mesh(argv[4], fine->mesh.polygons(std::move(fine->values)));
+  const limn::Status written = limn::write_mesh(argv[4], fine->polygons);
   return written ? 0 : fail(written.error());
 }

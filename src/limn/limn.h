@@ -37,6 +37,7 @@
 #include "limn/regular/regular_mask.h"
 #include "limn/regular/sampling_density.h"
 #include "limn/regular/smoothness/regularity.h"
+#include "limn/regular/smoothness/second_differences.h"
 // Extraordinary vertices: eigenvalues, verdicts, formulas, characteristic maps.
 #include "limn/limit/characteristic_map.h"
 #include "limn/spectrum/eigen_formula.h"

@@ -18,6 +18,8 @@ step(${CMAKE_COMMAND} -G Ninja -S ${CMAKE_CURRENT_LIST_DIR} -B ${work}
 step(${CMAKE_COMMAND} --build ${work})
 step(${work}/refine ${examples}/bracket.obj loop 2 ${work}/fine.ply)
 step(${work}/animate ${examples}/bracket.obj loop 2 3)
+step(${work}/analyse)
+step(${work}/tune)
 if(EXISTS ${BUILD}/bin/limn)
   step(${prefix}/bin/limn --help)
 endif()

@@ -27,7 +27,7 @@ Result<PolynomialFactors> quotient(const Polynomial& a, const Polynomial& b) {
   above->content /= below->content;
   for (const auto& [base, exponent] : below->factors) {
     const auto same = std::find_if(above->factors.begin(), above->factors.end(),
-                                   [&](const auto& one) { return one.first == base; });
+                                   [&base = base](const auto& one) { return one.first == base; });
     if (same == above->factors.end()) {
       above->factors.emplace_back(base, -exponent);
       continue;
