@@ -10,6 +10,7 @@ namespace limn {
 namespace {
 
 constexpr int kWider = 3;  // rings round those that control the surface: they hold ring 1's limits
+constexpr int kQuadraticFrequencies = 3;  // 0, 1 and 2
 
 /// Values at the vertices of the star, and the functional that measures how much of them there is.
 struct Function {
@@ -82,7 +83,8 @@ Result<std::optional<CurvatureStencil>> approx_curvature_stencil(const Scheme& s
   const Eigencomponents components = approx_eigencomponents(*near);
   const auto eigenvalues = quadratic(components);
   if (!eigenvalues) return std::optional<CurvatureStencil>{};
-  const Result<FrequencyBlocks> wide = FrequencyAnalysis(scheme, near->rings + kWider).blocks(n);
+  const Result<FrequencyBlocks> wide =
+      FrequencyAnalysis(scheme, near->rings + kWider).blocks(n, kQuadraticFrequencies);
   if (!wide) return wide.error();
   const auto tangents = functions(*wide, components.spectra[1].eigenvalues.front());
   CurvatureStencil stencil;

@@ -7,6 +7,21 @@
 
 namespace limn {
 
+SharedSites::SharedSites(const Mesh& mesh, std::vector<LimitSite>& sites) {
+  std::vector<Index> result_at(static_cast<std::size_t>(mesh.face_count()), kNone);
+  std::size_t kept = 0;
+  for (const LimitSite& site : sites) {
+    Index& result = result_at[static_cast<std::size_t>(mesh.face(site.at))];
+    if (result != kNone) {
+      others_[result].push_back(site.result);
+      continue;
+    }
+    result = site.result;
+    sites[kept++] = site;
+  }
+  sites.resize(kept);
+}
+
 bool LimitKinds::at_boundary(const Mesh& mesh, Index at) const {
   return !scheme_.split->births_corners && mesh.is_boundary_vertex(at);
 }
@@ -18,7 +33,7 @@ int LimitKinds::size_of(const Mesh& mesh, Index at) const {
 }
 
 Status LimitKinds::prepare(const Mesh& mesh, std::vector<LimitSite>& sites,
-                           std::vector<LimitPoints::Refused>* refused) {
+                           std::vector<LimitPoints::Refused>* refused, const SharedSites& shared) {
   std::size_t kept = 0;
   for (const LimitSite& site : sites) {
     const bool boundary = at_boundary(mesh, site.at);
@@ -31,6 +46,7 @@ Status LimitKinds::prepare(const Mesh& mesh, std::vector<LimitSite>& sites,
     Error error = kind.error();
     if (refused != nullptr && check_rules(boundary, size)) {
       refused->push_back({site.result, error.message});
+      for (const Index v : shared.others(site.result)) refused->push_back({v, error.message});
       continue;
     }
     error.message = fmt::format("vertex {}: {}", site.result, error.message);

@@ -89,17 +89,17 @@ using Spot = LimitPlace<Point3>;
 
 void take_limit(const Spot& at, bool dual, LimitPoints& out) {
   const LimitStencil& limit = at.kind.limit;
-  out.positions[at.vertex] = weighted(limit.position, at.neighbourhood, at.values);
+  put(at, weighted(limit.position, at.neighbourhood, at.values), out.positions);
   if (!limit.has_plane) return;
   const double size = size_of(at.neighbourhood, at.values);
   if (limit.first_tangent.empty()) {
-    out.normals[at.vertex] = normal_of_faces(at.mesh, at.values, at.start, dual, size);
+    put(at, normal_of_faces(at.mesh, at.values, at.start, dual, size), out.normals);
     return;
   }
   const std::array<Tangent, 2> tangents{
       tangent_of(weighted(limit.first_tangent, at.neighbourhood, at.values)),
       tangent_of(weighted(limit.second_tangent, at.neighbourhood, at.values))};
-  out.normals[at.vertex] = normal_of(tangents, size);
+  put(at, normal_of(tangents, size), out.normals);
 }
 
 /// After the limit.
@@ -109,9 +109,10 @@ void take_curvature(const Spot& at, LimitPoints& out) {
   const auto sum = [&](const std::vector<double>& weights) {
     return weighted(weights, at.neighbourhood, at.values);
   };
-  out.curvatures[at.vertex] =
+  put(at,
       principal(sum(limit.first_tangent), sum(limit.second_tangent), out.normals[at.vertex],
-                {sum(stencil.cup), sum(stencil.first_saddle), sum(stencil.second_saddle)});
+                {sum(stencil.cup), sum(stencil.first_saddle), sum(stencil.second_saddle)}),
+      out.curvatures);
 }
 
 }  // namespace
