@@ -146,7 +146,14 @@ Result<const SectorPattern*> FrequencyAnalysis::pattern_at(int n) {
 
 Result<FrequencyBlocks> FrequencyAnalysis::blocks(int n, int frequencies) {
   if (const int least = least_valence(*scheme_->split); n < least)
-    return Error{fmt::format("valence {} is below {}", n, least), {}, {}, 0, 0};
+    return Error{fmt::format("valence {} is below {}: {}", n, least,
+                             scheme_->split->births_corners
+                                 ? "under a dual split it is the number of a face's corners"
+                                 : "an interior vertex has two faces or more"),
+                 {},
+                 {},
+                 0,
+                 0};
   const Result<const SectorPattern*> pattern = pattern_at(n);
   if (!pattern) return pattern.error();
   const SectorPattern& p = **pattern;

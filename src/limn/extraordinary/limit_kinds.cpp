@@ -92,15 +92,20 @@ Result<LimitKind> LimitKinds::make(bool boundary, int size) {
   const int more = scheme_.rule(RuleKind::edge_end) ? 1 : 0;
   const int shape = limit->rings + more;
   rings_ = std::max(rings_, limit->rings);
-  LimitKind kind{std::move(*limit), shape, pattern(boundary, size, shape), std::nullopt};
-  if (!curvatures_ || boundary) return kind;
+  LimitKind kind{std::move(*limit), shape, pattern(boundary, size, shape), {}, {}};
+  if (!curvatures_) return kind;
+  kind.no_curvature = NoCurvature::boundary;
+  if (boundary) return kind;
   // what is not known of the curvature takes nothing from the limit
-  Result<std::optional<CurvatureStencil>> curvature =
-      approx_curvature_stencil(scheme_, analysis_, size);
-  if (!curvature || !*curvature) return kind;
-  const int rings = std::max(kind.limit.rings, (*curvature)->rings);
+  kind.no_curvature = NoCurvature::unknown;
+  Result<VertexCurvature> curvature = approx_curvature_stencil(scheme_, analysis_, size);
+  if (!curvature) return kind;
+  kind.no_curvature = curvature->missing;
+  if (!curvature->stencil) return kind;
+  const int rings = std::max(kind.limit.rings, curvature->stencil->rings);
   rings_ = std::max(rings_, rings);
-  kind.curvature = LimitKind::Curved{**std::move(curvature), pattern(boundary, size, rings + more)};
+  kind.curvature =
+      LimitKind::Curved{*std::move(curvature->stencil), pattern(boundary, size, rings + more)};
   return kind;
 }
 

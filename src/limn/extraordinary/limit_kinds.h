@@ -34,6 +34,7 @@ struct LimitKind {
     Pattern pattern;
   };
   std::optional<Curved> curvature;
+  NoCurvature no_curvature = NoCurvature::none;  ///< why there is none, where it was sought
 };
 
 /// Sites that are one face of a dual split's mesh, of which one stays, and whose vertices it is
@@ -125,7 +126,8 @@ void put(const LimitPlace<Value>& place, const Result& result, std::vector<Resul
 
 /// Calls limit(LimitPlace) once for each place of vertices that are not isolated, on several
 /// threads, and
-/// curvature(LimitPlace) for those of which one is sought and found. Fails as LimitKinds::prepare
+/// curvature(LimitPlace) for those whose kind has one, and whose neighbourhood becomes regular, or
+/// whose kind has none. Fails as LimitKinds::prepare
 /// and `refine`, and where no few steps make a neighbourhood regular; with `refused`, this is told
 /// there and the rest done.
 template <class Value, class Limit, class Curvature>
@@ -209,7 +211,11 @@ class LimitSearch {
       limit_(place);
       site.has_limit = true;
     }
-    if (!kind.curvature) return site.has_limit ? done : waiting;
+    if (!kind.curvature) {
+      if (!site.has_limit) return waiting;
+      curvature_(place);
+      return done;
+    }
     if (!kind.curvature->pattern.match(mesh, start, neighbourhood)) return waiting;
     curvature_(place);
     return done;
