@@ -18,7 +18,8 @@ struct Function {
   std::vector<double> values, weights;
 };
 
-/// The real eigenvectors of an eigenvalue.
+/// The real eigenvectors of an eigenvalue. Of Re((a + bi)(c + si)) = ac - bs the functionals give a
+/// and, turned, -b; so the functions are c and s.
 std::vector<Function> functions(const FrequencyBlocks& blocks, const Eigenvalue& eigenvalue) {
   const Eigenvectors vectors = approx_eigenvectors(blocks, eigenvalue);
   const int omega = eigenvalue.frequency;
@@ -27,7 +28,6 @@ std::vector<Function> functions(const FrequencyBlocks& blocks, const Eigenvalue&
     auto weights = spatial_functionals(blocks, omega, vectors.left.row(i));
     auto values = spatial_vectors(blocks, omega, vectors.right.col(i));
     for (double& weight : weights[1]) weight = -weight;
-    for (double& value : values[1]) value = -value;
     list.push_back({std::move(values[0]), std::move(weights[0])});
     if (omega > 0 && 2 * omega != blocks.valence)
       list.push_back({std::move(values[1]), std::move(weights[1])});
