@@ -9,8 +9,13 @@
 namespace limn {
 namespace {
 
-constexpr int kWider =
-    4;  // rings round those that control the surface: they hold the limits of two
+// rings round those that control the surface: they hold ring 1's limits
+constexpr int kWider = 3;
+
+/// How many rings of limits tell a quadratic's shape: the corners of a square, a dual split's first
+/// ring, lie on its diagonals, where u² − v² is 0.
+int fitted_rings(const Split& split) { return split.births_corners ? 2 : 1; }
+
 constexpr int kQuadraticFrequencies = 3;  // 0, 1 and 2
 
 /// Values at the vertices of the star, and the functional that measures how much of them there is.
@@ -83,8 +88,7 @@ Result<std::vector<Point3>> ring_limits(const Scheme& scheme, const FrequencyBlo
 Status add_shapes(const Scheme& scheme, const FrequencyBlocks& wide,
                   const Eigencomponents& components, const std::vector<Eigenvalue>& shapes,
                   CurvatureStencil& stencil) {
-  // the corners of a square lie on its diagonals, where u² − v² is 0
-  const int rings = scheme.split->births_corners ? 2 : 1;
+  const int rings = fitted_rings(*scheme.split);
   const auto tangents = functions(wide, components.spectra[1].eigenvalues.front());
   for (const Eigenvalue& eigenvalue : shapes)
     for (const Function& function : functions(wide, eigenvalue)) {
@@ -137,7 +141,8 @@ Result<VertexCurvature> approx_curvature_stencil(const Scheme& scheme, Frequency
   const std::optional<Quadratic> eigenvalues = quadratic(components);
   if (!eigenvalues) return VertexCurvature{{}, NoCurvature::direction};
   const Result<FrequencyBlocks> wide =
-      FrequencyAnalysis(scheme, near->rings + kWider).blocks(n, kQuadraticFrequencies);
+      FrequencyAnalysis(scheme, near->rings + kWider + fitted_rings(*scheme.split) - 1)
+          .blocks(n, kQuadraticFrequencies);
   if (!wide) return wide.error();
   CurvatureStencil stencil;
   const std::size_t size = star_places(*near).size();
