@@ -55,8 +55,8 @@ Status check(const CompareOptions& options) {
 
 Result<MeshComparison> compare_surfaces(const CompareOptions& options,
                                         const std::vector<LabelledScheme>& schemes,
-                                        ProgressLine& line) {
-  const Result<ControlMesh> control = load_control_mesh(options.mesh, options.triangulate);
+                                        ProgressLine& line, MeshRemarks& remarks) {
+  Result<ControlMesh> control = load_control_mesh(options.mesh, options.triangulate);
   if (!control) return control.error();
   MeshOptions mesh_options;
   mesh_options.steps = options.steps;
@@ -65,7 +65,11 @@ Result<MeshComparison> compare_surfaces(const CompareOptions& options,
     status.error().file = options.mesh;
     return status.error();
   }
-  return compare_on_mesh(schemes, options.mesh, control->mesh, control->points, mesh_options);
+  MeshComparison found =
+      compare_on_mesh(schemes, options.mesh, control->mesh, control->points, mesh_options);
+  remarks = std::move(control->remarks);
+  add_warnings(remarks, gap_warnings(found, schemes));
+  return found;
 }
 
 Status draw(const CompareOptions& options, const MeshComparison& on_mesh) {
@@ -88,8 +92,9 @@ int compare(const CompareOptions& options) {
 
   ProgressLine line;
   Comparison comparison{.tolerance = options.tolerance};
+  MeshRemarks remarks;
   if (!options.mesh.empty()) {  // first: a bad mesh is soon found
-    Result<MeshComparison> on_mesh = compare_surfaces(options, schemes, line);
+    Result<MeshComparison> on_mesh = compare_surfaces(options, schemes, line, remarks);
     if (!on_mesh) return report(on_mesh.error());
     comparison.on_mesh = std::move(*on_mesh);
   }
@@ -105,10 +110,13 @@ int compare(const CompareOptions& options) {
   record.regularity.seconds = time_limit(options.seconds);
   for (const auto& [label, scheme] : schemes)
     comparison.schemes.push_back(approx_record(label, scheme, record));
-  if (options.json)
-    print_json(compare_json(comparison));
-  else
+  if (!options.json) {
     print_text(compare_text(comparison, options.differences));
+    return kDone;
+  }
+  nlohmann::ordered_json json = compare_json(comparison);
+  if (comparison.on_mesh) add_remarks(json, remarks);
+  print_json(json);
   return kDone;
 }
 

@@ -31,14 +31,22 @@ struct DrawOptions {
   bool json = false;
 };
 
-Result<SurfaceScene> scene_of(const DrawOptions& options, const Scheme& scheme) {
-  const Result<ControlMesh> control = load_control_mesh(options.mesh, options.triangulate);
+/// What is drawn, and what there is to say of it.
+struct Drawing {
+  SurfaceScene scene;
+  LimitGaps gaps;
+  MeshRemarks remarks;
+};
+
+Result<Drawing> drawing_of(const DrawOptions& options, const Scheme& scheme) {
+  Result<ControlMesh> control = load_control_mesh(options.mesh, options.triangulate);
   if (!control) return control.error();
+  LimitGaps gaps;
   if (Status status = check_drawable(scheme, control->mesh, options.levels); !status)
     return status.error();
   set_step("finding limit points of " + options.mesh);
   Result<SmoothSurface> surface =
-      limit_surface(scheme, control->mesh, control->points, options.levels);
+      limit_surface(scheme, control->mesh, control->points, options.levels, &gaps);
   if (!surface) {
     if (surface.error().file.empty()) surface.error().file = options.mesh;
     return surface.error();
@@ -48,7 +56,7 @@ Result<SurfaceScene> scene_of(const DrawOptions& options, const Scheme& scheme) 
   scene.azimuth = options.view.azimuth;
   scene.elevation = options.view.elevation;
   if (options.net) scene.net = control_net(control->mesh, control->points);
-  return scene;
+  return Drawing{std::move(scene), std::move(gaps), std::move(control->remarks)};
 }
 
 int draw(const DrawOptions& options) {
@@ -63,8 +71,13 @@ int draw(const DrawOptions& options) {
   if (!scheme) return report(scheme.error());
   ProgressLine line;
   line.show("finding limit points");
-  const Result<SurfaceScene> scene = scene_of(options, *scheme);
-  if (!scene) return report(scene.error());
+  Result<Drawing> drawing = drawing_of(options, *scheme);
+  if (!drawing) return report(drawing.error());
+  const SurfaceScene* const scene = &drawing->scene;
+  add_warnings(drawing->remarks,
+               gaps_text(drawing->gaps, {.mesh = fmt::format("{}, refined", options.mesh),
+                                         .normal = kLeftOutOfPictures,
+                                         .curvatures = ""}));
   line.show("drawing " + options.output);
   set_step("drawing " + options.output);
   const LightLines lights{.count = options.lights};
@@ -80,14 +93,18 @@ int draw(const DrawOptions& options) {
     figure.add(ShadedPanel{.scene = *scene});
   if (Status status = figure.write(options.output); !status) return report(status.error());
   const std::size_t vertices = scene->surfaces.front().vertices.size();
-  if (options.json)
-    print_json({{"output", options.output},
-                {"scheme", scheme->name},
-                {"levels", options.levels},
-                {"vertices", vertices}});
-  else
-    print_text(fmt::format("{}: the limit surface of {} at {} points\n", printable(options.output),
-                           printable(scheme->name), vertices));
+  if (options.json) {
+    nlohmann::ordered_json json{{"output", options.output},
+                                {"scheme", scheme->name},
+                                {"levels", options.levels},
+                                {"vertices", vertices}};
+    if (drawing->gaps.any()) json["missing"] = gaps_json(drawing->gaps);
+    add_remarks(json, drawing->remarks);
+    print_json(json);
+    return kDone;
+  }
+  print_text(fmt::format("{}: the limit surface of {} at {} points\n", printable(options.output),
+                         printable(scheme->name), vertices));
   return kDone;
 }
 

@@ -166,7 +166,7 @@ int analyse(const EigenOptions& options) {
                    0});
   const Result<Scheme> scheme = options.scheme.load();
   if (!scheme) return report(scheme.error());
-  const Result<Valences> range = read_valences(options.valence, least_valence(*scheme->split));
+  const Result<Valences> range = read_valences(options.valence, 2);
   if (!range) return report(range.error());
   if (Status status = check_map(options, *range); !status) return report(status.error());
   FrequencyAnalysis analysis(*scheme, options.rings);
@@ -192,7 +192,7 @@ void declare_eigen(CLI::App& parser, Action& action) {
   CLI::Option* const valence =
       command
           ->add_option("--valence", options->valence,
-                       "a valence, or a range of them; from 3 on, of quads from 2 on")
+                       "a valence, or a range of them; from 2 on, of faces (dual splits) from 3 on")
           ->type_name("N or A..B")
           ->capture_default_str();
   command

@@ -10,6 +10,7 @@
 #include "limn/base/printable.h"
 #include "limn/base/progress.h"
 #include "limn/report/fairness_report.h"
+#include "limn/report/limit_report.h"
 #include "limn/report/spectrum_report.h"
 #include "scheme_argument.h"
 
@@ -39,6 +40,7 @@ Result<std::vector<FairnessRecord>> measure(const FairnessCommand& options,
   for (const auto& [label, scheme] : schemes) {
     FairnessOptions how;
     how.levels = options.levels;
+    how.partial = true;
     how.progress = [&line, &name = label](int level, int levels) {
       line.show(fmt::format("{}: level {} of {}", name, level, levels));
     };
@@ -81,12 +83,25 @@ Status check_figures(const FairnessCommand& options) {
       0};
 }
 
+/// Where there are no limit points, of the mesh at some level of a scheme.
+Warnings gap_warnings(const FairnessCommand& options, const std::string& label, int level,
+                      const std::vector<LimitPoints::Refused>& refused) {
+  Warnings warnings = gaps_text({.limits = refused, .normals = {}, .curvatures = {}},
+                                {.mesh = options.mesh, .normal = "", .curvatures = ""});
+  for (Error& warning : warnings)
+    warning.message = fmt::format("{}, level {}: {}", label, level, warning.message);
+  return warnings;
+}
+
 Status draw_spectrum(const FairnessCommand& options, const std::vector<NamedScheme>& schemes,
-                     const ControlMesh& control) {
+                     ControlMesh& control) {
   std::vector<NamedPoints> points{{"control vertices", control.points}};
   for (const auto& [label, scheme] : schemes) {
-    Result<NamedPoints> limits = limits_of_vertices(label, scheme, control.mesh, control.points);
+    std::vector<LimitPoints::Refused> refused;
+    Result<NamedPoints> limits =
+        limits_of_vertices(label, scheme, control.mesh, control.points, refused);
     if (!limits) return limits.error();
+    add_warnings(control.remarks, gap_warnings(options, label, 0, refused));
     points.push_back(*std::move(limits));
   }
   const Result<Figure> figure = spectrum_figure(display_name(options.mesh), control.mesh, points);
@@ -96,7 +111,7 @@ Status draw_spectrum(const FairnessCommand& options, const std::vector<NamedSche
 
 /// Draws what is asked for.
 Status draw_figures(const FairnessCommand& options, const std::vector<NamedScheme>& schemes,
-                    const ControlMesh& control, const std::vector<FairnessRecord>& records) {
+                    ControlMesh& control, const std::vector<FairnessRecord>& records) {
   if (!options.chart.empty())
     if (Status status = fairness_figure(display_name(options.mesh), records).write(options.chart);
         !status)
@@ -112,10 +127,13 @@ int print_fairness(const FairnessCommand& options) {
   const Result<std::vector<NamedScheme>> schemes =
       scheme_arguments(options.schemes, options.common.parameters);
   if (!schemes) return report(schemes.error());
-  const Result<ControlMesh> control = load_control_mesh(options.mesh, options.triangulate);
+  Result<ControlMesh> control = load_control_mesh(options.mesh, options.triangulate);
   if (!control) return report(control.error());
   const Result<std::vector<FairnessRecord>> records = measure(options, *schemes, *control);
   if (!records) return report(records.error());
+  for (const FairnessRecord& record : *records)
+    add_warnings(control->remarks,
+                 gap_warnings(options, record.scheme, record.last().level, record.refused));
   if (Status status = draw_figures(options, *schemes, *control, *records); !status)
     return report(status.error());
   const int frequencies = frequency_count(options.spectrum);
@@ -125,6 +143,7 @@ int print_fairness(const FairnessCommand& options) {
   if (options.json) {
     nlohmann::ordered_json json = fairness_json(options.mesh, *records);
     if (frequencies > 0) json["spectrum"] = spectrum_json(*ends);
+    add_remarks(json, control->remarks);
     print_json(json);
     return kDone;
   }

@@ -13,13 +13,13 @@
 #include "limn/base/printable.h"
 #include "limn/base/progress.h"
 #include "limn/fast/limit/fast_limit.h"
-#include "limn/surface/surface_estimate.h"
 #include "limn/limit/limit_points.h"
 #include "limn/refine/fast/fast_refiner.h"
 #include "limn/refine/refine.h"
 #include "limn/regular/smoothness/second_differences.h"
 #include "limn/report/data_table.h"
 #include "limn/report/limit_report.h"
+#include "limn/surface/surface_estimate.h"
 #include "mesh_output.h"
 
 namespace limn::app {
@@ -48,8 +48,6 @@ struct RefineOptions {
 
 void print_result(const RefineOptions& options, const Scheme& scheme, const Polygons& result,
                   double seconds, const LimitGaps& gaps, const MeshRemarks& remarks) {
-  for (const std::string& sentence : gaps_text(gaps, options.output.missing_normal()))
-    report_warnings({{sentence, {}, options.output.path, 0, 0}});
   if (options.json) {
     nlohmann::ordered_json json{{"vertices", result.vertex_count()},
                                 {"faces", result.face_count()},
@@ -93,7 +91,8 @@ std::optional<Refined<Point3>> with_connectivity(Polygons& polygons) {
 
 /// Moves the points to the limit surface and finds normals there, as the options ask.
 Status take_to_limit(const RefineOptions& options, const Scheme& scheme, Refined<Point3>& refined,
-                     WriteOptions& extras, LimitGaps& gaps, ProgressLine& line) {
+                     WriteOptions& extras, LimitGaps& gaps, MeshRemarks& remarks,
+                     ProgressLine& line) {
   set_step("finding limit points of " + options.mesh + ", refined");
   LimitOptions limit_options;
   limit_options.steps_made = options.levels;
@@ -102,13 +101,14 @@ Status take_to_limit(const RefineOptions& options, const Scheme& scheme, Refined
   if (limit_options.curvatures) {
     limit_options.regular = find_regular_part(scheme);
     if (limit_options.regular.bounded == Truth::no)
-      report_warnings({{fmt::format("{} has unbounded curvature wherever the mesh is regular, so "
-                                    "'{}' holds none: {}",
-                                    scheme.name, options.curvatures, limit_options.regular.reason),
-                        {},
-                        {},
-                        0,
-                        0}});
+      add_warnings(remarks,
+                   {{fmt::format("{} has unbounded curvature wherever the mesh is regular, so that "
+                                 "none is given: {}",
+                                 scheme.name, limit_options.regular.reason),
+                     {},
+                     options.curvatures,
+                     0,
+                     0}});
   }
   limit_options.progress = [&](int left) {
     line.show(fmt::format("limit points: {} vertices left, near irregular ones", left));
@@ -118,7 +118,7 @@ Status take_to_limit(const RefineOptions& options, const Scheme& scheme, Refined
   if (!limit) return limit.error();
   if (!options.curvatures.empty()) {
     if (Status status = write_curvatures(options.curvatures, *limit); !status) return status;
-    gaps.curvatures = without_curvature(limit->curvatures);
+    gaps.curvatures = without_curvature(limit->no_curvature);
   }
   gaps.limits = std::move(limit->refused);
   if (options.limit) refined.values = std::move(limit->positions);
@@ -184,7 +184,9 @@ Result<Polygons> refined_polygons(const RefineOptions& options, const Scheme& sc
     refined = *std::move(plain);
   }
   if (options.wants_limit())
-    if (Status status = take_to_limit(options, scheme, *refined, extras, gaps, line); !status)
+    if (Status status =
+            take_to_limit(options, scheme, *refined, extras, gaps, control.remarks, line);
+        !status)
       return status.error();
   return refined->mesh.polygons(std::move(refined->values));
 }
@@ -229,6 +231,11 @@ int refine_mesh(const RefineOptions& options) {
     if (status.error().file.empty()) status.error().file = options.mesh;
     return report(status.error());
   }
+  add_warnings(
+      control->remarks,
+      gaps_text(gaps, {.mesh = options.output.path,
+                       .normal = fmt::format("written as {}", options.output.missing_normal()),
+                       .curvatures = options.curvatures}));
   print_result(options, *scheme, *result, seconds, gaps, control->remarks);
   return kDone;
 }

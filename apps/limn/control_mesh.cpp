@@ -62,10 +62,18 @@ Result<ControlMesh> load_control_mesh(const std::string& path, bool triangulate)
                      {std::move(warnings), std::move(file->left_out)}};
 }
 
+void add_warnings(MeshRemarks& remarks, const Warnings& warnings) {
+  report_warnings(warnings);
+  remarks.warnings.insert(remarks.warnings.end(), warnings.begin(), warnings.end());
+}
+
 void add_remarks(nlohmann::ordered_json& json, const MeshRemarks& remarks) {
   json["warnings"] = nlohmann::ordered_json::array();
-  for (const Error& warning : remarks.warnings)
-    json["warnings"].push_back({{"message", warning.message}, {"line", warning.line}});
+  for (const Error& warning : remarks.warnings) {
+    nlohmann::ordered_json one{{"message", warning.message}, {"line", warning.line}};
+    if (warning.line == 0 && !warning.file.empty()) one["file"] = warning.file;
+    json["warnings"].push_back(std::move(one));
+  }
   json["left_out"] = nlohmann::ordered_json::array();
   for (const LeftOut& kind : remarks.left_out) {
     json["left_out"].push_back(

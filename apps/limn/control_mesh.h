@@ -13,7 +13,7 @@ namespace limn::app {
 
 /// What a mesh file gives reason to say.
 struct MeshRemarks {
-  Warnings warnings;              ///< of the file and of the mesh
+  Warnings warnings;              ///< of the file, of the mesh, and of what is made of it
   std::vector<LeftOut> left_out;  ///< content of the file that limn does not keep
 };
 
@@ -30,8 +30,11 @@ inline constexpr const char* kMeshArgumentHelp =
 /// Whether the name of a mesh tells its format; "-" is standard input, whose content tells.
 [[nodiscard]] Status check_mesh_path(const std::string& path);
 
-/// Adds "warnings", a list of message and line, and "left_out", a list of what, count, unit and
-/// line; line 0: none is known.
+/// Warns on standard error, and keeps the warnings for `add_remarks`.
+void add_warnings(MeshRemarks& remarks, const Warnings& warnings);
+
+/// Adds "warnings", a list of message and line (and file, where no line is known), and "left_out",
+/// a list of what, count, unit and line; line 0: none is known.
 void add_remarks(nlohmann::ordered_json& json, const MeshRemarks& remarks);
 
 /// Reads a mesh file or standard input, cuts its polygons into triangles if asked to, and builds

@@ -101,7 +101,9 @@ TEST(EigenCommand, RefusesBadValencesAndSchemes) {
     expect_refused(folder.limn("eigen " + arguments), part);
   };
 
-  refused("loop --valence 2", "2 is not between 3 and");
+  refused("loop --valence 1", "1 is not between 2 and");
+  refused("doo-sabin --valence 2", "the number of a face's corners");
+  refused("butterfly-modified --valence 2", "not 1, at valence 2");
   refused("loop --valence 7..3", "the range 7..3 is empty");
   for (const char* text : {"''", "x", "3..", "..7", "3...7", "3.5", "99999999999", "-4"})
     refused("loop --valence=" + std::string(text), "--valence");

@@ -128,27 +128,41 @@ TEST(LimitGaps, CurvaturesTakeNothingFromLimits) {
 
 // … and limits that there are none of take nothing from the rest.
 TEST(LimitGaps, OfSomeVerticesLeaveTheOthers) {
-  const Scheme& scheme = shipped("loop");
-  const Mesh mesh = pillow(3);  // valence 2 in triangles
-  const auto fine = refine(scheme, mesh, random_points(3, 1), 2).value();
+  const Scheme scheme = parse_scheme(R"(
+split = "triangle-dyadic"
+source = "a test: Loop, that does not converge at valence 3"
+extends = "loop"
+[[vertex]]
+when = "n == 3"
+self = "-1"
+ring = "2/3"
+[[vertex]]
+self = "1 - n*beta"
+ring = "beta"
+)",
+                                     "not-at-three.toml")
+                            .value();
+  const Mesh mesh =
+      must_build(5, {{0, 1, 3}, {1, 2, 3}, {2, 0, 3}, {1, 0, 4}, {2, 1, 4}, {0, 2, 4}});
+  const auto fine = refine(scheme, mesh, random_points(5, 1), 2).value();
   LimitOptions options;
   options.steps_made = 2;
   EXPECT_FALSE(approx_limit_points(scheme, fine.mesh, fine.values, options).ok());
   options.partial = true;
   const LimitPoints limit = approx_limit_points(scheme, fine.mesh, fine.values, options).value();
-  ASSERT_EQ(limit.refused.size(), 3);
-  for (std::size_t v = 0; v < 3; ++v) {
-    EXPECT_EQ(limit.refused[v].vertex, static_cast<Index>(v));
+  ASSERT_EQ(limit.refused.size(), 2);
+  for (const Index v : {3, 4}) {
+    EXPECT_EQ(limit.refused[static_cast<std::size_t>(v - 3)].vertex, v);
     EXPECT_EQ(limit.positions[v], fine.values[v]);
     EXPECT_EQ(limit.normals[v], Point3{});
   }
   const LimitPoints next = [&] {  // limits do not hang on the level
-    const auto finer = refine(scheme, mesh, random_points(3, 1), 3).value();
+    const auto finer = refine(scheme, mesh, random_points(5, 1), 3).value();
     options.steps_made = 3;
     return approx_limit_points(scheme, finer.mesh, finer.values, options).value();
   }();
-  for (std::size_t v = 3; v < fine.values.size(); ++v)
-    EXPECT_LT(distance(limit.positions[v], next.positions[v]), 1e-13) << v;
+  for (std::size_t v = 0; v < fine.values.size(); ++v)
+    if (v != 3 && v != 4) EXPECT_LT(distance(limit.positions[v], next.positions[v]), 1e-13) << v;
 }
 
 /// A quad of a grid whose inside is two quads that share two edges: vertex 16 has valence 2.
@@ -189,9 +203,44 @@ TEST(ValenceTwo, HasNoTangentPair) {
   EXPECT_NEAR(odd[0].value.real(), 0.25, 1e-7);  // 1/4 twice, in a real block
   EXPECT_NEAR(odd[1].value.real(), 0.25, 1e-7);
   EXPECT_LT(odd[2].modulus(), 0.25 - 1e-3);
-  for (const char* name : {"loop", "doo-sabin", "sqrt3"}) {
+  for (const char* name : {"loop", "loop-warren", "sqrt3", "butterfly"}) {
     FrequencyAnalysis other(shipped(name));
-    EXPECT_FALSE(other.blocks(2).ok()) << name;
+    const Eigencomponents one = approx_eigencomponents(other.blocks(2).value());
+    EXPECT_EQ(one.verdict.convergent, Truth::yes) << name;
+    EXPECT_FALSE(one.tangent) << name;
+    EXPECT_EQ(one.verdict.c1_necessary, Truth::no) << name;
+  }
+  for (const auto& [name, reason] :
+       {std::pair{"doo-sabin", "corners"}, std::pair{"butterfly-modified", "n"}}) {
+    FrequencyAnalysis other(shipped(name));
+    const auto blocks = other.blocks(2);
+    ASSERT_FALSE(blocks.ok()) << name;
+    EXPECT_NE(blocks.error().text().find(reason), std::string::npos) << blocks.error().text();
+  }
+}
+
+// Loop's vertex and its neighbours: 1 − 2χ and χ = 1/(n + 3/(8β)), β = 39/128 [Loop 1987]; √3's:
+// 1/(1 + 3α) and the rest, α = 2/3 [Kobbelt 2000].
+TEST(ValenceTwo, InTrianglesHasTheClosedFormsLimit) {
+  for (const auto& [name, centre] : {std::pair{"loop", 16.0 / 42}, std::pair{"sqrt3", 1.0 / 3}}) {
+    SCOPED_TRACE(name);
+    const Scheme& scheme = shipped(name);
+    for (const int level : {1, 2, 3}) {
+      const auto fine = refine(scheme, pillow(3), random_points(3, 8), level).value();
+      LimitOptions options;
+      options.steps_made = level;
+      const LimitPoints limit =
+          approx_limit_points(scheme, fine.mesh, fine.values, options).value();
+      for (Index v = 0; v < 3; ++v) {
+        ASSERT_EQ(fine.mesh.valence(v), 2);
+        const Index h = fine.mesh.halfedge_of_vertex(v);
+        const Point3 ring =
+            fine.values[fine.mesh.target(h)] + fine.values[fine.mesh.target(fine.mesh.rotate(h))];
+        EXPECT_LT(distance(limit.positions[v], centre * fine.values[v] + (1 - centre) / 2 * ring),
+                  1e-15);
+        EXPECT_EQ(limit.normals[v], Point3{});
+      }
+    }
   }
 }
 

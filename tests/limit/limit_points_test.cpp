@@ -257,6 +257,29 @@ TEST(LimitPoints, HaveTheCurvatureOfQuadraticSurfaces) {
   }
 }
 
+// … whose parameters' lines are not orthogonal: the twist counts.
+TEST(LimitPoints, HaveTheCurvatureOfQuadraticSurfacesOverSkewMeshes) {
+  for (const auto& [name, lattice] : {std::pair{"loop", Lattice::triangle},
+                                      {"catmull-clark", Lattice::quad},
+                                      {"doo-sabin", Lattice::quad}}) {
+    const Mesh mesh = torus(lattice, 12, 12);
+    std::vector<Point3> values(static_cast<std::size_t>(mesh.vertex_count()));
+    for (Index v = 0; v < mesh.vertex_count(); ++v) {
+      const double i = v % 12 - 6, j = v / 12 - 6;
+      const double x = i + 0.4 * j, y = 0.8 * j;
+      values[v] = {x, y, (0.3 * x * x + 0.4 * x * y - 0.5 * y * y) / 2};
+    }
+    LimitOptions options;
+    options.curvatures = true;
+    const Index middle = 6 * 12 + 6;
+    options.vertices = {middle};
+    const LimitPoints limit = approx_limit_points(shipped(name), mesh, values, options).value();
+    const double mean = (0.3 - 0.5) / 2, spread = std::hypot((0.3 + 0.5) / 2, 0.2);
+    EXPECT_NEAR(limit.curvatures[middle].largest, mean + spread, 1e-12) << name;
+    EXPECT_NEAR(limit.curvatures[middle].smallest, mean - spread, 1e-12) << name;
+  }
+}
+
 // Loop's saddles are flat at valence 5, so what is left of the curvature there is a cup's.
 TEST(LimitPoints, HaveTheCurvatureOfTheLimitOfACup) {
   const Scheme& scheme = shipped("loop");

@@ -9,14 +9,22 @@
 namespace limn {
 namespace {
 
-constexpr int kWider = 3;  // rings round those that control the surface: they hold ring 1's limits
+// rings round those that control the surface: they hold ring 1's limits
+constexpr int kWider = 3;
+
+/// How many rings of limits tell a quadratic's shape: the corners of a square, a dual split's first
+/// ring, lie on its diagonals, where u² − v² is 0.
+int fitted_rings(const Split& split) { return split.births_corners ? 2 : 1; }
+
+constexpr int kQuadraticFrequencies = 3;  // 0, 1 and 2
 
 /// Values at the vertices of the star, and the functional that measures how much of them there is.
 struct Function {
   std::vector<double> values, weights;
 };
 
-/// The real eigenvectors of an eigenvalue.
+/// The real eigenvectors of an eigenvalue. Of Re((a + bi)(c + si)) = ac - bs the functionals give a
+/// and, turned, -b; so the functions are c and s.
 std::vector<Function> functions(const FrequencyBlocks& blocks, const Eigenvalue& eigenvalue) {
   const Eigenvectors vectors = approx_eigenvectors(blocks, eigenvalue);
   const int omega = eigenvalue.frequency;
@@ -25,7 +33,6 @@ std::vector<Function> functions(const FrequencyBlocks& blocks, const Eigenvalue&
     auto weights = spatial_functionals(blocks, omega, vectors.left.row(i));
     auto values = spatial_vectors(blocks, omega, vectors.right.col(i));
     for (double& weight : weights[1]) weight = -weight;
-    for (double& value : values[1]) value = -value;
     list.push_back({std::move(values[0]), std::move(weights[0])});
     if (omega > 0 && 2 * omega != blocks.valence)
       list.push_back({std::move(values[1]), std::move(weights[1])});
@@ -33,29 +40,33 @@ std::vector<Function> functions(const FrequencyBlocks& blocks, const Eigenvalue&
   return list;
 }
 
-/// The eigenvalues that make curvature: those that are tangent². Nothing where one of them has a
-/// frequency that no quadratic has: curvature then hangs on the direction.
-std::optional<std::vector<Eigenvalue>> quadratic(const Eigencomponents& components) {
-  if (components.verdict.curvature_necessary != Truth::yes) return std::nullopt;
+/// The eigenvalues that are tangent².
+struct Quadratic {
+  std::vector<Eigenvalue> shapes;  ///< of the cup and the saddles
+  std::vector<Eigenvalue> jumps;   ///< of frequency 1
+};
+
+/// Nothing where one of them has a frequency of 3 or more, or the modulus alone.
+std::optional<Quadratic> quadratic(const Eigencomponents& components) {
   const double square = *components.tangent * *components.tangent;
-  std::vector<Eigenvalue> list;
+  const int saddles = components.valence == 3 ? 1 : 2;  // their frequency; 2 is folded to 1
+  Quadratic found;
   for (const BlockSpectrum& spectrum : components.spectra) {
-    for (std::size_t i = 0; i < spectrum.eigenvalues.size(); ++i) {
-      const Eigenvalue& one = spectrum.eigenvalues[i];
+    for (const Eigenvalue& one : spectrum.eigenvalues) {
       if (std::abs(std::abs(one.value) - square) > kEqualBelow) continue;
-      const int folded = components.valence == 3 ? 1 : 2;  // the saddles' frequency
-      if ((one.frequency != 0 && one.frequency != folded) ||
-          std::abs(one.value - square) > kEqualBelow)
-        return std::nullopt;
+      if (one.frequency > 2 || std::abs(one.value - square) > kEqualBelow) return std::nullopt;
+      const bool shape = one.frequency == 0 || one.frequency == saddles;
+      std::vector<Eigenvalue>& list = shape ? found.shapes : found.jumps;
       if (list.empty() || list.back().frequency != one.frequency) list.push_back(one);
     }
   }
-  return list;
+  return found;
 }
 
-/// Limits at ring 1 of three functions.
+/// Limits of three functions at the rings 1 … last.
 Result<std::vector<Point3>> ring_limits(const Scheme& scheme, const FrequencyBlocks& blocks,
-                                        const Function& x, const Function& y, const Function& z) {
+                                        int last_ring, const Function& x, const Function& y,
+                                        const Function& z) {
   const Split& split = *scheme.split;
   std::vector<Point3> values;
   for (std::size_t v = 0; v < x.values.size(); ++v)
@@ -63,7 +74,7 @@ Result<std::vector<Point3>> ring_limits(const Scheme& scheme, const FrequencyBlo
   LimitOptions options;
   options.boundary = false;
   const Index first = blocks.has_center ? 1 : 0;
-  const Index last = split_star_size(split, blocks.valence, 1);
+  const Index last = split_star_size(split, blocks.valence, last_ring);
   options.vertices.resize(static_cast<std::size_t>(last - first));
   std::iota(options.vertices.begin(), options.vertices.end(), first);
   Result<LimitPoints> limit =
@@ -72,26 +83,16 @@ Result<std::vector<Point3>> ring_limits(const Scheme& scheme, const FrequencyBlo
   return std::vector<Point3>(limit->positions.begin() + first, limit->positions.begin() + last);
 }
 
-}  // namespace
-
-Result<std::optional<CurvatureStencil>> approx_curvature_stencil(const Scheme& scheme,
-                                                                 FrequencyAnalysis& analysis,
-                                                                 int n) {
-  const Result<FrequencyBlocks> near = analysis.blocks(n);
-  if (!near) return near.error();
-  const Eigencomponents components = approx_eigencomponents(*near);
-  const auto eigenvalues = quadratic(components);
-  if (!eigenvalues) return std::optional<CurvatureStencil>{};
-  const Result<FrequencyBlocks> wide = FrequencyAnalysis(scheme, near->rings + kWider).blocks(n);
-  if (!wide) return wide.error();
-  const auto tangents = functions(*wide, components.spectra[1].eigenvalues.front());
-  CurvatureStencil stencil;
-  const std::size_t size = star_places(*near).size();
-  stencil.rings = near->rings;
-  stencil.cup = stencil.first_saddle = stencil.second_saddle = std::vector<double>(size, 0.0);
-  for (const Eigenvalue& eigenvalue : *eigenvalues)
-    for (const Function& function : functions(*wide, eigenvalue)) {
-      const auto at = ring_limits(scheme, *wide, tangents[0], tangents[1], function);
+/// What each of the shapes has of the cup and the saddles, by its limits, and how much of it there
+/// is.
+Status add_shapes(const Scheme& scheme, const FrequencyBlocks& wide,
+                  const Eigencomponents& components, const std::vector<Eigenvalue>& shapes,
+                  CurvatureStencil& stencil) {
+  const int rings = fitted_rings(*scheme.split);
+  const auto tangents = functions(wide, components.spectra[1].eigenvalues.front());
+  for (const Eigenvalue& eigenvalue : shapes)
+    for (const Function& function : functions(wide, eigenvalue)) {
+      const auto at = ring_limits(scheme, wide, rings, tangents[0], tangents[1], function);
       if (!at) return at.error();
       Eigen::MatrixXd quadratics(static_cast<Eigen::Index>(at->size()), 3);
       Eigen::VectorXd heights(quadratics.rows());
@@ -101,13 +102,58 @@ Result<std::optional<CurvatureStencil>> approx_curvature_stencil(const Scheme& s
         heights(i) = p.z;
       }
       const Eigen::Vector3d fit = quadratics.colPivHouseholderQr().solve(heights);
-      for (std::size_t v = 0; v < size; ++v) {
+      for (std::size_t v = 0; v < stencil.cup.size(); ++v) {
         stencil.cup[v] += fit(0) * function.weights[v];
         stencil.first_saddle[v] += fit(1) * function.weights[v];
         stencil.second_saddle[v] += fit(2) * function.weights[v];
       }
     }
-  return std::optional(std::move(stencil));
+  return Done{};
+}
+
+}  // namespace
+
+std::string_view to_string(NoCurvature reason) {
+  switch (reason) {
+    case NoCurvature::none: return "";
+    case NoCurvature::boundary: return "on the boundary";
+    case NoCurvature::no_limit: return "no limit point there";
+    case NoCurvature::no_normal: return "no normal there";
+    case NoCurvature::unbounded:
+      return "not known to be bounded there, by the vertex's eigenvalues";
+    case NoCurvature::regular: return "not bounded wherever the mesh is regular";
+    case NoCurvature::direction:
+      return "bounded, but another from each side: second derivatives jump there";
+    case NoCurvature::not_regular: return "too near to the boundary, or to other irregular places";
+    case NoCurvature::unknown: return "not known there";
+    case NoCurvature::too_large: break;
+  }
+  return "beyond the range of numbers";
+}
+
+Result<VertexCurvature> approx_curvature_stencil(const Scheme& scheme, FrequencyAnalysis& analysis,
+                                                 int n) {
+  const Result<FrequencyBlocks> near = analysis.blocks(n);
+  if (!near) return near.error();
+  const Eigencomponents components = approx_eigencomponents(*near);
+  if (components.verdict.curvature_necessary != Truth::yes)
+    return VertexCurvature{{}, n == 2 ? NoCurvature::no_normal : NoCurvature::unbounded};
+  const std::optional<Quadratic> eigenvalues = quadratic(components);
+  if (!eigenvalues) return VertexCurvature{{}, NoCurvature::direction};
+  const Result<FrequencyBlocks> wide =
+      FrequencyAnalysis(scheme, near->rings + kWider + fitted_rings(*scheme.split) - 1)
+          .blocks(n, kQuadraticFrequencies);
+  if (!wide) return wide.error();
+  CurvatureStencil stencil;
+  const std::size_t size = star_places(*near).size();
+  stencil.rings = near->rings;
+  stencil.cup = stencil.first_saddle = stencil.second_saddle = std::vector<double>(size, 0.0);
+  for (const Eigenvalue& eigenvalue : eigenvalues->jumps)
+    for (Function& function : functions(*near, eigenvalue))
+      stencil.jumps.push_back(std::move(function.weights));
+  if (Status status = add_shapes(scheme, *wide, components, eigenvalues->shapes, stencil); !status)
+    return status.error();
+  return VertexCurvature{std::move(stencil), NoCurvature::none};
 }
 
 }  // namespace limn

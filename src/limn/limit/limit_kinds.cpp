@@ -7,6 +7,21 @@
 
 namespace limn {
 
+SharedSites::SharedSites(const Mesh& mesh, std::vector<LimitSite>& sites) {
+  std::vector<Index> result_at(static_cast<std::size_t>(mesh.face_count()), kNone);
+  std::size_t kept = 0;
+  for (const LimitSite& site : sites) {
+    Index& result = result_at[static_cast<std::size_t>(mesh.face(site.at))];
+    if (result != kNone) {
+      others_[result].push_back(site.result);
+      continue;
+    }
+    result = site.result;
+    sites[kept++] = site;
+  }
+  sites.resize(kept);
+}
+
 bool LimitKinds::at_boundary(const Mesh& mesh, Index at) const {
   return !scheme_.split->births_corners && mesh.is_boundary_vertex(at);
 }
@@ -18,7 +33,7 @@ int LimitKinds::size_of(const Mesh& mesh, Index at) const {
 }
 
 Status LimitKinds::prepare(const Mesh& mesh, std::vector<LimitSite>& sites,
-                           std::vector<LimitPoints::Refused>* refused) {
+                           std::vector<LimitPoints::Refused>* refused, const SharedSites& shared) {
   std::size_t kept = 0;
   for (const LimitSite& site : sites) {
     const bool boundary = at_boundary(mesh, site.at);
@@ -31,6 +46,7 @@ Status LimitKinds::prepare(const Mesh& mesh, std::vector<LimitSite>& sites,
     Error error = kind.error();
     if (refused != nullptr && check_rules(boundary, size)) {
       refused->push_back({site.result, error.message});
+      for (const Index v : shared.others(site.result)) refused->push_back({v, error.message});
       continue;
     }
     error.message = fmt::format("vertex {}: {}", site.result, error.message);
@@ -76,15 +92,20 @@ Result<LimitKind> LimitKinds::make(bool boundary, int size) {
   const int more = scheme_.rule(RuleKind::edge_end) ? 1 : 0;
   const int shape = limit->rings + more;
   rings_ = std::max(rings_, limit->rings);
-  LimitKind kind{std::move(*limit), shape, pattern(boundary, size, shape), std::nullopt};
-  if (!curvatures_ || boundary) return kind;
+  LimitKind kind{std::move(*limit), shape, pattern(boundary, size, shape), {}, {}};
+  if (!curvatures_) return kind;
+  kind.no_curvature = NoCurvature::boundary;
+  if (boundary) return kind;
   // what is not known of the curvature takes nothing from the limit
-  Result<std::optional<CurvatureStencil>> curvature =
-      approx_curvature_stencil(scheme_, analysis_, size);
-  if (!curvature || !*curvature) return kind;
-  const int rings = std::max(kind.limit.rings, (*curvature)->rings);
+  kind.no_curvature = NoCurvature::unknown;
+  Result<VertexCurvature> curvature = approx_curvature_stencil(scheme_, analysis_, size);
+  if (!curvature) return kind;
+  kind.no_curvature = curvature->missing;
+  if (!curvature->stencil) return kind;
+  const int rings = std::max(kind.limit.rings, curvature->stencil->rings);
   rings_ = std::max(rings_, rings);
-  kind.curvature = LimitKind::Curved{**std::move(curvature), pattern(boundary, size, rings + more)};
+  kind.curvature =
+      LimitKind::Curved{*std::move(curvature->stencil), pattern(boundary, size, rings + more)};
   return kind;
 }
 

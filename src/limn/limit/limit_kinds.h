@@ -7,7 +7,9 @@
 #include <cmath>
 #include <map>
 #include <optional>
+#include <span>
 #include <string>
+#include <unordered_map>
 #include <vector>
 
 #include <fmt/core.h>
@@ -32,6 +34,24 @@ struct LimitKind {
     Pattern pattern;
   };
   std::optional<Curved> curvature;
+  NoCurvature no_curvature = NoCurvature::none;  ///< why there is none, where it was sought
+};
+
+/// Sites that are one face of a dual split's mesh, of which one stays, and whose vertices it is
+/// besides: all n boundary vertices round a face of n corners may go to its centre.
+class SharedSites {
+ public:
+  SharedSites() = default;
+  /// Leaves one site a face in the list. Cost O(faces + sites).
+  SharedSites(const Mesh& mesh, std::vector<LimitSite>& sites);
+  /// The other vertices of a site's result.
+  [[nodiscard]] std::span<const Index> others(Index result) const {
+    const auto found = others_.find(result);
+    return found == others_.end() ? std::span<const Index>() : found->second;
+  }
+
+ private:
+  std::unordered_map<Index, std::vector<Index>> others_;
 };
 
 /// The kinds of a scheme, found when they are met.
@@ -43,7 +63,7 @@ class LimitKinds {
   /// Finds those of the sites. Without `refused`, fails at the first vertex that has none; with it,
   /// such sites move there, each with its reason. Fails where a rule is missing.
   Status prepare(const Mesh& mesh, std::vector<LimitSite>& sites,
-                 std::vector<LimitPoints::Refused>* refused);
+                 std::vector<LimitPoints::Refused>* refused, const SharedSites& shared);
   /// At the boundary or not; of so many faces (dual splits: a face of so many corners).
   Result<const LimitKind*> find(bool boundary, int size);
   /// Of a site that is prepared for.
@@ -94,10 +114,20 @@ struct LimitPlace {
   Index start;                              ///< the half-edge from which is numbered:
   const std::vector<Index>& neighbourhood;  ///< the vertices that the stencils weigh
   Index vertex;                             ///< of the control mesh
+  std::span<const Index> others;            ///< vertices that share it
 };
 
-/// Calls limit(LimitPlace) once for each vertex that is not isolated, on several threads, and
-/// curvature(LimitPlace) for those of which one is sought and found. Fails as LimitKinds::prepare
+/// Puts one result where all vertices of a place have theirs.
+template <class Value, class Result>
+void put(const LimitPlace<Value>& place, const Result& result, std::vector<Result>& results) {
+  results[static_cast<std::size_t>(place.vertex)] = result;
+  for (const Index v : place.others) results[static_cast<std::size_t>(v)] = result;
+}
+
+/// Calls limit(LimitPlace) once for each place of vertices that are not isolated, on several
+/// threads, and
+/// curvature(LimitPlace) for those whose kind has one, and whose neighbourhood becomes regular, or
+/// whose kind has none. Fails as LimitKinds::prepare
 /// and `refine`, and where no few steps make a neighbourhood regular; with `refused`, this is told
 /// there and the rest done.
 template <class Value, class Limit, class Curvature>
@@ -125,6 +155,7 @@ class LimitSearch {
           dual_patch(scheme_, control, control_values, vertices, step++, rules_.tables());
       if (!first) return first.error();
       patch = std::move(*first);
+      shared_ = SharedSites(patch.mesh, patch.sites);
     } else {
       patch.sites = limit_sites(control, vertices);
     }
@@ -132,7 +163,8 @@ class LimitSearch {
     for (int round = 0; round < kMostSteps; ++round) {
       const Mesh& mesh = in_patch ? patch.mesh : control;
       const std::vector<Value>& values = in_patch ? patch.values : control_values;
-      if (Status status = kinds_.prepare(mesh, patch.sites, refused); !status) return status;
+      if (Status status = kinds_.prepare(mesh, patch.sites, refused, shared_); !status)
+        return status;
       const bool boundary_rests = scheme_.split->trisects_boundary && step % 2 != 0;
       if (Status status = visit(mesh, values, boundary_rests, patch.sites); !status) return status;
       if (patch.sites.empty()) return Done{};
@@ -172,13 +204,18 @@ class LimitSearch {
               std::vector<Index>& neighbourhood) {
     const LimitKind& kind = kinds_.at(mesh, site.at);
     const Index start = dual_ ? site.at : mesh.halfedge_of_vertex(site.at);
-    const LimitPlace<Value> place{kind, mesh, values, start, neighbourhood, site.result};
+    const LimitPlace<Value> place{
+        kind, mesh, values, start, neighbourhood, site.result, shared_.others(site.result)};
     if (!site.has_limit && kind.pattern.match(mesh, start, neighbourhood)) {
       if (!rules_.complete() && !are_known(kind.limit, neighbourhood, values)) return unknown;
       limit_(place);
       site.has_limit = true;
     }
-    if (!kind.curvature) return site.has_limit ? done : waiting;
+    if (!kind.curvature) {
+      if (!site.has_limit) return waiting;
+      curvature_(place);
+      return done;
+    }
     if (!kind.curvature->pattern.match(mesh, start, neighbourhood)) return waiting;
     curvature_(place);
     return done;
@@ -195,6 +232,7 @@ class LimitSearch {
         return Error{
             fmt::format("no limit point at vertex {}: {}", site.result, reason), {}, {}, 0, 0};
       refused->push_back({site.result, reason});
+      for (const Index v : shared_.others(site.result)) refused->push_back({v, reason});
     }
     return Done{};
   }
@@ -206,6 +244,7 @@ class LimitSearch {
   Limit limit_;
   Curvature curvature_;
   PartialRules rules_;
+  SharedSites shared_;
 };
 
 }  // namespace limn

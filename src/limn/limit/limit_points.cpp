@@ -89,29 +89,49 @@ using Spot = LimitPlace<Point3>;
 
 void take_limit(const Spot& at, bool dual, LimitPoints& out) {
   const LimitStencil& limit = at.kind.limit;
-  out.positions[at.vertex] = weighted(limit.position, at.neighbourhood, at.values);
+  put(at, weighted(limit.position, at.neighbourhood, at.values), out.positions);
   if (!limit.has_plane) return;
   const double size = size_of(at.neighbourhood, at.values);
   if (limit.first_tangent.empty()) {
-    out.normals[at.vertex] = normal_of_faces(at.mesh, at.values, at.start, dual, size);
+    put(at, normal_of_faces(at.mesh, at.values, at.start, dual, size), out.normals);
     return;
   }
   const std::array<Tangent, 2> tangents{
       tangent_of(weighted(limit.first_tangent, at.neighbourhood, at.values)),
       tangent_of(weighted(limit.second_tangent, at.neighbourhood, at.values))};
-  out.normals[at.vertex] = normal_of(tangents, size);
+  put(at, normal_of(tangents, size), out.normals);
+}
+
+/// Whether a sum is what rounding makes of 0.
+bool vanishes(const std::vector<double>& weights, const Point3& sum, double size) {
+  constexpr double kUnits = 64;  // of rounding, of the coordinates that a step or two made
+  double scale = 0;
+  for (const double weight : weights) scale += std::abs(weight);
+  const double bound = kUnits * std::numeric_limits<double>::epsilon() * scale * size;
+  return std::abs(sum.x) <= bound && std::abs(sum.y) <= bound && std::abs(sum.z) <= bound;
 }
 
 /// After the limit.
 void take_curvature(const Spot& at, LimitPoints& out) {
+  const auto none = [&](NoCurvature reason) { put(at, reason, out.no_curvature); };
+  if (!at.kind.curvature) return none(at.kind.no_curvature);
+  const Point3& normal = out.normals[at.vertex];
+  if (normal == Point3{}) return none(NoCurvature::no_normal);
   const LimitStencil& limit = at.kind.limit;
   const CurvatureStencil& stencil = at.kind.curvature->stencil;
   const auto sum = [&](const std::vector<double>& weights) {
     return weighted(weights, at.neighbourhood, at.values);
   };
-  out.curvatures[at.vertex] =
-      principal(sum(limit.first_tangent), sum(limit.second_tangent), out.normals[at.vertex],
+  if (!stencil.jumps.empty()) {
+    const double size = size_of(at.neighbourhood, at.values);
+    for (const std::vector<double>& jump : stencil.jumps)
+      if (!vanishes(jump, sum(jump), size)) return none(NoCurvature::direction);
+  }
+  const LimitPoints::Curvatures curvatures =
+      principal(sum(limit.first_tangent), sum(limit.second_tangent), normal,
                 {sum(stencil.cup), sum(stencil.first_saddle), sum(stencil.second_saddle)});
+  put(at, curvatures, out.curvatures);
+  none(std::isnan(curvatures.largest) ? NoCurvature::too_large : NoCurvature::none);
 }
 
 }  // namespace
@@ -122,25 +142,37 @@ Result<LimitPoints> approx_limit_points(const Scheme& scheme, const Mesh& mesh,
   LimitPoints out;
   out.positions.resize(values.size());
   out.normals.resize(values.size());
-  if (options.curvatures) out.curvatures.assign(values.size(), {kNaN, kNaN});
+  const bool bounded = options.regular.bounded != Truth::no;
+  if (options.curvatures) {
+    out.curvatures.assign(values.size(), {kNaN, kNaN});
+    out.no_curvature.assign(values.size(),
+                            bounded ? NoCurvature::not_regular : NoCurvature::regular);
+  }
   std::vector<Index> vertices = options.vertices;
   if (vertices.empty()) {
     vertices.resize(values.size());
     std::iota(vertices.begin(), vertices.end(), 0);
   }
   for (const Index v : vertices)
-    if (mesh.is_isolated(v)) out.positions[v] = values[v];
-  LimitKinds kinds(scheme, options.curvatures && options.regular.bounded != Truth::no);
+    if (mesh.is_isolated(v)) {
+      out.positions[v] = values[v];
+      if (options.curvatures) out.no_curvature[v] = NoCurvature::no_limit;
+    }
+  LimitKinds kinds(scheme, options.curvatures && bounded);
   const bool dual = scheme.split->births_corners;
   const auto limit = [&](const Spot& at) { take_limit(at, dual, out); };
-  const auto curvature = [&](const Spot& at) { take_curvature(at, out); };
+  const auto curvature = [&](const Spot& at) {
+    if (options.curvatures && bounded) take_curvature(at, out);
+  };
   LimitSearch<Point3, decltype(limit), decltype(curvature)> search(scheme, kinds, options, limit,
                                                                    curvature);
   const Status status =
       search.run(mesh, values, vertices, options.partial ? &out.refused : nullptr);
   if (!status) return status.error();
-  for (const LimitPoints::Refused& one : out.refused)
+  for (const LimitPoints::Refused& one : out.refused) {
     out.positions[one.vertex] = values[one.vertex];
+    if (options.curvatures) out.no_curvature[one.vertex] = NoCurvature::no_limit;
+  }
   std::sort(out.refused.begin(), out.refused.end(),
             [](const auto& a, const auto& b) { return a.vertex < b.vertex; });
   return out;

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "limn/limit/limit_curvature.h"
 #include "limn/limit/limit_stencil.h"
 #include "limn/mesh/mesh.h"
 
@@ -19,13 +20,12 @@ struct LimitPoints {
   std::vector<Point3> normals;
   /// Principal curvatures, the larger first, of the quadratic surface that the tangents, the cup
   /// and the saddles make (limit_curvature.h); positive where the surface bends towards its normal.
-  /// NaN at the boundary, where there is no normal, where curvature is not bounded (by the
-  /// eigenvalues of the vertex, and everywhere where LimitOptions says so of the regular surface),
-  /// and where (dual splits, beside the boundary) the neighbourhood never becomes regular.
+  /// NaN where there is none, for which `no_curvature` has the reason.
   struct Curvatures {
     double largest, smallest;
   };
-  std::vector<Curvatures> curvatures;  ///< empty unless asked for
+  std::vector<Curvatures> curvatures;     ///< empty unless asked for
+  std::vector<NoCurvature> no_curvature;  ///< as many
   /// Vertices without a limit, which stay where they are, without normals; ascending. Empty
   /// unless LimitOptions::partial.
   struct Refused {

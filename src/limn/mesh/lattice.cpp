@@ -86,6 +86,44 @@ Mesh triangle_star(Index n, Index rings, bool open) {
   return faces.mesh(at.size(rings));
 }
 
+/// The star of two sectors, whose faces' corners do not tell which of two edges with the same ends
+/// they lie at: that of four sectors, of which opposite ones become one.
+Mesh triangle_star_of_two(Index rings) {
+  const Mesh four = triangle_star(4, rings, false);
+  const TriangleRings wide{4}, narrow{2};
+  const auto vertex = [&](Index v) {
+    Index r = 0;
+    while (v >= wide.size(r)) ++r;
+    return r == 0 ? 0 : narrow.size(r - 1) + (v - wide.size(r - 1)) % (2 * r);
+  };
+  const auto halfedge = [&](Index h) {
+    const Index face = h / 3;
+    Index r = 1;
+    while (face >= 4 * r * r) ++r;  // ring r has 4 (2r - 1) faces
+    const Index before = (r - 1) * (r - 1);
+    return 3 * (2 * before + (face - 4 * before) % (2 * (2 * r - 1))) + h % 3;
+  };
+  Mesh::Arrays arrays;
+  arrays.degree = 3;
+  arrays.vertex_count = narrow.size(rings);
+  const auto size = static_cast<std::size_t>(four.halfedge_count() / 2);
+  arrays.origin.resize(size);
+  arrays.twin.resize(size);
+  arrays.edge.resize(size);
+  for (Index h = 0; h < four.halfedge_count(); ++h) {
+    const auto at = static_cast<std::size_t>(halfedge(h));
+    arrays.origin[at] = vertex(four.origin(h));
+    arrays.twin[at] = four.twin(h) == kNone ? kNone : halfedge(four.twin(h));
+  }
+  for (std::size_t h = 0; h < size; ++h) {
+    const Index twin = arrays.twin[h];
+    arrays.edge[h] = twin != kNone && static_cast<std::size_t>(twin) < h
+                         ? arrays.edge[static_cast<std::size_t>(twin)]
+                         : arrays.edge_count++;
+  }
+  return Mesh::from_arrays(std::move(arrays));
+}
+
 Mesh quad_star(Index n, Index rings, bool open) {
   const QuadRings at{n, open};
   FaceList faces;
@@ -123,8 +161,9 @@ Mesh torus(Lattice lattice, Index nx, Index ny) {
 }
 
 Mesh star(Lattice lattice, Index n, Index rings) {
-  assert(n >= (lattice == Lattice::quad ? 2 : 3) && rings >= 1);
-  return lattice == Lattice::triangle ? triangle_star(n, rings, false) : quad_star(n, rings, false);
+  assert(n >= 2 && rings >= 1);
+  if (lattice == Lattice::quad) return quad_star(n, rings, false);
+  return n == 2 ? triangle_star_of_two(rings) : triangle_star(n, rings, false);
 }
 
 Mesh fan(Lattice lattice, Index sectors, Index rings) {

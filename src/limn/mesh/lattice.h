@@ -35,7 +35,7 @@ using Twelfths = std::array<Index, 2>;
 /// 2*n*r (all vertices of the faces that touch ring r-1); rings follow one another, each
 /// counterclockwise from the spoke of sector 0, so rotation by one sector adds r (2r) within
 /// ring r. Half-edge 0 runs from the centre along the spoke of sector 0, in sector 0's face.
-/// n ≥ 3 (quads: n ≥ 2), rings ≥ 1.
+/// n ≥ 2, rings ≥ 1. At n = 2 two edges join the two neighbours of the centre in triangles.
 [[nodiscard]] Mesh star(Lattice lattice, Index n, Index rings);
 
 /// The same round a vertex on the boundary, with so many sectors (faces) ≥ 1: both outer spokes lie

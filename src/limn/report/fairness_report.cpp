@@ -9,6 +9,8 @@
 #include <nlohmann/json.hpp>
 
 #include "limn/base/printable.h"
+#include "limn/report/limit_report.h"
+
 namespace limn {
 namespace {
 
@@ -110,6 +112,8 @@ Json record_json(const FairnessRecord& record) {
     for (const Quantity& quantity : kQuantities) row[quantity.key] = finite(quantity.value(level));
     json["levels"].push_back(row);
   }
+  if (!record.refused.empty())
+    json["missing"] = gaps_json({.limits = record.refused, .normals = {}, .curvatures = {}});
   return json;
 }
 

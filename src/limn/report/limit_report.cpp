@@ -1,8 +1,8 @@
 #include "limn/report/limit_report.h"
 
 #include <algorithm>
-#include <cmath>
 #include <map>
+#include <utility>
 
 #include <fmt/core.h>
 #include <fmt/ranges.h>
@@ -27,55 +27,79 @@ std::string vertices_text(const std::vector<Index>& vertices) {
   return text;
 }
 
-nlohmann::ordered_json gap_json(const std::vector<Index>& vertices) {
-  return {{"count", vertices.size()}, {"vertices", first_few(vertices)}};
+using Reasons = std::map<std::string, std::vector<Index>>;
+
+Reasons by_reason(const std::vector<LimitPoints::Refused>& refused) {
+  Reasons reasons;
+  for (const LimitPoints::Refused& one : refused) reasons[one.reason].push_back(one.vertex);
+  return reasons;
 }
 
-template <class Value, class Missing>
-std::vector<Index> places(const std::vector<Value>& values, Missing missing) {
-  std::vector<Index> found;
-  for (std::size_t v = 0; v < values.size(); ++v)
-    if (missing(values[v])) found.push_back(static_cast<Index>(v));
-  return found;
+Reasons by_reason(const std::vector<LimitGaps::Curvatures>& gaps) {
+  Reasons reasons;
+  for (const LimitGaps::Curvatures& gap : gaps)
+    reasons[std::string(to_string(gap.reason))] = gap.vertices;
+  return reasons;
+}
+
+nlohmann::ordered_json gap_json(std::vector<Index> vertices) {
+  std::sort(vertices.begin(), vertices.end());
+  return {{"count", vertices.size()}, {"vertices", std::move(vertices)}};
+}
+
+nlohmann::ordered_json gap_json(const Reasons& reasons) {
+  std::vector<Index> all;
+  nlohmann::ordered_json list = nlohmann::ordered_json::array();
+  for (const auto& [reason, vertices] : reasons) {
+    all.insert(all.end(), vertices.begin(), vertices.end());
+    list.push_back({{"reason", reason}, {"vertices", vertices}});
+  }
+  nlohmann::ordered_json json = gap_json(std::move(all));
+  json["reasons"] = std::move(list);
+  return json;
 }
 
 }  // namespace
 
 std::vector<Index> without_normal(const std::vector<Point3>& normals) {
-  return places(normals, [](const Point3& normal) { return normal == Point3{}; });
+  std::vector<Index> found;
+  for (std::size_t v = 0; v < normals.size(); ++v)
+    if (normals[v] == Point3{}) found.push_back(static_cast<Index>(v));
+  return found;
 }
 
-std::vector<Index> without_curvature(const std::vector<LimitPoints::Curvatures>& curvatures) {
-  return places(curvatures, [](const LimitPoints::Curvatures& one) {
-    return std::isnan(one.largest) || std::isnan(one.smallest);
-  });
+std::vector<LimitGaps::Curvatures> without_curvature(const std::vector<NoCurvature>& reasons) {
+  std::map<NoCurvature, std::vector<Index>> found;
+  for (std::size_t v = 0; v < reasons.size(); ++v)
+    if (reasons[v] != NoCurvature::none) found[reasons[v]].push_back(static_cast<Index>(v));
+  std::vector<LimitGaps::Curvatures> gaps;
+  for (auto& [reason, vertices] : found) gaps.push_back({reason, std::move(vertices)});
+  return gaps;
 }
 
-std::vector<std::string> gaps_text(const LimitGaps& gaps, const std::string& normal) {
-  std::vector<std::string> sentences;
-  std::map<std::string, std::vector<Index>> by_reason;
-  for (const LimitPoints::Refused& one : gaps.limits) by_reason[one.reason].push_back(one.vertex);
-  for (const auto& [reason, vertices] : by_reason)
-    sentences.push_back(fmt::format("no limit point at {} (counted from 0): {}; left where {} was",
-                                    vertices_text(vertices), reason,
-                                    vertices.size() == 1 ? "it" : "each"));
+Warnings gaps_text(const LimitGaps& gaps, const GapPlaces& places) {
+  Warnings sentences;
+  const auto say = [&](const std::string& file, std::string sentence) {
+    sentences.push_back({std::move(sentence), {}, file, 0, 0});
+  };
+  for (const auto& [reason, vertices] : by_reason(gaps.limits))
+    say(places.mesh,
+        fmt::format("no limit point at {} (counted from 0): {}; left where {} was",
+                    vertices_text(vertices), reason, vertices.size() == 1 ? "it" : "each"));
   if (!gaps.normals.empty())
-    sentences.push_back(fmt::format("no normal at {} (counted from 0): written as {}",
-                                    vertices_text(gaps.normals), normal));
-  if (!gaps.curvatures.empty())
-    sentences.push_back(fmt::format(
-        "no curvature at {} (counted from 0): on the boundary, not bounded, or not known there",
-        vertices_text(gaps.curvatures)));
+    say(places.mesh, fmt::format("no normal at {} (counted from 0): {}",
+                                 vertices_text(gaps.normals), places.normal));
+  for (const auto& [reason, vertices] : by_reason(gaps.curvatures))
+    say(places.curvatures,
+        fmt::format("no curvature at {} (counted from 0): {}", vertices_text(vertices), reason));
   return sentences;
 }
 
 nlohmann::ordered_json gaps_json(const LimitGaps& gaps) {
   nlohmann::ordered_json json = nlohmann::ordered_json::object();
-  std::vector<Index> limits;
-  for (const LimitPoints::Refused& one : gaps.limits) limits.push_back(one.vertex);
-  if (!limits.empty()) json["limits"] = gap_json(limits);
+  if (!gaps.limits.empty()) json["limits"] = gap_json(by_reason(gaps.limits));
   if (!gaps.normals.empty()) json["normals"] = gap_json(gaps.normals);
-  if (!gaps.curvatures.empty()) json["curvatures"] = gap_json(gaps.curvatures);
+  if (!gaps.curvatures.empty()) json["curvatures"] = gap_json(by_reason(gaps.curvatures));
   return json;
 }
 

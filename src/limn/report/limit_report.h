@@ -13,7 +13,12 @@ namespace limn {
 /// Vertices at which something is missing, in ascending order.
 struct LimitGaps {
   std::vector<LimitPoints::Refused> limits;
-  std::vector<Index> normals, curvatures;
+  std::vector<Index> normals;
+  struct Curvatures {
+    NoCurvature reason;
+    std::vector<Index> vertices;
+  };
+  std::vector<Curvatures> curvatures;  ///< by reason
 
   [[nodiscard]] bool any() const {
     return !limits.empty() || !normals.empty() || !curvatures.empty();
@@ -22,14 +27,23 @@ struct LimitGaps {
 
 /// The vertices whose normal is zero.
 [[nodiscard]] std::vector<Index> without_normal(const std::vector<Point3>& normals);
-/// The vertices whose curvatures are not numbers.
-[[nodiscard]] std::vector<Index> without_curvature(
-    const std::vector<LimitPoints::Curvatures>& curvatures);
+/// The vertices that have no curvature, by reason.
+[[nodiscard]] std::vector<LimitGaps::Curvatures> without_curvature(
+    const std::vector<NoCurvature>& reasons);
 
-/// A sentence for each kind that is missing; vertices are counted from 0, as those of the refined
-/// mesh, and only the first few are named. `normal` is what the file has for one that is missing.
-[[nodiscard]] std::vector<std::string> gaps_text(const LimitGaps& gaps, const std::string& normal);
-/// {"limits": {"count", "vertices"}, …} of what is missing; the first few vertices.
+/// Where the results of a limit surface go, for messages.
+struct GapPlaces {
+  std::string mesh;        ///< the file that has its vertices; empty: none
+  std::string normal;      ///< what becomes of a normal that is missing
+  std::string curvatures;  ///< the file that has its curvatures
+};
+/// What GapPlaces::normal is where a surface is drawn.
+inline constexpr const char* kLeftOutOfPictures = "pictures leave out the triangles there";
+/// A sentence for each kind that is missing and each reason, with the file it is missing from;
+/// vertices are counted from 0, as those of the refined mesh, and only the first few are named.
+[[nodiscard]] Warnings gaps_text(const LimitGaps& gaps, const GapPlaces& places);
+/// {"limits", "normals", "curvatures"} of what is missing, each {"count", "vertices": all, counted
+/// from 0, "reasons": [{"reason", "vertices"}]}, the last not of normals.
 [[nodiscard]] nlohmann::ordered_json gaps_json(const LimitGaps& gaps);
 
 }  // namespace limn

@@ -55,9 +55,13 @@ std::string spectrum_text(const std::string& mesh, const SpectrumEnds& ends) {
 }
 
 Result<NamedPoints> limits_of_vertices(const std::string& label, const Scheme& scheme,
-                                       const Mesh& control, const std::vector<Point3>& points) {
-  Result<LimitPoints> limit = approx_limit_points(scheme, control, points);
+                                       const Mesh& control, const std::vector<Point3>& points,
+                                       std::vector<LimitPoints::Refused>& refused) {
+  LimitOptions options;
+  options.partial = true;
+  Result<LimitPoints> limit = approx_limit_points(scheme, control, points, options);
   if (!limit) return limit.error();
+  refused = std::move(limit->refused);
   return NamedPoints{label, std::move(limit->positions)};
 }
 

@@ -7,6 +7,7 @@
 
 #include "limn/fairness/spectrum.h"
 #include "limn/figure/figure.h"
+#include "limn/limit/limit_points.h"
 #include "limn/scheme/scheme.h"
 
 namespace limn {
@@ -26,10 +27,12 @@ struct NamedPoints {
   std::vector<Point3> points;
 };
 
-/// The limits of the control vertices. Fails as `approx_limit_points` does.
+/// The limits of the control vertices; those that have none stay where they are
+/// (LimitOptions::partial) and are told in `refused`. Fails as `approx_limit_points` does.
 [[nodiscard]] Result<NamedPoints> limits_of_vertices(const std::string& label, const Scheme& scheme,
                                                      const Mesh& control,
-                                                     const std::vector<Point3>& points);
+                                                     const std::vector<Point3>& points,
+                                                     std::vector<LimitPoints::Refused>& refused);
 
 /// All natural frequencies of the mesh in order; and, for each of the points, the part of their
 /// squared amplitude (the constant apart) at frequencies above l, against l. A scheme whose curve

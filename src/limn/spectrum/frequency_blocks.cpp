@@ -9,6 +9,7 @@
 #include <fmt/core.h>
 
 #include "limn/spectrum/least_valence.h"
+#include "limn/spectrum/ring_transform.h"
 #include "limn/spectrum/sector_pattern.h"
 
 namespace limn {
@@ -61,9 +62,7 @@ Status check_sums(const Scheme& scheme, const FrequencyBlocks& blocks) {
 /// A pattern's terms at one valence, frequency after frequency.
 class TermsAt {
  public:
-  TermsAt(const SectorPattern& pattern, const Weights& weights, int n)
-      : pattern_(pattern), weights_(weights), n_(n) {
-    for (int k = 0; k < n; ++k) roots_.push_back(std::polar(1.0, kTwoPi * k / n));
+  TermsAt(const SectorPattern& pattern, const Weights& weights, int n) : pattern_(pattern), n_(n) {
     for (const SectorTerm& term : pattern.terms) {
       double factor = term.coefficient;
       for (const int name : term.names) factor *= weights[static_cast<std::size_t>(name)].front();
@@ -72,8 +71,12 @@ class TermsAt {
     }
     phases_.resize(pattern.terms.size());
     sums_.resize(weights.size());
-    for (const std::vector<double>& values : weights)
+    for (std::size_t name = 0; name < weights.size(); ++name) {
+      const std::vector<double>& values = weights[name];
       totals_.push_back(std::accumulate(values.begin(), values.end(), 0.0));
+      transforms_.push_back(pattern.names[name].repeated ? ring_transform(values)
+                                                         : std::vector<std::complex<double>>());
+    }
   }
 
   /// The block of frequency ω; called for ω = 0, 1, 2, … in this order.
@@ -84,7 +87,8 @@ class TermsAt {
     const auto size = static_cast<Eigen::Index>(pattern_.orbits.size()) + shift;
     Eigen::MatrixXcd block = Eigen::MatrixXcd::Zero(size, size);
     for (std::size_t name = 0; name < sums_.size(); ++name)
-      if (pattern_.names[name].repeated) sums_[name] = transformed(weights_[name], omega);
+      if (pattern_.names[name].repeated)
+        sums_[name] = transforms_[name][static_cast<std::size_t>(omega)];
     for (std::size_t i = 0; i < pattern_.terms.size(); ++i) {
       const SectorTerm& term = pattern_.terms[i];
       if (!with_center && (term.row == kCenter || term.column == kCenter)) continue;
@@ -99,19 +103,6 @@ class TermsAt {
     return std::polar(1.0, kTwoPi * sectors / n_);
   }
 
-  /// The sum of w_k e^{2πiωk/n}.
-  [[nodiscard]] std::complex<double> transformed(const std::vector<double>& values,
-                                                 int omega) const {
-    std::complex<double> sum = 0;
-    std::size_t at = 0;
-    for (const double value : values) {
-      sum += value * roots_[at];
-      at += static_cast<std::size_t>(omega);
-      if (at >= roots_.size()) at -= roots_.size();
-    }
-    return sum;
-  }
-
   /// What the positions of a term sum to, without its factor.
   [[nodiscard]] std::complex<double> along(const SectorTerm& term, int omega,
                                            std::complex<double> first) const {
@@ -123,10 +114,11 @@ class TermsAt {
   }
 
   const SectorPattern& pattern_;
-  const Weights& weights_;
   int n_;
-  std::vector<std::complex<double>> roots_, steps_, phases_;
-  std::vector<std::complex<double>> sums_;  // of each repeated name's weights, transformed at ω
+  std::vector<std::complex<double>> steps_, phases_;
+  /// Of each repeated name's weights, at all ω and at the present one.
+  std::vector<std::vector<std::complex<double>>> transforms_;
+  std::vector<std::complex<double>> sums_;
   std::vector<double> factors_;
   std::vector<double> totals_;  // of each name's weights
 };
@@ -152,9 +144,16 @@ Result<const SectorPattern*> FrequencyAnalysis::pattern_at(int n) {
   return pattern.get();
 }
 
-Result<FrequencyBlocks> FrequencyAnalysis::blocks(int n) {
+Result<FrequencyBlocks> FrequencyAnalysis::blocks(int n, int frequencies) {
   if (const int least = least_valence(*scheme_->split); n < least)
-    return Error{fmt::format("valence {} is below {}", n, least), {}, {}, 0, 0};
+    return Error{fmt::format("valence {} is below {}: {}", n, least,
+                             scheme_->split->births_corners
+                                 ? "under a dual split it is the number of a face's corners"
+                                 : "an interior vertex has two faces or more"),
+                 {},
+                 {},
+                 0,
+                 0};
   const Result<const SectorPattern*> pattern = pattern_at(n);
   if (!pattern) return pattern.error();
   const SectorPattern& p = **pattern;
@@ -162,8 +161,9 @@ Result<FrequencyBlocks> FrequencyAnalysis::blocks(int n) {
   if (!weights) return weights.error();
   FrequencyBlocks result{n, p.rings, p.has_center, p.orbits, {}};
   TermsAt terms(p, *weights, n);
-  result.blocks.reserve(static_cast<std::size_t>(n / 2 + 1));
-  for (int omega = 0; omega <= n / 2; ++omega) result.blocks.push_back(terms.block(omega));
+  const int count = std::min(frequencies, n / 2 + 1);
+  result.blocks.reserve(static_cast<std::size_t>(count));
+  for (int omega = 0; omega < count; ++omega) result.blocks.push_back(terms.block(omega));
   if (Status status = check_sums(*scheme_, result); !status) return status.error();
   return result;
 }

@@ -13,6 +13,7 @@
 /// depend on k, which are n numbers.
 
 #include <Eigen/Dense>
+#include <limits>
 #include <map>
 #include <memory>
 #include <vector>
@@ -38,6 +39,8 @@ struct FrequencyBlocks {
 
 struct SectorPattern;  // sector_pattern.h
 
+inline constexpr int kAllFrequencies = std::numeric_limits<int>::max();
+
 /// Frequency blocks of one scheme at any number of valences.
 class FrequencyAnalysis {
  public:
@@ -48,9 +51,11 @@ class FrequencyAnalysis {
   FrequencyAnalysis(FrequencyAnalysis&&) noexcept;
   FrequencyAnalysis& operator=(FrequencyAnalysis&&) noexcept;
 
-  /// At valence n ≥ 3. In double precision. Fails where a rule is missing at n or its weights do
-  /// not sum to 1 (to 1e-9), and where the rings are not invariant.
-  [[nodiscard]] Result<FrequencyBlocks> blocks(int n);
+  /// At a valence n from least_valence (least_valence.h) on. In double precision. Fails where a
+  /// rule is missing at n or its weights do not sum to 1 (to 1e-9), and where the rings are not
+  /// invariant. `frequencies`: so many blocks, ω = 0, 1, …, suffice; at least 1. Cost: O(n log n),
+  /// and of each block that of its entries.
+  [[nodiscard]] Result<FrequencyBlocks> blocks(int n, int frequencies = kAllFrequencies);
 
  private:
   Result<const SectorPattern*> pattern_at(int n);

@@ -6,11 +6,12 @@
 
 namespace limn {
 
-/// The least valence of an interior vertex that frequency blocks and limit stencils know: 2 of
-/// quads, whose star has four vertices then; else 3, as of faces (dual splits). Rules are checked
-/// from kSmallestValence on when they are read; below, when they are needed.
+/// The least valence of an interior vertex that frequency blocks and limit stencils know, if the
+/// scheme's rules are defined there: 2, two faces that share both edges at the vertex; under dual
+/// splits n is the number of a face's corners, of which it has at least 3. Rules are checked from
+/// kSmallestValence on when they are read; below, when they are needed.
 [[nodiscard]] inline int least_valence(const Split& split) {
-  return split.lattice == Lattice::quad && !split.births_corners ? 2 : kSmallestValence;
+  return split.births_corners ? kSmallestValence : 2;
 }
 
 }  // namespace limn

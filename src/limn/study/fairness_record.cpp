@@ -24,11 +24,14 @@ int default_levels(const Scheme& scheme, const Mesh& control) {
   return levels;
 }
 
-Result<FairnessLevel> measured(const Scheme& scheme, const Refined<Point3>& fine, int level) {
+Result<FairnessLevel> measured(const Scheme& scheme, const Refined<Point3>& fine, int level,
+                               std::vector<LimitPoints::Refused>* refused) {
   LimitOptions options;
   options.steps_made = level;
-  const Result<LimitPoints> limit = approx_limit_points(scheme, fine.mesh, fine.values, options);
+  options.partial = refused != nullptr;
+  Result<LimitPoints> limit = approx_limit_points(scheme, fine.mesh, fine.values, options);
   if (!limit) return limit.error();
+  if (refused != nullptr) *refused = std::move(limit->refused);
   const Result<SurfaceEnergies> energies = approx_energies(fine.mesh, limit->positions);
   if (!energies) return energies.error();
   FairnessLevel result;
@@ -95,7 +98,8 @@ Result<FairnessRecord> approx_fairness(const std::string& label, const Scheme& s
     Result<Refined<Point3>> next = refine_once(scheme, fine.mesh, fine.values, level - 1, tables);
     if (!next) return next.error();
     fine = std::move(*next);
-    const Result<FairnessLevel> row = measured(scheme, fine, level);
+    const Result<FairnessLevel> row =
+        measured(scheme, fine, level, options.partial ? &record.refused : nullptr);
     if (!row) return row.error();
     record.levels.push_back(*row);
   }

@@ -7,6 +7,7 @@
 
 #include "limn/fairness/energy.h"
 #include "limn/fairness/trend.h"
+#include "limn/limit/limit_points.h"
 #include "limn/scheme/scheme.h"
 
 namespace limn {
@@ -32,6 +33,8 @@ struct FairnessRecord {
   int growth = 0;                     ///< faces per old face
   std::vector<FairnessLevel> levels;  ///< 1, 2, …; the last is the best
   Trend scaled_laplacian, area, thin_plate, curvature_variation;  ///< over the levels
+  /// Vertices of the last level without a limit point; only with FairnessOptions::partial.
+  std::vector<LimitPoints::Refused> refused = {};
 
   [[nodiscard]] const FairnessLevel& last() const { return levels.back(); }
 };
@@ -39,6 +42,9 @@ struct FairnessRecord {
 struct FairnessOptions {
   int levels = 0;  ///< at least 1; 0: as many as make up to kFairnessVertices vertices, at least 1
   std::function<void(int level, int levels)> progress = {};  ///< before each level
+  /// Where a vertex has no limit point it stays where the level has put it (LimitOptions::partial),
+  /// and is measured there.
+  bool partial = false;
 };
 inline constexpr double kFairnessVertices = 200000;
 

@@ -5,9 +5,9 @@
 #include <fmt/core.h>
 
 #include "limn/fast/limit/fast_limit.h"
-#include "limn/surface/surface_estimate.h"
 #include "limn/limit/limit_points.h"
 #include "limn/refine/refine.h"
+#include "limn/surface/surface_estimate.h"
 
 namespace limn {
 namespace {
@@ -46,7 +46,7 @@ SmoothSurface surface_of(const Polygons& refined, const std::vector<Point3>& lim
 }  // namespace
 
 Result<SmoothSurface> limit_surface(const Scheme& scheme, const Mesh& control,
-                                    const std::vector<Point3>& points, int steps) {
+                                    const std::vector<Point3>& points, int steps, LimitGaps* gaps) {
   RefineEstimate needed = estimate_with_limit(*scheme.split, control, steps, {.limit = true});
   needed.peak_bytes += needed.vertices * kSurfaceBytes;
   if (Status status = check_memory(needed, steps, available_memory()); !status)
@@ -54,15 +54,24 @@ Result<SmoothSurface> limit_surface(const Scheme& scheme, const Mesh& control,
   if (has_fast_layout(*scheme.split)) {
     const Result<std::optional<FastLimitMesh>> quick =
         approx_fast_limit_mesh(scheme, control, points, steps);
-    if (!quick) return quick.error();
-    if (*quick) return surface_of((*quick)->refined, (*quick)->limit, (*quick)->normals);
+    // where there is no limit somewhere, the plain way knows where, and gives the rest
+    if (!quick && gaps == nullptr) return quick.error();
+    if (quick && *quick) {
+      if (gaps != nullptr) gaps->normals = without_normal((*quick)->normals);
+      return surface_of((*quick)->refined, (*quick)->limit, (*quick)->normals);
+    }
   }
   const Result<Refined<Point3>> fine = refine(scheme, control, points, steps);
   if (!fine) return fine.error();
   LimitOptions options;
   options.steps_made = steps;
-  const Result<LimitPoints> limit = approx_limit_points(scheme, fine->mesh, fine->values, options);
+  options.partial = gaps != nullptr;
+  Result<LimitPoints> limit = approx_limit_points(scheme, fine->mesh, fine->values, options);
   if (!limit) return limit.error();
+  if (gaps != nullptr) {
+    gaps->normals = without_normal(limit->normals);
+    gaps->limits = std::move(limit->refused);
+  }
   return surface_of(fine->mesh.polygons(fine->values), limit->positions, limit->normals);
 }
 

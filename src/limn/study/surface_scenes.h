@@ -5,6 +5,7 @@
 
 #include "limn/figure/space/surface_scene.h"
 #include "limn/mesh/mesh.h"
+#include "limn/report/limit_report.h"
 #include "limn/scheme/scheme.h"
 
 namespace limn {
@@ -12,9 +13,13 @@ namespace limn {
 /// The limit surface of a control mesh, sampled after so many steps, with limit normals; faces are
 /// cut into triangles by fans. By the quick engine where it has the limit (fast_limit.h), else by
 /// the plain one. Fails as `refine` and `approx_limit_points` do, and before the work where that
-/// and a picture of it need more memory than there is.
+/// and a picture of it need more memory than there is. With `gaps`, a vertex that has no limit
+/// point is no failure: it stays where the steps have put it (LimitOptions::partial), and is told
+/// there, as are those that have no normal. Pictures leave out the triangles at either
+/// (SurfaceScene).
 [[nodiscard]] Result<SmoothSurface> limit_surface(const Scheme& scheme, const Mesh& control,
-                                                  const std::vector<Point3>& points, int steps);
+                                                  const std::vector<Point3>& points, int steps,
+                                                  LimitGaps* gaps = nullptr);
 
 /// What a picture of such a surface takes.
 struct DrawingEstimate {

@@ -98,7 +98,7 @@ Result<std::vector<std::optional<fast::LimitForms>>> ApproxLimitReader::read(
   const auto read = [&](const Spot& at) {
     const LimitStencil& limit = at.kind.limit;
     const Form position = weighted(limit.position, at.neighbourhood, at.values);
-    auto& forms = found[slot[at.vertex]];
+    std::optional<fast::LimitForms>& forms = found[slot[at.vertex]];
     if (!limit.has_plane)
       forms = {position, Form(), Form()};
     else if (!limit.first_tangent.empty())
@@ -106,6 +106,7 @@ Result<std::vector<std::optional<fast::LimitForms>>> ApproxLimitReader::read(
                weighted(limit.second_tangent, at.neighbourhood, at.values)};
     else if (auto tangents = tangents_of_face(at.mesh, at.values, at.start, dual))
       forms = {position, std::move((*tangents)[0]), std::move((*tangents)[1])};
+    for (const Index v : at.others) found[slot[v]] = forms;
   };
   if (Status status = search(mesh, steps_made, closed, vertices, read); !status)
     return status.error();

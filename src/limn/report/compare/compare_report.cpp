@@ -91,19 +91,23 @@ MeshComparison compare_on_mesh(const std::vector<LabelledScheme>& schemes, const
   MeshComparison on_mesh{.mesh = name};
   for (const auto& [label, scheme] : schemes) {
     begin(label + ": limit surface");
+    LimitGaps& gaps = on_mesh.gaps.emplace_back();
     Result<SmoothSurface> surface =
-        limit_surface(scheme, mesh, points, steps_of(*scheme.split, options.steps));
+        limit_surface(scheme, mesh, points, steps_of(*scheme.split, options.steps), &gaps);
     if (!surface) {
       on_mesh.missing.push_back(label + ": " + surface.error().message);
       on_mesh.fairness.emplace_back(surface.error());
       continue;
     }
     on_mesh.surfaces.push_back({label, std::move(*surface)});
-    on_mesh.fairness.push_back(
-        approx_fairness(label, scheme, mesh, points,
-                        {.levels = options.fairness_levels, .progress = [&](int level, int levels) {
-                           begin(fmt::format("{}: fairness, level {} of {}", label, level, levels));
-                         }}));
+    on_mesh.fairness.push_back(approx_fairness(
+        label, scheme, mesh, points,
+        {.levels = options.fairness_levels,
+         .progress =
+             [&](int level, int levels) {
+               begin(fmt::format("{}: fairness, level {} of {}", label, level, levels));
+             },
+         .partial = true}));
     if (const auto& fairness = on_mesh.fairness.back(); !fairness)
       on_mesh.missing.push_back(label + ": " + fairness.error().message);
   }
@@ -115,6 +119,19 @@ MeshComparison compare_on_mesh(const std::vector<LabelledScheme>& schemes, const
   else
     on_mesh.missing.push_back(distances.error().message);
   return on_mesh;
+}
+
+Warnings gap_warnings(const MeshComparison& comparison,
+                      const std::vector<LabelledScheme>& schemes) {
+  Warnings warnings;
+  for (std::size_t i = 0; i < schemes.size(); ++i)
+    for (Error& warning :
+         gaps_text(comparison.gaps[i],
+                   {.mesh = comparison.mesh, .normal = kLeftOutOfPictures, .curvatures = ""})) {
+      warning.message = fmt::format("{}, refined: {}", schemes[i].label, warning.message);
+      warnings.push_back(std::move(warning));
+    }
+  return warnings;
 }
 
 std::string compare_text(const Comparison& comparison, bool differences) {
@@ -136,6 +153,7 @@ nlohmann::ordered_json compare_json(const Comparison& comparison) {
             {"missing", Json::array()}};
   for (std::size_t i = 0; i < comparison.schemes.size(); ++i) {
     Json record = record_json(comparison.schemes[i]);
+    if (on_mesh) record["gaps"] = gaps_json(on_mesh->gaps[i]);
     if (on_mesh) record["fairness"] = one_fairness_json(on_mesh->mesh, on_mesh->fairness[i]);
     json["schemes"].push_back(std::move(record));
   }

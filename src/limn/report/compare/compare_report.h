@@ -10,6 +10,7 @@
 #include "limn/mesh/mesh.h"
 #include "limn/report/compare/compare_figure.h"
 #include "limn/report/fairness_report.h"
+#include "limn/report/limit_report.h"
 #include "limn/study/compare_record.h"
 
 namespace limn {
@@ -21,6 +22,8 @@ struct MeshComparison {
   std::vector<NamedSurface> surfaces = {};   ///< of the schemes that have one, in their order
   std::vector<PairDistance> distances = {};  ///< by places in `surfaces`
   std::vector<std::string> missing = {};     ///< why a surface or a distance is missing
+  /// Of each scheme: where its surface has no limit point or no normal (limit_surface).
+  std::vector<LimitGaps> gaps = {};
 };
 
 struct Comparison {
@@ -47,8 +50,13 @@ struct LabelledScheme {
 [[nodiscard]] Status check_steps(const std::vector<LabelledScheme>& schemes, const Mesh& mesh,
                                  const MeshOptions& options);
 
+/// What is missing of the surfaces at vertices, a sentence for each scheme and reason.
+[[nodiscard]] Warnings gap_warnings(const MeshComparison& comparison,
+                                    const std::vector<LabelledScheme>& schemes);
+
 /// Limit surfaces, distances and fairness of the schemes that refine this mesh. A scheme that does
-/// not (of triangles, on quads) is an error in its place.
+/// not (of triangles, on quads) is an error in its place. A vertex without a limit point stays
+/// where the steps have put it, in the surface and in the energies, and is told.
 [[nodiscard]] MeshComparison compare_on_mesh(const std::vector<LabelledScheme>& schemes,
                                              const std::string& name, const Mesh& mesh,
                                              const std::vector<Point3>& points,
@@ -61,7 +69,8 @@ struct LabelledScheme {
 /// {"tolerance_percent", "mesh": name or null, "schemes": [record_json's, with "fairness": as in
 /// fairness_json or null where there is a mesh], "distances": [{"a", "b", "largest", "mean",
 /// "relative": largest over the diagonal of the box round both, "at": [point of a, point of b]}],
-/// "missing": [reasons]}. The same values whatever the order of the schemes.
+/// "missing": [reasons]}; where there is a mesh, each of the schemes has "gaps" besides
+/// (gaps_json). The same values whatever the order of the schemes.
 [[nodiscard]] nlohmann::ordered_json compare_json(const Comparison& comparison);
 
 }  // namespace limn
