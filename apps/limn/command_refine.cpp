@@ -1,9 +1,6 @@
 #include <algorithm>
-#include <cctype>
-#include <chrono>
 #include <filesystem>
 #include <memory>
-#include <optional>
 
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
@@ -12,13 +9,9 @@
 #include "control_mesh.h"
 #include "limn/base/printable.h"
 #include "limn/base/progress.h"
-#include "limn/fast/limit/fast_limit.h"
-#include "limn/limit/limit_points.h"
-#include "limn/refine/fast/fast_refiner.h"
-#include "limn/refine/refine.h"
-#include "limn/regular/smoothness/second_differences.h"
 #include "limn/report/data_table.h"
 #include "limn/report/limit_report.h"
+#include "limn/surface/refine_surface.h"
 #include "limn/surface/surface_estimate.h"
 #include "mesh_output.h"
 
@@ -38,32 +31,27 @@ struct RefineOptions {
   bool triangulate = false;
   bool json = false;
   std::string engine = "quick";
-
-  [[nodiscard]] bool wants_quick(const Scheme& chosen) const {
-    return engine == "quick" && has_fast_layout(*chosen.split);
-  }
-  /// Whether anything is asked of the limit surface.
-  [[nodiscard]] bool wants_limit() const { return limit || normals || !curvatures.empty(); }
 };
 
-void print_result(const RefineOptions& options, const Scheme& scheme, const Polygons& result,
-                  double seconds, const LimitGaps& gaps, const MeshRemarks& remarks) {
+void print_result(const RefineOptions& options, const Scheme& scheme, const RefinedSurface& surface,
+                  const MeshRemarks& remarks) {
+  const Polygons& result = surface.polygons;
   if (options.json) {
     nlohmann::ordered_json json{{"vertices", result.vertex_count()},
                                 {"faces", result.face_count()},
                                 {"levels", options.levels},
-                                {"seconds", seconds},
+                                {"seconds", surface.refinement_seconds},
                                 {"scheme", scheme.name},
                                 {"output", options.output.path}};
-    if (gaps.any()) json["missing"] = gaps_json(gaps);
+    if (surface.gaps.any()) json["missing"] = gaps_json(surface.gaps);
     add_remarks(json, remarks);
     print_json(json);
     return;
   }
-  const std::string text =
-      fmt::format("{}: {} vertices, {} faces, after {} level{} of {} in {:.3g} s\n",
-                  printable(options.output.path), result.vertex_count(), result.face_count(),
-                  options.levels, options.levels == 1 ? "" : "s", printable(scheme.name), seconds);
+  const std::string text = fmt::format(
+      "{}: {} vertices, {} faces, after {} level{} of {} in {:.3g} s\n",
+      printable(options.output.path), result.vertex_count(), result.face_count(), options.levels,
+      options.levels == 1 ? "" : "s", printable(scheme.name), surface.refinement_seconds);
   if (!options.output.is_printed())
     print_text(text);
   else if (!is_quiet())
@@ -71,66 +59,21 @@ void print_result(const RefineOptions& options, const Scheme& scheme, const Poly
 }
 
 /// A row for each vertex of the refined mesh; empty numbers where there is no curvature.
-Status write_curvatures(const std::string& path, const LimitPoints& limit) {
+Status write_curvatures(const std::string& path, const RefinedSurface& surface) {
   DataTable table{{"vertex", "x", "y", "z", "largest", "smallest"}, {}};
-  for (std::size_t v = 0; v < limit.positions.size(); ++v) {
-    const Point3& p = limit.positions[v];
-    const LimitPoints::Curvatures& k = limit.curvatures[v];
+  for (std::size_t v = 0; v < surface.limit.size(); ++v) {
+    const Point3& p = surface.limit[v];
+    const LimitPoints::Curvatures& k = surface.curvatures[v];
     table.rows.push_back({static_cast<double>(v), p.x, p.y, p.z, k.largest, k.smallest});
   }
   return write_table(path, table);
-}
-
-/// The quick engine's result as one of the plain engine's kind; nothing where polygons do not tell
-/// what the mesh is, two edges of it having the same ends.
-std::optional<Refined<Point3>> with_connectivity(Polygons& polygons) {
-  Result<Mesh> mesh = Mesh::build(polygons);
-  if (!mesh) return std::nullopt;
-  return Refined<Point3>{*std::move(mesh), std::move(polygons.positions)};
-}
-
-/// Moves the points to the limit surface and finds normals there, as the options ask.
-Status take_to_limit(const RefineOptions& options, const Scheme& scheme, Refined<Point3>& refined,
-                     WriteOptions& extras, LimitGaps& gaps, MeshRemarks& remarks,
-                     ProgressLine& line) {
-  set_step("finding limit points of " + options.mesh + ", refined");
-  LimitOptions limit_options;
-  limit_options.steps_made = options.levels;
-  limit_options.partial = true;
-  limit_options.curvatures = !options.curvatures.empty();
-  if (limit_options.curvatures) {
-    limit_options.regular = find_regular_part(scheme);
-    if (limit_options.regular.bounded == Truth::no)
-      add_warnings(remarks,
-                   {{fmt::format("{} has unbounded curvature wherever the mesh is regular, so that "
-                                 "none is given: {}",
-                                 scheme.name, limit_options.regular.reason),
-                     {},
-                     options.curvatures,
-                     0,
-                     0}});
-  }
-  limit_options.progress = [&](int left) {
-    line.show(fmt::format("limit points: {} vertices left, near irregular ones", left));
-  };
-  Result<LimitPoints> limit =
-      approx_limit_points(scheme, refined.mesh, refined.values, limit_options);
-  if (!limit) return limit.error();
-  if (!options.curvatures.empty()) {
-    if (Status status = write_curvatures(options.curvatures, *limit); !status) return status;
-    gaps.curvatures = without_curvature(limit->no_curvature);
-  }
-  gaps.limits = std::move(limit->refused);
-  if (options.limit) refined.values = std::move(limit->positions);
-  if (options.normals) extras.normals = std::move(limit->normals);
-  return Done{};
 }
 
 /// What is needed, in a word before the work begins, where it is much; refused, where it is more
 /// than there is.
 Status announce(const RefineOptions& options, const Scheme& scheme, const Mesh& mesh,
                 ProgressLine& line) {
-  const LimitWork work{.quick = options.wants_quick(scheme),
+  const LimitWork work{.quick = options.engine == "quick",
                        .limit = options.limit || options.normals,
                        .curvatures = !options.curvatures.empty()};
   const RefineEstimate needed = estimate_with_limit(*scheme.split, mesh, options.levels, work);
@@ -138,57 +81,37 @@ Status announce(const RefineOptions& options, const Scheme& scheme, const Mesh& 
   return check_memory(needed, options.levels, available_memory());
 }
 
-/// Refinement and limit in one; nothing where the limit has no quick way.
-std::optional<Polygons> quick_limit(const RefineOptions& options, const Scheme& scheme,
-                                    const ControlMesh& control, WriteOptions& extras) {
-  Result<std::optional<FastLimitMesh>> limit =
-      approx_fast_limit_mesh(scheme, control.mesh, control.points, options.levels);
-  // where there is no limit somewhere, the plain way knows where, and gives the rest
-  if (!limit || !*limit) return std::optional<Polygons>();
-  if (options.normals) extras.normals = std::move((*limit)->normals);
-  if (options.limit) (*limit)->refined.positions = std::move((*limit)->limit);
-  return std::optional<Polygons>(std::move((*limit)->refined));
+/// Refines, and finds what the options ask of the limit.
+Result<RefinedSurface> surface_of(const RefineOptions& options, const Scheme& scheme,
+                                  ControlMesh& control, ProgressLine& line) {
+  SurfaceOptions wanted{.levels = options.levels,
+                        .limit = options.limit || !options.curvatures.empty(),
+                        .normals = options.normals,
+                        .curvatures = !options.curvatures.empty(),
+                        .partial = true,
+                        .progress = [&](const std::string& what) {
+                          line.show(what);
+                          set_step(options.mesh + ": " + what);
+                        }};
+  if (options.engine == "plain") wanted.engine = SurfaceOptions::Engine::plain;
+  return refine_surface(scheme, std::move(control.mesh), std::move(control.points), wanted);
 }
 
-/// The refined mesh, by the engine that was asked for where there is a choice, and what the options
-/// ask of the limit. `seconds` is the time of refinement, without a limit that is found after it.
-Result<Polygons> refined_polygons(const RefineOptions& options, const Scheme& scheme,
-                                  ControlMesh& control, WriteOptions& extras, LimitGaps& gaps,
-                                  ProgressLine& line, double& seconds) {
-  const auto start = std::chrono::steady_clock::now();
-  const auto stop = [&] {
-    seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  };
-  const bool quick = options.wants_quick(scheme);
-  if (quick && options.wants_limit() && options.curvatures.empty()) {
-    std::optional<Polygons> fine = quick_limit(options, scheme, control, extras);
-    stop();
-    if (fine) return *std::move(fine);
-  }
-  std::optional<Refined<Point3>> refined;
-  if (quick) {
-    Result<Polygons> fine = fast_refine(scheme, control.mesh, control.points, options.levels);
-    stop();
-    if (!fine || !options.wants_limit()) return fine;
-    refined = with_connectivity(*fine);
-  }
-  if (!refined) {
-    Result<Refined<Point3>> plain =
-        refine(scheme, std::move(control.mesh), std::move(control.points), options.levels,
-               [&](int done, int levels, const Mesh& fine) {
-                 line.show(fmt::format("refining: {} of {} levels, {} vertices", done, levels,
-                                       fine.vertex_count()));
-               });
-    stop();
-    if (!plain) return plain.error();
-    refined = *std::move(plain);
-  }
-  if (options.wants_limit())
-    if (Status status =
-            take_to_limit(options, scheme, *refined, extras, gaps, control.remarks, line);
-        !status)
-      return status.error();
-  return refined->mesh.polygons(std::move(refined->values));
+/// Warnings of what is missing of the surface.
+void warn_of_gaps(const RefineOptions& options, const Scheme& scheme, const RefinedSurface& surface,
+                  MeshRemarks& remarks) {
+  if (surface.regular_part.bounded == Truth::no)
+    add_warnings(remarks, {{fmt::format("{} has unbounded curvature wherever the mesh is regular, "
+                                        "so that none is given: {}",
+                                        scheme.name, surface.regular_part.reason),
+                            {},
+                            options.curvatures,
+                            0,
+                            0}});
+  const GapPlaces places{.mesh = options.output.path,
+                         .normal = fmt::format("written as {}", options.output.missing_normal()),
+                         .curvatures = options.curvatures};
+  add_warnings(remarks, gaps_text(surface.gaps, places));
 }
 
 int refine_mesh(const RefineOptions& options) {
@@ -209,34 +132,27 @@ int refine_mesh(const RefineOptions& options) {
   if (!control) return report(control.error());
 
   ProgressLine line;
-  WriteOptions extras;
-  LimitGaps gaps;
-  double seconds = 0;
   set_step(fmt::format("refining {} by {} levels", options.mesh, options.levels));
-  if (Status status = announce(options, *scheme, control->mesh, line); !status) {
-    status.error().file = options.mesh;
-    return report(status.error());
-  }
-  const Result<Polygons> result =
-      refined_polygons(options, *scheme, *control, extras, gaps, line, seconds);
-  if (!result) {
-    Error error = result.error();
+  const auto refused = [&](Error error) {
     if (error.file.empty()) error.file = options.mesh;
     return report(error);
-  }
-  if (options.normals) gaps.normals = without_normal(extras.normals);
+  };
+  if (Status status = announce(options, *scheme, control->mesh, line); !status)
+    return refused(status.error());
+  Result<RefinedSurface> surface = surface_of(options, *scheme, *control, line);
+  if (!surface) return refused(surface.error());
   line.show("writing " + options.output.path);
   set_step("writing " + options.output.path);
-  if (Status status = options.output.write(*result, extras); !status) {
-    if (status.error().file.empty()) status.error().file = options.mesh;
-    return report(status.error());
-  }
-  add_warnings(
-      control->remarks,
-      gaps_text(gaps, {.mesh = options.output.path,
-                       .normal = fmt::format("written as {}", options.output.missing_normal()),
-                       .curvatures = options.curvatures}));
-  print_result(options, *scheme, *result, seconds, gaps, control->remarks);
+  if (!options.curvatures.empty())
+    if (Status status = write_curvatures(options.curvatures, *surface); !status)
+      return refused(status.error());
+  if (options.limit) surface->polygons.positions = std::move(surface->limit);
+  WriteOptions extras;
+  extras.normals = std::move(surface->normals);
+  if (Status status = options.output.write(surface->polygons, extras); !status)
+    return refused(status.error());
+  warn_of_gaps(options, *scheme, *surface, control->remarks);
+  print_result(options, *scheme, *surface, control->remarks);
   return kDone;
 }
 

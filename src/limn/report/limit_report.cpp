@@ -61,22 +61,6 @@ nlohmann::ordered_json gap_json(const Reasons& reasons) {
 
 }  // namespace
 
-std::vector<Index> without_normal(const std::vector<Point3>& normals) {
-  std::vector<Index> found;
-  for (std::size_t v = 0; v < normals.size(); ++v)
-    if (normals[v] == Point3{}) found.push_back(static_cast<Index>(v));
-  return found;
-}
-
-std::vector<LimitGaps::Curvatures> without_curvature(const std::vector<NoCurvature>& reasons) {
-  std::map<NoCurvature, std::vector<Index>> found;
-  for (std::size_t v = 0; v < reasons.size(); ++v)
-    if (reasons[v] != NoCurvature::none) found[reasons[v]].push_back(static_cast<Index>(v));
-  std::vector<LimitGaps::Curvatures> gaps;
-  for (auto& [reason, vertices] : found) gaps.push_back({reason, std::move(vertices)});
-  return gaps;
-}
-
 Warnings gaps_text(const LimitGaps& gaps, const GapPlaces& places) {
   Warnings sentences;
   const auto say = [&](const std::string& file, std::string sentence) {

@@ -6,30 +6,9 @@
 
 #include <nlohmann/json_fwd.hpp>
 
-#include "limn/limit/limit_points.h"
+#include "limn/surface/limit_gaps.h"
 
 namespace limn {
-
-/// Vertices at which something is missing, in ascending order.
-struct LimitGaps {
-  std::vector<LimitPoints::Refused> limits;
-  std::vector<Index> normals;
-  struct Curvatures {
-    NoCurvature reason;
-    std::vector<Index> vertices;
-  };
-  std::vector<Curvatures> curvatures;  ///< by reason
-
-  [[nodiscard]] bool any() const {
-    return !limits.empty() || !normals.empty() || !curvatures.empty();
-  }
-};
-
-/// The vertices whose normal is zero.
-[[nodiscard]] std::vector<Index> without_normal(const std::vector<Point3>& normals);
-/// The vertices that have no curvature, by reason.
-[[nodiscard]] std::vector<LimitGaps::Curvatures> without_curvature(
-    const std::vector<NoCurvature>& reasons);
 
 /// Where the results of a limit surface go, for messages.
 struct GapPlaces {

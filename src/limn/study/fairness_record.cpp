@@ -3,10 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "limn/base/memory.h"
 #include "limn/fairness/laplacian.h"
 #include "limn/fairness/second_form.h"
-#include "limn/limit/limit_points.h"
-#include "limn/refine/refine.h"
+#include "limn/refine/refine_estimate.h"
+#include "limn/surface/refine_surface.h"
 
 namespace limn {
 namespace {
@@ -24,23 +25,24 @@ int default_levels(const Scheme& scheme, const Mesh& control) {
   return levels;
 }
 
-Result<FairnessLevel> measured(const Scheme& scheme, const Refined<Point3>& fine, int level,
+Result<FairnessLevel> measured(const Scheme& scheme, const Mesh& control,
+                               const std::vector<Point3>& points, int level,
                                std::vector<LimitPoints::Refused>* refused) {
-  LimitOptions options;
-  options.steps_made = level;
-  options.partial = refused != nullptr;
-  Result<LimitPoints> limit = approx_limit_points(scheme, fine.mesh, fine.values, options);
-  if (!limit) return limit.error();
-  if (refused != nullptr) *refused = std::move(limit->refused);
-  const Result<SurfaceEnergies> energies = approx_energies(fine.mesh, limit->positions);
+  Result<RefinedSurface> surface = refine_surface(
+      scheme, control, points,
+      {.levels = level, .limit = true, .partial = refused != nullptr, .connectivity = true});
+  if (!surface) return surface.error();
+  if (refused != nullptr) *refused = std::move(surface->gaps.limits);
+  const Mesh& fine = *surface->mesh;
+  const std::vector<Point3>& positions = surface->limit;
+  const Result<SurfaceEnergies> energies = approx_energies(fine, positions);
   if (!energies) return energies.error();
   FairnessLevel result;
   result.level = level;
-  result.vertices = fine.mesh.vertex_count();
-  result.faces = fine.mesh.face_count();
-  result.laplacian_energy = laplacian_energy(fine.mesh, limit->positions);
-  result.laplacian_rounding =
-      laplacian_rounding(fine.mesh, limit->positions, result.laplacian_energy);
+  result.vertices = fine.vertex_count();
+  result.faces = fine.face_count();
+  result.laplacian_energy = laplacian_energy(fine, positions);
+  result.laplacian_rounding = laplacian_rounding(fine, positions, result.laplacian_energy);
   result.scaled_laplacian =
       result.laplacian_energy * std::pow(scheme.split->dilation.growth(), level);
   result.energies = *energies;
@@ -91,15 +93,10 @@ Result<FairnessRecord> approx_fairness(const std::string& label, const Scheme& s
   record.scheme = label;
   record.split = scheme.split->name;
   record.growth = scheme.split->dilation.growth();
-  RuleTables<double> tables(scheme);
-  Refined<Point3> fine{control, points};
   for (int level = 1; level <= levels; ++level) {
     if (options.progress) options.progress(level, levels);
-    Result<Refined<Point3>> next = refine_once(scheme, fine.mesh, fine.values, level - 1, tables);
-    if (!next) return next.error();
-    fine = std::move(*next);
     const Result<FairnessLevel> row =
-        measured(scheme, fine, level, options.partial ? &record.refused : nullptr);
+        measured(scheme, control, points, level, options.partial ? &record.refused : nullptr);
     if (!row) return row.error();
     record.levels.push_back(*row);
   }

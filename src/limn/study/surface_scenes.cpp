@@ -4,9 +4,8 @@
 
 #include <fmt/core.h>
 
-#include "limn/fast/limit/fast_limit.h"
-#include "limn/limit/limit_points.h"
-#include "limn/refine/refine.h"
+#include "limn/refine/refine_estimate.h"
+#include "limn/surface/refine_surface.h"
 #include "limn/surface/surface_estimate.h"
 
 namespace limn {
@@ -36,50 +35,31 @@ std::vector<std::array<int, 3>> triangles_of(const Polygons& polygons) {
   return triangles;
 }
 
-SmoothSurface surface_of(const Polygons& refined, const std::vector<Point3>& limit,
-                         const std::vector<Point3>& normals) {
-  return {.vertices = vectors_of(limit),
-          .normals = vectors_of(normals),
-          .triangles = triangles_of(refined)};
+SmoothSurface surface_of(const RefinedSurface& surface) {
+  return {.vertices = vectors_of(surface.limit),
+          .normals = vectors_of(surface.normals),
+          .triangles = triangles_of(surface.polygons)};
 }
 
 }  // namespace
 
 Result<SmoothSurface> limit_surface(const Scheme& scheme, const Mesh& control,
                                     const std::vector<Point3>& points, int steps, LimitGaps* gaps) {
-  RefineEstimate needed = estimate_with_limit(*scheme.split, control, steps, {.limit = true});
+  RefineEstimate needed =
+      estimate_with_limit(*scheme.split, control, steps, {.quick = false, .limit = true});
   needed.peak_bytes += needed.vertices * kSurfaceBytes;
   if (Status status = check_memory(needed, steps, available_memory()); !status)
     return status.error();
-  if (has_fast_layout(*scheme.split)) {
-    const Result<std::optional<FastLimitMesh>> quick =
-        approx_fast_limit_mesh(scheme, control, points, steps);
-    // where there is no limit somewhere, the plain way knows where, and gives the rest
-    if (!quick && gaps == nullptr) return quick.error();
-    if (quick && *quick) {
-      if (gaps != nullptr) gaps->normals = without_normal((*quick)->normals);
-      return surface_of((*quick)->refined, (*quick)->limit, (*quick)->normals);
-    }
-  }
-  const Result<Refined<Point3>> fine = refine(scheme, control, points, steps);
-  if (!fine) return fine.error();
-  LimitOptions options;
-  options.steps_made = steps;
-  options.partial = gaps != nullptr;
-  Result<LimitPoints> limit = approx_limit_points(scheme, fine->mesh, fine->values, options);
-  if (!limit) return limit.error();
-  if (gaps != nullptr) {
-    gaps->normals = without_normal(limit->normals);
-    gaps->limits = std::move(limit->refused);
-  }
-  return surface_of(fine->mesh.polygons(fine->values), limit->positions, limit->normals);
+  Result<RefinedSurface> surface =
+      refine_surface(scheme, control, points,
+                     {.levels = steps, .limit = true, .normals = true, .partial = gaps != nullptr});
+  if (!surface) return surface.error();
+  if (gaps != nullptr) *gaps = std::move(surface->gaps);
+  return surface_of(*surface);
 }
 
 DrawingEstimate estimate_drawing(const Scheme& scheme, const Mesh& control, int steps) {
-  const RefineEstimate refined =
-      has_fast_layout(*scheme.split)
-          ? FastRefiner::estimate(*scheme.split, control, steps)
-          : estimate_refinement(*scheme.split, control, steps, sizeof(Point3));
+  const RefineEstimate refined = estimate_with_limit(*scheme.split, control, steps, {});
   DrawingEstimate drawing{.vertices = refined.vertices};
   // Euler's formula on any surface of some size: as many triangles as leave two a vertex
   drawing.triangles = std::max(2 * refined.vertices, refined.faces);

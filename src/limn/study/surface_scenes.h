@@ -5,7 +5,7 @@
 
 #include "limn/figure/space/surface_scene.h"
 #include "limn/mesh/mesh.h"
-#include "limn/report/limit_report.h"
+#include "limn/surface/limit_gaps.h"
 #include "limn/scheme/scheme.h"
 
 namespace limn {

@@ -34,7 +34,7 @@ class Work {
     if (!refined) return refined.error();
     if (!mesh_is_needed()) return std::move(surface_);  // polygons are all
     if (options_.of_limit())
-      if (Status status = take_to_limit(*refined); !status) return status.error();
+      if (Status status = find_limit(*refined); !status) return status.error();
     surface_.polygons = refined->mesh.polygons(std::move(refined->values));
     if (options_.connectivity) surface_.mesh = std::move(refined->mesh);
     return std::move(surface_);
@@ -63,14 +63,16 @@ class Work {
     if (!quick && !options_.partial) return quick.error();
     if (!quick || !*quick) return false;
     FastLimitMesh& found = **quick;
-    if (options_.limit) found.refined.positions = std::move(found.limit);
     if (options_.connectivity) {
       Result<Mesh> mesh = Mesh::build(found.refined);
       if (!mesh) return false;
       surface_.mesh = *std::move(mesh);
     }
-    surface_.gaps.normals = options_.normals ? without_normal(found.normals) : std::vector<Index>();
-    if (options_.normals) surface_.normals = std::move(found.normals);
+    if (options_.limit) surface_.limit = std::move(found.limit);
+    if (options_.normals) {
+      surface_.gaps.normals = without_normal(found.normals);
+      surface_.normals = std::move(found.normals);
+    }
     surface_.polygons = std::move(found.refined);
     return true;
   }
@@ -100,8 +102,9 @@ class Work {
     return plain;
   }
 
-  /// Moves the points to the limit surface and finds what is wanted there.
-  Status take_to_limit(Refined<Point3>& refined) {
+  /// Finds what is wanted of the limit surface.
+  Status find_limit(const Refined<Point3>& refined) {
+    say("finding limit points");
     LimitOptions options;
     options.steps_made = options_.levels;
     options.partial = options_.partial;
@@ -110,8 +113,7 @@ class Work {
     options.progress = [&](int left) {
       say(fmt::format("limit points: {} vertices left, near irregular ones", left));
     };
-    Result<LimitPoints> limit =
-        approx_limit_points(scheme_, refined.mesh, refined.values, options);
+    Result<LimitPoints> limit = approx_limit_points(scheme_, refined.mesh, refined.values, options);
     if (!limit) return limit.error();
     if (options_.normals) {
       surface_.gaps.normals = without_normal(limit->normals);
@@ -122,7 +124,7 @@ class Work {
       surface_.curvatures = std::move(limit->curvatures);
     }
     surface_.gaps.limits = std::move(limit->refused);
-    if (options_.limit) refined.values = std::move(limit->positions);
+    if (options_.limit) surface_.limit = std::move(limit->positions);
     return Done{};
   }
 

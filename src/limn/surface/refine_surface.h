@@ -1,6 +1,6 @@
 #pragma once
-/// The surface that a scheme makes of a control mesh: refined points or points of the limit
-/// surface, normals, curvatures. The front of refinement: it chooses the engine. For the same mesh
+/// The surface that a scheme makes of a control mesh: refined points, points of the limit surface,
+/// normals, curvatures. The front of refinement: it chooses the engine. For the same mesh
 /// at many positions see fast/fast_refiner.h, for values other than points refine/refine.h.
 
 #include <functional>
@@ -18,11 +18,12 @@ namespace limn {
 /// What is wanted.
 struct SurfaceOptions {
   int levels = 3;           ///< refinement steps, at least 0
-  bool limit = false;       ///< vertices on the limit surface, not where refinement puts them
-  bool normals = false;     ///< unit normals of the limit surface at the vertices
-  bool curvatures = false;  ///< principal curvatures of the limit surface at the vertices
+  bool limit = false;       ///< RefinedSurface::limit
+  bool normals = false;     ///< RefinedSurface::normals
+  bool curvatures = false;  ///< RefinedSurface::curvatures
   /// Where the limit, a normal or a curvature cannot be had at some vertices, give the rest and
-  /// list those in RefinedSurface::gaps. False: a limit that cannot be had is an error.
+  /// list those in RefinedSurface::gaps; a vertex that has no limit stays where refinement puts it.
+  /// False: a limit that cannot be had is an error.
   bool partial = false;
   bool connectivity = false;  ///< RefinedSurface::mesh, too
   /// quick: the quick engine (fast/fast_refiner.h) where it can, else the plain one; plain: the
@@ -36,15 +37,16 @@ struct SurfaceOptions {
 };
 
 struct RefinedSurface {
-  Polygons polygons;             ///< the refined mesh; positions as the options ask
-  std::optional<Mesh> mesh;      ///< of `polygons`, where connectivity is wanted
-  std::vector<Point3> normals;   ///< one per vertex, zero where there is none; empty unless wanted
-  /// One per vertex, NaN where there is none; empty unless wanted.
-  std::vector<LimitPoints::Curvatures> curvatures;
+  Polygons polygons;         ///< the refined mesh, with the points where refinement puts them
+  std::optional<Mesh> mesh;  ///< its connectivity
+  // The next three hold one for each vertex; what is not wanted is empty.
+  std::vector<Point3> limit;    ///< where the vertices are on the limit surface; see `gaps`
+  std::vector<Point3> normals;  ///< the limit surface's, of length 1; zero where there is none
+  std::vector<LimitPoints::Curvatures> curvatures;  ///< its principal ones; NaN where none are
   /// What the regular lattice lets curvatures be; where that is unbounded there are none at all.
   RegularPart regular_part;
-  LimitGaps gaps;                ///< what is missing, and at which vertices
-  double refinement_seconds = 0; ///< without what was found of the limit after it
+  LimitGaps gaps;                 ///< what is missing, and at which vertices
+  double refinement_seconds = 0;  ///< without what was found of the limit after it
 };
 
 /// In double precision. Fails, with an error that says so, where the scheme needs triangles and the

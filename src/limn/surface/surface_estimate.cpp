@@ -19,9 +19,10 @@ RefineEstimate estimate_with_limit(const Split& split, const Mesh& control, int 
                                    const LimitWork& work) {
   constexpr double kPoint = sizeof(Point3);
   const RefineEstimate plain = estimate_refinement(split, control, levels, sizeof(Point3));
-  RefineEstimate result = work.quick ? FastRefiner::estimate(split, control, levels) : plain;
+  const bool quick = work.quick && has_fast_layout(split);
+  RefineEstimate result = quick ? FastRefiner::estimate(split, control, levels) : plain;
   if (!work.limit && !work.curvatures) return result;
-  if (work.quick && !work.curvatures) {  // refined points, those of the limit, normals
+  if (quick && !work.curvatures) {  // refined points, those of the limit, normals
     result.peak_bytes += result.vertices * (3 * kPoint + kQuickNumbers);
     return result;
   }

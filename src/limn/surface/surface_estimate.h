@@ -6,7 +6,7 @@
 namespace limn {
 
 struct LimitWork {
-  bool quick = false;       ///< by the quick engine, where it can
+  bool quick = true;        ///< by the quick engine, where it can
   bool limit = false;       ///< limit points or normals
   bool curvatures = false;  ///< and a table of curvatures, written as text
 };
