@@ -63,7 +63,9 @@ class TermsAt {
  public:
   TermsAt(const SectorPattern& pattern, const Weights& weights, int n)
       : pattern_(pattern), weights_(weights), n_(n) {
-    for (int k = 0; k < n; ++k) roots_.push_back(std::polar(1.0, kTwoPi * k / n));
+    const bool any_repeated = std::any_of(pattern.names.begin(), pattern.names.end(),
+                                          [](const NamedWeight& name) { return name.repeated; });
+    for (int k = 0; any_repeated && k < n; ++k) roots_.push_back(std::polar(1.0, kTwoPi * k / n));
     for (const SectorTerm& term : pattern.terms) {
       double factor = term.coefficient;
       for (const int name : term.names) factor *= weights[static_cast<std::size_t>(name)].front();
@@ -76,9 +78,9 @@ class TermsAt {
       totals_.push_back(std::accumulate(values.begin(), values.end(), 0.0));
   }
 
-  /// The block of frequency ω; called for ω = 0, 1, 2, … in this order.
+  /// The block of frequency ω; called for ascending ω.
   Eigen::MatrixXcd block(int omega) {
-    constexpr int kResync = 16;  // so that errors of the recurrence for e^{iωx} do not add up
+    turn_phases(omega);
     const bool with_center = pattern_.has_center && omega == 0;
     const int shift = with_center ? 1 : 0;  // the centre, -1, comes first
     const auto size = static_cast<Eigen::Index>(pattern_.orbits.size()) + shift;
@@ -88,7 +90,6 @@ class TermsAt {
     for (std::size_t i = 0; i < pattern_.terms.size(); ++i) {
       const SectorTerm& term = pattern_.terms[i];
       if (!with_center && (term.row == kCenter || term.column == kCenter)) continue;
-      phases_[i] = omega % kResync == 0 ? phase(term.angle * omega) : phases_[i] * steps_[i];
       block(term.row + shift, term.column + shift) += factors_[i] * along(term, omega, phases_[i]);
     }
     return block;
@@ -97,6 +98,19 @@ class TermsAt {
  private:
   [[nodiscard]] std::complex<double> phase(double sectors) const {
     return std::polar(1.0, kTwoPi * sectors / n_);
+  }
+
+  /// Phases of ω, whichever frequency they had, by the same roundings.
+  void turn_phases(int omega) {
+    constexpr int kResync = 16;  // so that errors of the recurrence for e^{iωx} do not add up
+    const int synchronous = omega - omega % kResync;
+    if (at_ < synchronous) {
+      for (std::size_t i = 0; i < phases_.size(); ++i)
+        phases_[i] = phase(pattern_.terms[i].angle * synchronous);
+      at_ = synchronous;
+    }
+    for (; at_ < omega; ++at_)
+      for (std::size_t i = 0; i < phases_.size(); ++i) phases_[i] *= steps_[i];
   }
 
   /// The sum of w_k e^{2πiωk/n}.
@@ -125,6 +139,7 @@ class TermsAt {
   const SectorPattern& pattern_;
   const Weights& weights_;
   int n_;
+  int at_ = -1;  // the frequency of phases_
   std::vector<std::complex<double>> roots_, steps_, phases_;
   std::vector<std::complex<double>> sums_;  // of each repeated name's weights, transformed at ω
   std::vector<double> factors_;
@@ -153,6 +168,12 @@ Result<const SectorPattern*> FrequencyAnalysis::pattern_at(int n) {
 }
 
 Result<FrequencyBlocks> FrequencyAnalysis::blocks(int n) {
+  std::vector<int> all(static_cast<std::size_t>(std::max(n, 0) / 2 + 1));
+  std::iota(all.begin(), all.end(), 0);
+  return blocks(n, all);
+}
+
+Result<FrequencyBlocks> FrequencyAnalysis::blocks(int n, const std::vector<int>& frequencies) {
   if (const int least = least_valence(*scheme_->split); n < least)
     return Error{fmt::format("valence {} is below {}", n, least), {}, {}, 0, 0};
   const Result<const SectorPattern*> pattern = pattern_at(n);
@@ -162,8 +183,10 @@ Result<FrequencyBlocks> FrequencyAnalysis::blocks(int n) {
   if (!weights) return weights.error();
   FrequencyBlocks result{n, p.rings, p.has_center, p.orbits, {}};
   TermsAt terms(p, *weights, n);
-  result.blocks.reserve(static_cast<std::size_t>(n / 2 + 1));
-  for (int omega = 0; omega <= n / 2; ++omega) result.blocks.push_back(terms.block(omega));
+  result.blocks.resize(static_cast<std::size_t>(n / 2 + 1));
+  result.blocks.front() = terms.block(0);
+  for (const int omega : frequencies)
+    if (omega > 0) result.blocks[static_cast<std::size_t>(omega)] = terms.block(omega);
   if (Status status = check_sums(*scheme_, result); !status) return status.error();
   return result;
 }

@@ -51,6 +51,9 @@ class FrequencyAnalysis {
   /// At valence n ≥ 3. In double precision. Fails where a rule is missing at n or its weights do
   /// not sum to 1 (to 1e-9), and where the rings are not invariant.
   [[nodiscard]] Result<FrequencyBlocks> blocks(int n);
+  /// Those of 0 and of these frequencies alone, the same to the last bit; the other blocks have no
+  /// rows. `frequencies`: ascending, of 0 … ⌊n/2⌋.
+  [[nodiscard]] Result<FrequencyBlocks> blocks(int n, const std::vector<int>& frequencies);
 
  private:
   Result<const SectorPattern*> pattern_at(int n);
