@@ -16,6 +16,8 @@ constexpr int kRangeSamples = 257;
 constexpr int kSlowRangeSamples = 65;
 constexpr double kForbidden = 2 * kEqualBelow;  // the margin's stand-in there: near, but not enough
 
+constexpr double kFlat = 1e-14;  // from sample to sample, by rounding
+
 class RangeSearch {
  public:
   RangeSearch(FreedScheme& scheme, const Requirement& requirement, int n, Interval interval,
@@ -122,7 +124,10 @@ class RangeSearch {
       if (k + 1 < samples_.size()) {
         const Sample &a = samples_[k - 1], &m = samples_[k], &b = samples_[k + 1];
         const double sign = m.holds ? 1 : -1;
-        const bool turns = !m.forbidden && a.holds == m.holds && m.holds == b.holds &&
+        // where something else than x bounds it, it is flat, and there is nothing to look for
+        const bool flat =
+            std::abs(m.margin - a.margin) < kFlat && std::abs(m.margin - b.margin) < kFlat;
+        const bool turns = !flat && !m.forbidden && a.holds == m.holds && m.holds == b.holds &&
                            std::isfinite(m.margin) && sign * m.margin <= sign * a.margin &&
                            sign * m.margin <= sign * b.margin;
         if (turns) {
