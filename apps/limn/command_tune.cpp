@@ -139,43 +139,58 @@ Status write_tuned(const Task& task, const std::vector<ValenceSolutions>& soluti
   return write_file(options.output, *text);
 }
 
-int solve(Task& task, const TuneOptions& options) {
-  const bool json = options.json;
+/// What was solved, as it is printed.
+struct Solved {
+  std::vector<ValenceSolutions> all;
   nlohmann::ordered_json list = nlohmann::ordered_json::array();
-  std::string text = fmt::format("{}: {} such that {}\n", printable(task.scheme.name),
-                                 task.freed.name(), printable(task.requirement.text)) +
-                     solution_heading(task.freed.name());
+  std::string text;
   bool undecided = false;
   bool any_value = false;
-  Error without_value;
-  std::vector<ValenceSolutions> all;
-  Walk walk(task.valences, options.seconds);
+  Error without_value;  ///< why the last of those without a value has none
+};
+
+Result<Solved> solve_each(Task& task, Walk& walk, bool json) {
+  Solved solved;
   const Status status = walk.each([&](int n) -> Result<bool> {
-    Result<ValenceSolutions> found = solve_at(task.freed, task.requirement, n, task.searched());
+    Result<ValenceSolutions> found =
+        solve_at(task.freed, task.requirement, n, task.searched(), walk.stop());
     if (!found) return found.error();
+    if (found->time_ended) return false;
     for (const Solution& solution : found->solutions)
-      undecided = undecided || solution.holds == Truth::undecided;
-    any_value = any_value || found->has_value;
-    if (!found->has_value) without_value.message = found->reason;
+      solved.undecided = solved.undecided || solution.holds == Truth::undecided;
+    solved.any_value = solved.any_value || found->has_value;
+    if (!found->has_value) solved.without_value.message = found->reason;
     if (json)
-      list.push_back(tune_json(*found));
+      solved.list.push_back(tune_json(*found));
     else
-      text += tune_text(task.freed.name(), *found);
-    all.push_back(std::move(*found));
+      solved.text += tune_text(task.freed.name(), *found);
+    solved.all.push_back(std::move(*found));
     return true;
   });
-  if (!status) return report(status.error());
+  if (!status) return status.error();
+  return solved;
+}
+
+int solve(Task& task, const TuneOptions& options) {
+  Walk walk(task.valences, options.seconds);
+  const Result<Solved> solved = solve_each(task, walk, options.json);
+  if (!solved) return report(solved.error());
   if (walk.ended_early() && !options.output.empty())
     return report({walk.what_was_reached() + ", so that no file is written", kMoreTime, {}, 0, 0});
-  if (walk.ended_early()) text += walk.what_was_reached() + "; " + kMoreTime + "\n";
-  if (!any_value) return report(without_value);
+  if (!solved->any_value && !solved->all.empty()) return report(solved->without_value);
   if (!options.output.empty())
-    if (Status written = write_tuned(task, all, options); !written) return report(written.error());
-  if (json)
-    print_json(heading_json(task, list, walk));
-  else
+    if (Status written = write_tuned(task, solved->all, options); !written)
+      return report(written.error());
+  if (options.json) {
+    print_json(heading_json(task, solved->list, walk));
+  } else {
+    std::string text = fmt::format("{}: {} such that {}\n", printable(task.scheme.name),
+                                   task.freed.name(), printable(task.requirement.text)) +
+                       solution_heading(task.freed.name()) + solved->text;
+    if (walk.ended_early()) text += walk.what_was_reached() + "; " + kMoreTime + "\n";
     print_text(text);
-  return undecided ? kUndecided : kDone;
+  }
+  return solved->undecided ? kUndecided : kDone;
 }
 
 int find_ranges(Task& task, const TuneOptions& options) {

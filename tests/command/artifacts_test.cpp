@@ -130,7 +130,7 @@ TEST(ArtifactsCommand, RefusesMasksThatAreTooWideBeforeTheWork) {
       "}, { step = [0, 1], count = 6 } ]\n");
   // 1 GB of addresses, where the whole matrices would take 6
   expect_refused(folder.limn("artifacts wide.toml -f 0.1,0.1", "ulimit -v 1000000;"),
-                 {"too wide", "800"});
+                 {"too wide", "1450"});
   EXPECT_EQ(folder.limn("artifacts wide.toml -f 0.1,0.1 --steps 1", "ulimit -v 1000000;").code, 0);
 }
 

@@ -108,6 +108,22 @@ TEST(CompareOnMesh, SkipsSchemesThatDoNotTakeTheMesh) {
   EXPECT_EQ(mixed.missing[0].substr(0, 6), "loop: ");
 }
 
+/// Loop's C2 is proved, so that its list goes on to C3; butterfly's ends with C2, which is refuted.
+TEST(CompareReport, ListsSmoothnessAsFarAsAnySchemeHasIt) {
+  Comparison comparison;
+  for (const char* name : {"loop", "butterfly"})
+    comparison.schemes.push_back(approx_record(name, *find_scheme(name), quick()));
+  ASSERT_EQ(comparison.schemes[0].regularity->smoothness.size(), 4U);
+  ASSERT_EQ(comparison.schemes[1].regularity->smoothness.size(), 3U);
+  const std::string text = compare_text(comparison);
+  const std::size_t at = text.find("\n  C3 ");
+  ASSERT_NE(at, std::string::npos) << text;
+  const std::string line = text.substr(at + 1, text.find('\n', at + 1) - at - 1);
+  EXPECT_EQ(line.find("yes"), std::string::npos) << line;
+  EXPECT_NE(line.rfind("no"), line.find("no")) << line;  // of both
+  EXPECT_EQ(text.find("\n  C4 "), std::string::npos);
+}
+
 TEST(CompareReport, HasAColumnForEachAndWhatIsMissing) {
   Comparison comparison;
   for (const char* name : {"loop", "box-spline-triangle", "doo-sabin"})

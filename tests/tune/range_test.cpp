@@ -19,6 +19,12 @@ TEST(Range, SolvesOnlyFrequenciesThatTheNameChanges) {
   EXPECT_LT(range.solved, 51LL * range.samples / 2);
 }
 
+TEST(Range, SolvesOnlyFrequenciesThatMayLead) {
+  // with `everywhere` a touches all frequencies; that of 2 mostly bounds those above
+  const ValenceRange range = ranged(shipped("laplacian-loop"), "a", "c1", 60, Reach::everywhere);
+  EXPECT_LT(range.solved, 31LL * range.samples / 2);
+}
+
 TEST(Range, EndsWhereAsked) {
   const Scheme scheme = shipped("laplacian-loop");
   FreedScheme freed = FreedScheme::make(scheme, "a").value();

@@ -18,6 +18,18 @@ constexpr double kRounding = 1e-14;
 
 double tangent_of_loop(int n) { return 3 / 8. + std::cos(2 * M_PI / n) / 4; }
 
+TEST(Solve, EndsInsideAValence) {
+  const Scheme scheme = shipped("sqrt3");
+  FreedScheme freed = FreedScheme::make(scheme, "alpha").value();
+  const Requirement requirement = Requirement::parse("cup = tangent^2", scheme).value();
+  int asks = 0;
+  const ValenceSolutions found =
+      solve_at(freed, requirement, 7, nullptr, [&] { return ++asks > 10; }).value();
+  EXPECT_TRUE(found.time_ended);
+  EXPECT_TRUE(found.solutions.empty());
+  EXPECT_LT(asks, 20);
+}
+
 TEST(Solve, GivesAlphaOfSqrt3) {  // [BGSK §4]
   for (int n = 4; n <= 12; ++n) {
     const ValenceSolutions found = solved(shipped("sqrt3"), "alpha", "cup = tangent^2", n);

@@ -22,7 +22,7 @@ namespace limn {
 /// (discontinuous φ), and where more than 80 different values would have to be found.
 [[nodiscard]] Result<Laurent> limit_stencil(const Mask& mask);
 
-/// The same in double precision, by offset. Fails as above, where more than 800 different values
+/// The same in double precision, by offset. Fails as above, where more than 1450 different values
 /// would have to be found (before any work), and where the scheme does not converge: another
 /// eigenvalue of the transition matrix is greater than 1, or, on data with the mask's symmetries,
 /// not less than 1.

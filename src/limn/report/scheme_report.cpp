@@ -9,6 +9,7 @@
 #include "limn/base/printable.h"
 #include "limn/regular/regular_mask.h"
 #include "limn/report/lattice/lattice_report.h"
+#include "limn/scheme/formulas.h"
 #include "limn/scheme/placement.h"
 
 namespace limn {
@@ -101,36 +102,6 @@ Json equivalences_json(const Scheme& scheme) {
 
 using Lets = std::vector<std::pair<std::string, Formula>>;
 
-/// Calls visit(formula) for all that the scheme says but its lets.
-template <class Visit>
-void each_user(const Scheme& scheme, const Visit& visit) {
-  const auto visit_rows = [&](const Rows& rows) {
-    for (const auto& row : rows.rows)
-      for (const Formula& entry : row) visit(entry);
-    if (rows.scale) visit(*rows.scale);
-  };
-  for (const Parameter& parameter : scheme.parameters) {
-    visit(parameter.value);
-    if (parameter.low) visit(*parameter.low);
-    if (parameter.high) visit(*parameter.high);
-  }
-  for (const std::optional<Rule>& rule : scheme.rules)
-    for (const RuleCase& rule_case : rule ? *rule : Rule{}) {
-      if (rule_case.when) visit(*rule_case.when);
-      for (const Weight& weight : rule_case.weights) visit(weight.value);
-    }
-  for (const Fact& fact : scheme.facts)
-    for (const auto& value : fact.values) visit(value.second);
-  for (const Equivalence& same : scheme.equivalences)
-    for (const auto& value : same.with) visit(value.second);
-  if (scheme.mask) visit_rows(*scheme.mask);
-  if (scheme.stated_mask) visit_rows(*scheme.stated_mask);
-  if (!scheme.factors) return;
-  if (scheme.factors->stages) visit(*scheme.factors->stages);
-  for (const auto& direction : scheme.factors->directions) visit(direction.second);
-  if (scheme.factors->kernel) visit_rows(*scheme.factors->kernel);
-}
-
 /// Those of the file, and those of the schemes that it extends as far as something uses them.
 Lets listed_lets(const Scheme& scheme) {
   std::set<std::string> used;
@@ -139,7 +110,8 @@ Lets listed_lets(const Scheme& scheme) {
     for (const std::string& name : formula.expression.names())
       if (used.insert(name).second) open.push_back(name);
   };
-  each_user(scheme, use);
+  each_rule_formula(scheme, use);
+  each_mask_formula(scheme, use);
   for (const auto& [name, formula] : scheme.lets)
     if (formula.place.file == scheme.file) use(formula);
   while (!open.empty()) {

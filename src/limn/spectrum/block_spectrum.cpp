@@ -144,11 +144,11 @@ bool larger(const Eigenvalue& a, const Eigenvalue& b) {
   return a.value.imag() > b.value.imag();
 }
 
-/// Reads the blocks of one valence. What many blocks share is found once: the mirror's partners,
-/// and which rows hang together.
-class SpectrumReader {
+}  // namespace
+
+class SpectrumReader::Work {
  public:
-  explicit SpectrumReader(const FrequencyBlocks& blocks) : blocks_(blocks) {
+  explicit Work(const FrequencyBlocks& blocks) : blocks_(blocks) {
     for (std::size_t a = 0; a < blocks.orbits.size(); ++a)
       for (std::size_t b = a + 1; b < blocks.orbits.size(); ++b) {
         const double turns = blocks.orbits[a].angle + blocks.orbits[b].angle;
@@ -291,10 +291,16 @@ class SpectrumReader {
   Solver solver_;
 };
 
-}  // namespace
+SpectrumReader::SpectrumReader(const FrequencyBlocks& blocks)
+    : work_(std::make_unique<Work>(blocks)) {}
+SpectrumReader::~SpectrumReader() = default;
+
+BlockSpectrum SpectrumReader::approx_spectrum(int omega, Near near) {
+  return work_->at(omega, near);
+}
 
 BlockSpectrum approx_spectrum(const FrequencyBlocks& blocks, int omega, Near near) {
-  return SpectrumReader(blocks).at(omega, near);
+  return SpectrumReader(blocks).approx_spectrum(omega, near);
 }
 
 std::vector<BlockSpectrum> approx_spectra(const FrequencyBlocks& blocks) {
@@ -302,7 +308,7 @@ std::vector<BlockSpectrum> approx_spectra(const FrequencyBlocks& blocks) {
   std::vector<BlockSpectrum> spectra;
   spectra.reserve(blocks.blocks.size());
   for (int omega = 0; omega <= blocks.valence / 2; ++omega)
-    spectra.push_back(reader.at(omega, Near::joined));
+    spectra.push_back(reader.approx_spectrum(omega));
   return spectra;
 }
 

@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <complex>
+#include <memory>
 #include <vector>
 
 #include "limn/spectrum/frequency_blocks.h"
@@ -41,6 +42,24 @@ enum class Near { joined, apart };
 /// The spectrum of one block, 0 ≤ ω ≤ ⌊n/2⌋, in double precision.
 [[nodiscard]] BlockSpectrum approx_spectrum(const FrequencyBlocks& blocks, int omega,
                                             Near near = Near::joined);
+
+/// Reads spectra of one valence's blocks one after another: what they share (the mirror's partners,
+/// which rows hang together) is found once. A block may be given other entries between two calls.
+class SpectrumReader {
+ public:
+  /// `blocks` must outlive the reader, with the same orbits.
+  explicit SpectrumReader(const FrequencyBlocks& blocks);
+  ~SpectrumReader();
+  SpectrumReader(const SpectrumReader&) = delete;
+  SpectrumReader& operator=(const SpectrumReader&) = delete;
+
+  /// As approx_spectrum.
+  [[nodiscard]] BlockSpectrum approx_spectrum(int omega, Near near = Near::joined);
+
+ private:
+  class Work;
+  std::unique_ptr<Work> work_;
+};
 
 /// Of all blocks, ω = 0 … ⌊n/2⌋, near ones joined. Cost: one small eigenvalue problem for each.
 [[nodiscard]] std::vector<BlockSpectrum> approx_spectra(const FrequencyBlocks& blocks);

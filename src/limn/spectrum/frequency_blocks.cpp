@@ -79,9 +79,9 @@ class TermsAt {
     }
   }
 
-  /// The block of frequency ω; called for ω = 0, 1, 2, … in this order.
+  /// The block of frequency ω; called for ascending ω.
   Eigen::MatrixXcd block(int omega) {
-    constexpr int kResync = 16;  // so that errors of the recurrence for e^{iωx} do not add up
+    turn_phases(omega);
     const bool with_center = pattern_.has_center && omega == 0;
     const int shift = with_center ? 1 : 0;  // the centre, -1, comes first
     const auto size = static_cast<Eigen::Index>(pattern_.orbits.size()) + shift;
@@ -92,7 +92,6 @@ class TermsAt {
     for (std::size_t i = 0; i < pattern_.terms.size(); ++i) {
       const SectorTerm& term = pattern_.terms[i];
       if (!with_center && (term.row == kCenter || term.column == kCenter)) continue;
-      phases_[i] = omega % kResync == 0 ? phase(term.angle * omega) : phases_[i] * steps_[i];
       block(term.row + shift, term.column + shift) += factors_[i] * along(term, omega, phases_[i]);
     }
     return block;
@@ -101,6 +100,19 @@ class TermsAt {
  private:
   [[nodiscard]] std::complex<double> phase(double sectors) const {
     return std::polar(1.0, kTwoPi * sectors / n_);
+  }
+
+  /// Phases of ω, whichever frequency they had, by the same roundings.
+  void turn_phases(int omega) {
+    constexpr int kResync = 16;  // so that errors of the recurrence for e^{iωx} do not add up
+    const int synchronous = omega - omega % kResync;
+    if (at_ < synchronous) {
+      for (std::size_t i = 0; i < phases_.size(); ++i)
+        phases_[i] = phase(pattern_.terms[i].angle * synchronous);
+      at_ = synchronous;
+    }
+    for (; at_ < omega; ++at_)
+      for (std::size_t i = 0; i < phases_.size(); ++i) phases_[i] *= steps_[i];
   }
 
   /// What the positions of a term sum to, without its factor.
@@ -115,6 +127,7 @@ class TermsAt {
 
   const SectorPattern& pattern_;
   int n_;
+  int at_ = -1;  // the frequency of phases_
   std::vector<std::complex<double>> steps_, phases_;
   /// Of each repeated name's weights, at all ω and at the present one.
   std::vector<std::vector<std::complex<double>>> transforms_;
@@ -145,6 +158,14 @@ Result<const SectorPattern*> FrequencyAnalysis::pattern_at(int n) {
 }
 
 Result<FrequencyBlocks> FrequencyAnalysis::blocks(int n, int frequencies) {
+  std::vector<int> first(static_cast<std::size_t>(std::min(frequencies, std::max(n, 0) / 2 + 1)));
+  std::iota(first.begin(), first.end(), 0);
+  Result<FrequencyBlocks> result = blocks(n, first);
+  if (result) result->blocks.resize(first.size());
+  return result;
+}
+
+Result<FrequencyBlocks> FrequencyAnalysis::blocks(int n, const std::vector<int>& frequencies) {
   if (const int least = least_valence(*scheme_->split); n < least)
     return Error{fmt::format("valence {} is below {}: {}", n, least,
                              scheme_->split->births_corners
@@ -161,9 +182,10 @@ Result<FrequencyBlocks> FrequencyAnalysis::blocks(int n, int frequencies) {
   if (!weights) return weights.error();
   FrequencyBlocks result{n, p.rings, p.has_center, p.orbits, {}};
   TermsAt terms(p, *weights, n);
-  const int count = std::min(frequencies, n / 2 + 1);
-  result.blocks.reserve(static_cast<std::size_t>(count));
-  for (int omega = 0; omega < count; ++omega) result.blocks.push_back(terms.block(omega));
+  result.blocks.resize(static_cast<std::size_t>(n / 2 + 1));
+  result.blocks.front() = terms.block(0);
+  for (const int omega : frequencies)
+    if (omega > 0) result.blocks[static_cast<std::size_t>(omega)] = terms.block(omega);
   if (Status status = check_sums(*scheme_, result); !status) return status.error();
   return result;
 }

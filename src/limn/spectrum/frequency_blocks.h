@@ -56,6 +56,9 @@ class FrequencyAnalysis {
   /// invariant. `frequencies`: so many blocks, ω = 0, 1, …, suffice; at least 1. Cost: O(n log n),
   /// and of each block that of its entries.
   [[nodiscard]] Result<FrequencyBlocks> blocks(int n, int frequencies = kAllFrequencies);
+  /// Those of 0 and of these frequencies alone, the same to the last bit; the other blocks have no
+  /// rows. `frequencies`: ascending, of 0 … ⌊n/2⌋.
+  [[nodiscard]] Result<FrequencyBlocks> blocks(int n, const std::vector<int>& frequencies);
 
  private:
   Result<const SectorPattern*> pattern_at(int n);

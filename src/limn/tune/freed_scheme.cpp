@@ -210,10 +210,22 @@ Result<FreedScheme::Instance*> FreedScheme::fixed_at(int n, double x) {
   return instance.get();
 }
 
-Result<FrequencyBlocks> FreedScheme::blocks(int n, double x) {
+Result<FrequencyAnalysis*> FreedScheme::analysis_at(int n, double x) {
   const Result<Instance*> instance = everywhere(n) ? fixed_at(n, x) : named_at(n, x);
   if (!instance) return instance.error();
-  return (*instance)->analysis->blocks(n);
+  return (*instance)->analysis.get();
+}
+
+Result<FrequencyBlocks> FreedScheme::blocks(int n, double x) {
+  const Result<FrequencyAnalysis*> analysis = analysis_at(n, x);
+  if (!analysis) return analysis.error();
+  return (*analysis)->blocks(n);
+}
+
+Result<FrequencyBlocks> FreedScheme::blocks(int n, double x, const std::vector<int>& frequencies) {
+  const Result<FrequencyAnalysis*> analysis = analysis_at(n, x);
+  if (!analysis) return analysis.error();
+  return (*analysis)->blocks(n, frequencies);
 }
 
 RegularPart FreedScheme::regular_part(int n, double x) {

@@ -60,6 +60,9 @@ class FreedScheme {
   /// The blocks at valence n ≥ 3 where the name is x. Fails as FrequencyAnalysis::blocks: where x
   /// has the weights sum to something else than 1, divides by zero, …
   [[nodiscard]] Result<FrequencyBlocks> blocks(int n, double x);
+  /// Those of 0 and of these frequencies alone, as FrequencyAnalysis::blocks.
+  [[nodiscard]] Result<FrequencyBlocks> blocks(int n, double x,
+                                               const std::vector<int>& frequencies);
 
   /// What the regular lattice allows where the name is x (regular/smoothness/second_differences.h):
   /// the scheme's own where x changes no neighbour. Else, where the mask at x has sum rules of
@@ -83,6 +86,7 @@ class FreedScheme {
   Result<std::unique_ptr<Instance>> build(int n) const;
   Result<Instance*> named_at(int n, double x);
   Result<Instance*> fixed_at(int n, double x);
+  Result<FrequencyAnalysis*> analysis_at(int n, double x);
 
   std::unique_ptr<Scheme> original_;  // so that a move leaves pointers into it whole
   std::string name_;

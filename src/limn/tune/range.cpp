@@ -16,11 +16,17 @@ constexpr int kRangeSamples = 257;
 constexpr int kSlowRangeSamples = 65;
 constexpr double kForbidden = 2 * kEqualBelow;  // the margin's stand-in there: near, but not enough
 
+constexpr double kFlat = 1e-14;  // from sample to sample, by rounding
+
 class RangeSearch {
  public:
   RangeSearch(FreedScheme& scheme, const Requirement& requirement, int n, Interval interval,
               const Stop& stop)
-      : scheme_(scheme), requirement_(requirement), stop_(stop), curve_(scheme, n, interval) {
+      : scheme_(scheme),
+        requirement_(requirement),
+        stop_(stop),
+        curve_(scheme, n, interval),
+        components_(requirement, curve_, interval) {
     result_.valence = n;
     result_.searched = interval;
     result_.closed = is_closed(requirement.relation);
@@ -48,9 +54,10 @@ class RangeSearch {
     bool unknown = false;    // forbidden because what the lattice allows is undecided
   };
 
-  Result<double> margin_in(const Result<FrequencyBlocks>& blocks, double x) {
-    if (!blocks) return blocks.error();
-    return margin(requirement_, scheme_, x, components_.at(*blocks));
+  Result<double> value_at(double x, Blocks which = Blocks::quick) {
+    const Result<const Eigencomponents*> found = components_.at(x, which);
+    if (!found) return found.error();
+    return margin(requirement_, scheme_, x, **found);
   }
   /// Whether the regular lattice is the same for all x and does not allow it.
   bool forbids_all() {
@@ -71,8 +78,8 @@ class RangeSearch {
     return allowed_by_lattice(requirement_, scheme_, result_.valence, x).bounded;
   }
   bool allowed_at(double x) { return lattice_at(x) == Truth::yes; }
-  double margin_at(double x) {
-    const Result<double> value = margin_in(curve_(x), x);
+  double margin_at(double x, Blocks which = Blocks::quick) {
+    const Result<double> value = value_at(x, which);
     return value ? *value : -HUGE_VAL;
   }
   [[nodiscard]] bool enough(double margin) const {
@@ -104,7 +111,7 @@ class RangeSearch {
       error.message += fmt::format(", with {} = {:.6g}", scheme_.name(), middle);
       return error;
     }
-    const Result<double> value = margin_in(blocks, middle);
+    const Result<double> value = value_at(middle);
     result_.reason = value ? "the requirement has no value in this range" : value.error().text();
     return Done{};
   }
@@ -117,7 +124,10 @@ class RangeSearch {
       if (k + 1 < samples_.size()) {
         const Sample &a = samples_[k - 1], &m = samples_[k], &b = samples_[k + 1];
         const double sign = m.holds ? 1 : -1;
-        const bool turns = !m.forbidden && a.holds == m.holds && m.holds == b.holds &&
+        // where something else than x bounds it, it is flat, and there is nothing to look for
+        const bool flat =
+            std::abs(m.margin - a.margin) < kFlat && std::abs(m.margin - b.margin) < kFlat;
+        const bool turns = !flat && !m.forbidden && a.holds == m.holds && m.holds == b.holds &&
                            std::isfinite(m.margin) && sign * m.margin <= sign * a.margin &&
                            sign * m.margin <= sign * b.margin;
         if (turns) {
@@ -163,14 +173,31 @@ class RangeSearch {
     return !allowed_at(inside.x + (outside.x - inside.x) / 1024);
   }
 
+  /// The last x, from `inside` on, at which it holds. Where an exact value needs no star, these
+  /// have the last word on what was found in interpolated blocks.
+  double last_between(double inside, double outside, bool plain) {
+    const auto holds = [&](Blocks which) {
+      return [this, which, plain](double t) {
+        const double value = margin_at(t, which);
+        return (plain ? value > 0 : enough(value)) && allowed_at(t);
+      };
+    };
+    const double x = last_holding(inside, outside, holds(Blocks::quick));
+    if (!curve_.interpolated() || scheme_.everywhere(result_.valence)) return x;
+    const double reach = std::copysign(1e-12 * (1 + std::abs(x)), outside - inside);
+    const auto exact = holds(Blocks::exact);
+    const auto [low, high] = std::minmax(inside, outside);
+    const double before = std::clamp(x - reach, low, high);
+    const double after = std::clamp(x + reach, low, high);
+    if (exact(before) && !exact(after)) return last_holding(before, after, exact);
+    return last_holding(inside, outside, exact);
+  }
+
   RangeEnd end_between(const Sample& inside, const Sample& outside) {
     // where the two sides are not all along equal, 0 itself can be found
     const bool plain = inside.margin > kEqualBelow;
     const double x =
-        is_isolated(inside, outside) ? inside.x : last_holding(inside.x, outside.x, [&](double t) {
-          if (!(plain ? margin_at(t) > 0 : enough(margin_at(t)))) return false;
-          return allowed_at(t);
-        });
+        is_isolated(inside, outside) ? inside.x : last_between(inside.x, outside.x, plain);
     // far enough on that nothing is undecided, near enough that nothing else has changed
     const double beyond = std::clamp(x + std::copysign(1e-5, outside.x - inside.x),
                                      result_.searched.low, result_.searched.high);

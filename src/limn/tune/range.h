@@ -41,7 +41,8 @@ struct ValenceRange {
 /// bisected, to rounding; but where a requirement that allows equality (is_closed) holds with
 /// equality all along, its end is where it fails by kEqualBelow. Parts narrower than a sample's
 /// width may be missed where no sample comes near them; the same goes for gaps. Cost: 257 samples,
-/// each with the eigenvalues of the blocks that x changes. Fails as solve_at does.
+/// each with the eigenvalues of the blocks that x changes and that may lead (an upper bound of
+/// their moduli tells). Fails as solve_at does.
 [[nodiscard]] Result<ValenceRange> range_at(FreedScheme& scheme, const Requirement& requirement,
                                             int n, const SearchRange* range = nullptr,
                                             const Stop& stop = {});

@@ -21,13 +21,15 @@ bool is_zero(double difference) { return std::abs(difference) <= kSolved; }
 
 class RootSearch {
  public:
-  RootSearch(const Requirement& requirement, FreedScheme& scheme, const BlockCurve& curve)
-      : requirement_(requirement), scheme_(scheme), curve_(curve) {}
+  RootSearch(const Requirement& requirement, FreedScheme& scheme, const BlockCurve& curve,
+             const Stop& stop)
+      : requirement_(requirement), scheme_(scheme), curve_(curve), stop_(stop) {}
 
   RootsFound run(Interval interval, int samples) {
     take_samples(interval, samples);
     if (!result_.any_value) return std::move(result_);
     for (std::size_t k = 0; k < samples_.size(); ++k) {
+      if (asked(stop_)) return std::move(result_);
       if (k > 0) cell(samples_[k - 1], samples_[k], kDeepest);
       if (k > 0 && k + 1 < samples_.size())
         triple(samples_[k - 1], samples_[k], samples_[k + 1]);
@@ -47,7 +49,7 @@ class RootSearch {
   }
 
   void take_samples(Interval interval, int samples) {
-    for (int k = 0; k < samples; ++k) {
+    for (int k = 0; k < samples && !asked(stop_); ++k) {
       const double share = static_cast<double>(k) / (samples - 1);
       samples_.push_back(at(interval.low * (1 - share) + interval.high * share));
       const BranchSample& sample = samples_.back();
@@ -189,7 +191,7 @@ class RootSearch {
       return last_holding(samples_[inside].x, samples_[outside].x,
                           [&](double x) { return holds(x); });
     };
-    for (std::size_t first = 0; first < held.size(); ++first) {
+    for (std::size_t first = 0; first < held.size() && !asked(stop_); ++first) {
       if (!held[first]) continue;
       std::size_t last = first;
       while (last + 1 < held.size() && held[last + 1]) ++last;
@@ -204,6 +206,7 @@ class RootSearch {
   const Requirement& requirement_;
   FreedScheme& scheme_;
   const BlockCurve& curve_;
+  const Stop& stop_;
   std::vector<BranchSample> samples_;
   int halvings_ = 0;
   RootsFound result_;
@@ -212,8 +215,8 @@ class RootSearch {
 }  // namespace
 
 RootsFound find_roots(const Requirement& requirement, FreedScheme& scheme, const BlockCurve& curve,
-                      Interval interval, int samples) {
-  return RootSearch(requirement, scheme, curve).run(interval, samples);
+                      Interval interval, int samples, const Stop& stop) {
+  return RootSearch(requirement, scheme, curve, stop).run(interval, samples);
 }
 
 std::optional<double> labelled_difference(const Requirement& requirement, FreedScheme& scheme,

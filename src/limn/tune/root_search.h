@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "limn/base/time_budget.h"
 #include "limn/tune/branches.h"
 
 namespace limn {
@@ -24,9 +25,10 @@ struct RootsFound {
 };
 
 /// By `samples` ≥ 3 even samples, bisection and least distances. A branch that is 0 all along a
-/// stretch has no roots there.
+/// stretch has no roots there. Where `stop` says so, what was found until then.
 [[nodiscard]] RootsFound find_roots(const Requirement& requirement, FreedScheme& scheme,
-                                    const BlockCurve& curve, Interval interval, int samples);
+                                    const BlockCurve& curve, Interval interval, int samples,
+                                    const Stop& stop = {});
 
 /// left - right at x of the labels themselves; nothing where it has no value.
 [[nodiscard]] std::optional<double> labelled_difference(const Requirement& requirement,

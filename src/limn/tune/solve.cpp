@@ -43,11 +43,26 @@ std::optional<Branch> nearest_branch(const BranchSample& sample, const Eigenvalu
   return nearest;
 }
 
+/// Frequencies of the components that an equation uses, ascending; 0 where it uses none.
+std::vector<int> frequencies_of(const Requirement& requirement, int n) {
+  std::vector<int> list{0};
+  for (const std::size_t i : requirement.used)
+    if (kComponents[i].exists_at(n)) list.push_back(kComponents[i].frequency);
+  std::sort(list.begin(), list.end());
+  list.erase(std::unique(list.begin(), list.end()), list.end());
+  return list;
+}
+
 /// Makes solutions of roots, at one valence.
 class Solver {
  public:
-  Solver(FreedScheme& scheme, const Requirement& requirement, int n, Interval interval)
-      : scheme_(scheme), requirement_(requirement), n_(n), curve_(scheme, n, interval) {
+  Solver(FreedScheme& scheme, const Requirement& requirement, int n, Interval interval,
+         const Stop& stop)
+      : scheme_(scheme),
+        requirement_(requirement),
+        n_(n),
+        stop_(stop),
+        curve_(scheme, n, interval, frequencies_of(requirement, n)) {
     result_.valence = n;
     result_.searched = interval;
     result_.samples = curve_.quick() ? kSamples : kSlowSamples;
@@ -55,7 +70,9 @@ class Solver {
 
   Result<ValenceSolutions> run() {
     const RootsFound found =
-        find_roots(requirement_, scheme_, curve_, result_.searched, result_.samples);
+        find_roots(requirement_, scheme_, curve_, result_.searched, result_.samples, stop_);
+    result_.time_ended = asked(stop_);
+    if (result_.time_ended) return std::move(result_);
     if (!found.any_value) return without_value();
     result_.throughout = found.throughout;
     for (const Root& root : found.roots)
@@ -217,6 +234,7 @@ class Solver {
   FreedScheme& scheme_;
   const Requirement& requirement_;
   int n_;
+  const Stop& stop_;
   BlockCurve curve_;
   ValenceSolutions result_;
 };
@@ -224,7 +242,7 @@ class Solver {
 }  // namespace
 
 Result<ValenceSolutions> solve_at(FreedScheme& scheme, const Requirement& requirement, int n,
-                                  const SearchRange* range) {
+                                  const SearchRange* range, const Stop& stop) {
   if (requirement.has_range())
     return Error{fmt::format("requirement '{}' is no equation", requirement.text),
                  "its values fill ranges, not points",
@@ -233,7 +251,7 @@ Result<ValenceSolutions> solve_at(FreedScheme& scheme, const Requirement& requir
                  0};
   const Result<Interval> interval = scheme.search_range(n, range);
   if (!interval) return interval.error();
-  return Solver(scheme, requirement, n, *interval).run();
+  return Solver(scheme, requirement, n, *interval, stop).run();
 }
 
 }  // namespace limn

@@ -15,6 +15,7 @@
 #include <string>
 #include <vector>
 
+#include "limn/base/time_budget.h"
 #include "limn/base/truth.h"
 #include "limn/tune/near_rational.h"
 #include "limn/tune/requirement.h"
@@ -44,6 +45,7 @@ struct ValenceSolutions {
   std::vector<Interval> throughout;
   /// Why there is no solution: nothing where there is one.
   std::string reason;
+  bool time_ended = false;  ///< the search was stopped: nothing above is complete
 };
 
 /// A residual up to this is a solution; up to kUndecidedResidual it is one that rounding hides.
@@ -54,6 +56,7 @@ inline constexpr double kUndecidedResidual = 1e-8;
 /// where no quick reading of the blocks exists), each at most three small eigenvalue problems.
 /// Fails where the range is empty and where the scheme has no blocks at any sample.
 [[nodiscard]] Result<ValenceSolutions> solve_at(FreedScheme& scheme, const Requirement& requirement,
-                                                int n, const SearchRange* range = nullptr);
+                                                int n, const SearchRange* range = nullptr,
+                                                const Stop& stop = {});
 
 }  // namespace limn

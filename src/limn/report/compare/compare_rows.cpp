@@ -37,6 +37,20 @@ TableCell holder_cell(const Regularity& regularity) {
   return {to_string(holder), Between{holder.lower, holder.upper.value_or(kInfinity)}};
 }
 
+/// Cr. The list ends with the first that is not proved; what is refuted there is so further on.
+TableCell smoothness_cell(const Regularity& regularity, std::size_t r) {
+  const std::vector<Smoothness>& list = regularity.smoothness;
+  return truth_cell(list[std::min(r, list.size() - 1)].verdict);
+}
+
+/// How many of C0, C1, … some scheme has an answer for.
+std::size_t most_smoothness(const Comparison& comparison) {
+  std::size_t most = 0;
+  for (const SchemeRecord& scheme : comparison.schemes)
+    if (scheme.regularity) most = std::max(most, scheme.regularity->smoothness.size());
+  return most;
+}
+
 TableCell integer_cell(int value) { return known(std::to_string(value), value); }
 
 TableSection facts(const Comparison& comparison) {
@@ -58,9 +72,9 @@ TableSection regularity_rows(const Comparison& comparison) {
   add("sum rules, order", [](const Regularity& one) { return integer_cell(one.orders.sum_rules); });
   add("reproduces polynomials of degree",
       [](const Regularity& one) { return integer_cell(one.orders.reproduction); });
-  for (std::size_t r = 0; r < 3; ++r)
-    add("C" + std::to_string(r),
-        [r](const Regularity& one) { return truth_cell(one.smoothness[r].verdict); });
+  const std::size_t most = std::max<std::size_t>(most_smoothness(comparison), 3);
+  for (std::size_t r = 0; r < most; ++r)
+    add("C" + std::to_string(r), [r](const Regularity& one) { return smoothness_cell(one, r); });
   add("Hölder exponent", holder_cell);
   TableRow curvature{"bounded curvature", Better::more};
   for (const SchemeRecord& scheme : comparison.schemes)

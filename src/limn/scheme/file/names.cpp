@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "limn/base/near_word.h"
+#include "limn/scheme/formulas.h"
 
 namespace limn {
 namespace {
@@ -33,26 +34,12 @@ Definitions definitions_of(const Scheme& scheme) {
   return definitions;
 }
 
-/// Calls visit(formula) for every expression of the scheme that may use names.
+/// Calls visit(formula) for every expression of the scheme but those of masks, which are checked
+/// where they are evaluated.
 template <class Visit>
-void each_formula(const Scheme& scheme, Visit&& visit) {
+void each_formula(const Scheme& scheme, const Visit& visit) {
   for (const auto& let : scheme.lets) visit(let.second);
-  for (const Parameter& parameter : scheme.parameters) {
-    visit(parameter.value);
-    if (parameter.low) visit(*parameter.low);
-    if (parameter.high) visit(*parameter.high);
-  }
-  for (const std::optional<Rule>& rule : scheme.rules) {
-    if (!rule) continue;
-    for (const RuleCase& rule_case : *rule) {
-      if (rule_case.when) visit(*rule_case.when);
-      for (const Weight& weight : rule_case.weights) visit(weight.value);
-    }
-  }
-  for (const Fact& fact : scheme.facts)
-    for (const auto& value : fact.values) visit(value.second);
-  for (const Equivalence& same : scheme.equivalences)
-    for (const auto& value : same.with) visit(value.second);
+  each_rule_formula(scheme, visit);
 }
 
 std::string names_hint(const Definitions& definitions, const std::string& unknown) {

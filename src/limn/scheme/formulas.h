@@ -1,0 +1,46 @@
+#pragma once
+/// Walks over the expressions that a scheme is made of.
+
+#include "limn/scheme/scheme.h"
+
+namespace limn {
+
+/// Calls visit(formula) for parameters, rules, facts and equivalences, in this order: for all that
+/// uses lets, but for masks and factors.
+template <class Visit>
+void each_rule_formula(const Scheme& scheme, Visit&& visit) {
+  for (const Parameter& parameter : scheme.parameters) {
+    visit(parameter.value);
+    if (parameter.low) visit(*parameter.low);
+    if (parameter.high) visit(*parameter.high);
+  }
+  for (const std::optional<Rule>& rule : scheme.rules) {
+    if (!rule) continue;
+    for (const RuleCase& rule_case : *rule) {
+      if (rule_case.when) visit(*rule_case.when);
+      for (const Weight& weight : rule_case.weights) visit(weight.value);
+    }
+  }
+  for (const Fact& fact : scheme.facts)
+    for (const auto& value : fact.values) visit(value.second);
+  for (const Equivalence& same : scheme.equivalences)
+    for (const auto& value : same.with) visit(value.second);
+}
+
+/// Calls visit(formula) for entries and scales of masks, and for stages, directions and kernel.
+template <class Visit>
+void each_mask_formula(const Scheme& scheme, Visit&& visit) {
+  const auto visit_rows = [&](const Rows& rows) {
+    for (const auto& row : rows.rows)
+      for (const Formula& entry : row) visit(entry);
+    if (rows.scale) visit(*rows.scale);
+  };
+  if (scheme.mask) visit_rows(*scheme.mask);
+  if (scheme.stated_mask) visit_rows(*scheme.stated_mask);
+  if (!scheme.factors) return;
+  if (scheme.factors->stages) visit(*scheme.factors->stages);
+  for (const auto& direction : scheme.factors->directions) visit(direction.second);
+  if (scheme.factors->kernel) visit_rows(*scheme.factors->kernel);
+}
+
+}  // namespace limn
