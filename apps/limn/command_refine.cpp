@@ -120,10 +120,7 @@ int refine_mesh(const RefineOptions& options) {
   if (Status status = options.output.check(options.json); !status) return report(status.error());
   if (!options.curvatures.empty() && !is_table_path(options.curvatures))
     return report({fmt::format("--curvatures: '{}' is no table", options.curvatures),
-                   "it ends in .csv or .json",
-                   {},
-                   0,
-                   0});
+                   "it ends in .csv or .json"});
   if (Status status = check_outputs({options.output.path, options.curvatures}); !status)
     return report(status.error());
   const Result<Scheme> scheme = options.scheme.load();

@@ -108,7 +108,7 @@ Status BlockCurve::put_exact(double x, FrequencyBlocks& blocks) const {
   Result<FrequencyBlocks> value = scheme_->blocks(n_, x, varying_);
   if (!value) return value.error();
   if (value->orbits.size() != blocks.orbits.size())
-    return Error{"the rings that control the surface are others here", {}, {}, 0, 0};
+    return Error{"the rings that control the surface are others here"};
   for (const int omega : varying_)
     blocks.blocks[static_cast<std::size_t>(omega)] =
         std::move(value->blocks[static_cast<std::size_t>(omega)]);
