@@ -5,6 +5,7 @@
 
 #include "command.h"
 #include "control_mesh.h"
+#include "figure_output.h"
 #include "limn/base/progress.h"
 #include "limn/report/compare_report.h"
 #include "limn/report/figure/visibility.h"
@@ -26,7 +27,7 @@ struct CompareOptions {
   double seconds = kDefaultSeconds;
   std::string mesh;
   int steps = 4;
-  std::string output;
+  FigureOutput output;
   ViewOptions view;
   bool triangulate = false;
   bool differences = false;
@@ -39,18 +40,17 @@ Status check(const CompareOptions& options) {
     return Error{"one scheme alone cannot be compared", "name two or more", {}, 0, 0};
   if (!options.mesh.empty())
     if (Status status = check_mesh_path(options.mesh); !status) return status;
-  if (options.output.empty()) return Done{};
+  if (options.output.path.empty()) return Done{};
   if (!figures_available() || !rays_available())
     return Error{"this limn draws no surfaces", "build it with cairo and Embree", {}, 0, 0};
-  const Result<FigureFormat> format = figure_format(options.output);
-  if (!format) return format.error();
+  if (Status status = options.output.check(options.json); !status) return status;
   if (options.schemes.size() - 1 > kMostPairs)
     return Error{fmt::format("-o: {} schemes are too many for one picture", options.schemes.size()),
                  fmt::format("it shows the first beside at most {} others", kMostPairs),
                  {},
                  0,
                  0};
-  return check_outputs({options.output});
+  return check_outputs({options.output.path});
 }
 
 Result<MeshComparison> compare_surfaces(const CompareOptions& options,
@@ -73,7 +73,7 @@ Status draw(const CompareOptions& options, const MeshComparison& on_mesh) {
     return Error{"there are no two limit surfaces to draw",
                  on_mesh.missing.empty() ? "" : on_mesh.missing.front(), options.mesh, 0, 0};
   const CompareView view = {options.view.azimuth, options.view.elevation};
-  return compare_figure(on_mesh.surfaces, on_mesh.distances, view).write(options.output);
+  return options.output.write(compare_figure(on_mesh.surfaces, on_mesh.distances, view));
 }
 
 int compare(const CompareOptions& options) {
@@ -93,8 +93,8 @@ int compare(const CompareOptions& options) {
     if (!on_mesh) return report(on_mesh.error());
     comparison.on_mesh = std::move(*on_mesh);
   }
-  if (!options.output.empty()) {
-    line.show("drawing " + options.output);
+  if (!options.output.path.empty()) {
+    line.show("drawing " + options.output.path);
     if (Status status = draw(options, *comparison.on_mesh); !status) return report(status.error());
   }
   RecordOptions record{.first_valence = valences->first,
@@ -108,7 +108,7 @@ int compare(const CompareOptions& options) {
   if (options.json)
     print_json(compare_json(comparison));
   else
-    print_text(compare_text(comparison, options.differences));
+    options.output.print_report(compare_text(comparison, options.differences));
   return kDone;
 }
 
@@ -124,12 +124,8 @@ void declare_mesh(CLI::App& command, CompareOptions& options) {
       ->capture_default_str()
       ->check(CLI::Range(0, 64))
       ->needs(mesh);
-  command
-      .add_option("-o,--output", options.output,
-                  fmt::format("also draw the surfaces, overlaid and coloured by their distance, "
-                              "into FILE ({})",
-                              kFigureFiles))
-      ->type_name("FILE")
+  options.output
+      .declare(command, "also draw the surfaces, overlaid and coloured by their distance,")
       ->needs(mesh);
   options.view.declare(command);
   command

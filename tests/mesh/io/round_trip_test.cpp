@@ -7,6 +7,7 @@
 #include "limn/base/parallel.h"
 #include "limn/mesh/io/mesh_file.h"
 #include "mesh/io/mesh_samples.h"
+#include "support/temporary_folder.h"
 
 namespace limn {
 namespace {
