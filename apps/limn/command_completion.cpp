@@ -158,7 +158,7 @@ std::string zsh(const std::vector<CommandText>& texts) {
 }
 
 /// The command that is typed: after {0} comes a value.
-constexpr const char* kFish = R"(# fish completion of limn; made by `limn completion fish`
+constexpr const char* kFish = R"fish(# fish completion of limn; made by `limn completion fish`
 function __limn_command
   set -l value 0
   for word in (commandline -opc)[2..]
@@ -177,12 +177,14 @@ function __limn_command
   end
 end
 function __limn_needs_command
-  test -z (__limn_command)""
+  set -l command (__limn_command)
+  test -z "$command"
 end
 function __limn_uses
-  test (__limn_command)"" = $argv[1]
+  set -l command (__limn_command)
+  test "$command" = $argv[1]
 end
-)";
+)fish";
 
 std::string fish_list(const OptionText& option) {
   if (!option.choices.empty())
