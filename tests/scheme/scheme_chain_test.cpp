@@ -51,10 +51,12 @@ TEST(SchemeChain, ThatEndsInNothing) {
 }
 
 TEST(SchemeChain, TellsAFaultFarAwayInOneLine) {
-  Files files{{"0", "split = \"triangle-dyadic\"\nvertex = { self = 2 }\n"}};
+  Files files{{"0",
+               "split = \"triangle-dyadic\"\nvertex = { self = 1 }\n"
+               "edge = { end = \"1/3\" }\n"}};
   for (int i = 1; i <= 20; ++i)
     files[std::to_string(i)] = "extends = \"" + std::to_string(i - 1) + "\"\n";
-  const std::string fault = "0:2:1: the vertex rule has weights that sum to 2, not 1";
+  const std::string fault = "0:3:8: the edge rule has weights that sum to 2/3, not 1";
   EXPECT_EQ(read_of(files, "1").error().message.find("extends '0': " + fault), 0u)
       << read_of(files, "1").error().message;
   EXPECT_EQ(read_of(files, "2").error().message.find("extends '1', which extends '0': " + fault),
