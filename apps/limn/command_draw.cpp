@@ -56,7 +56,7 @@ Result<SurfaceScene> scene_of(const DrawOptions& options, const Scheme& scheme) 
 int draw(const DrawOptions& options) {
   const bool curves = options.lines || options.stripes || options.net;
   if (!figures_available() || (curves && !rays_available()))
-    return report({"this limn draws no surfaces", "build it with cairo and Embree", {}, 0, 0});
+    return report({"this limn draws no surfaces", "build it with cairo and Embree"});
   if (Status status = check_mesh_path(options.mesh); !status) return report(status.error());
   if (Status status = options.output.check(options.json); !status) return report(status.error());
   if (Status status = check_outputs({options.output.path}); !status) return report(status.error());

@@ -104,13 +104,10 @@ Status take_to_limit(const RefineOptions& options, const Scheme& scheme, Refined
   if (limit_options.curvatures) {
     limit_options.regular = find_regular_part(scheme);
     if (limit_options.regular.bounded == Truth::no)
-      report_warnings({{fmt::format("{} has unbounded curvature wherever the mesh is regular, so "
-                                    "'{}' holds none: {}",
-                                    scheme.name, options.curvatures, limit_options.regular.reason),
-                        {},
-                        {},
-                        0,
-                        0}});
+      report_warnings(
+          {{fmt::format("{} has unbounded curvature wherever the mesh is regular, so "
+                        "'{}' holds none: {}",
+                        scheme.name, options.curvatures, limit_options.regular.reason)}});
   }
   limit_options.progress = [&](int left) {
     line.show(fmt::format("limit points: {} vertices left, near irregular ones", left));
@@ -198,10 +195,7 @@ Status check_keeps_input(const RefineOptions& options) {
       !is_same_output(options.mesh, out))
     return Done{};
   return Error{fmt::format("the output {} is the control mesh itself", printable(out)),
-               "give it another name, or replace the control mesh by --overwrite",
-               {},
-               0,
-               0};
+               "give it another name, or replace the control mesh by --overwrite"};
 }
 
 int refine_mesh(const RefineOptions& options) {
@@ -211,10 +205,7 @@ int refine_mesh(const RefineOptions& options) {
   if (Status status = check_keeps_input(options); !status) return report(status.error());
   if (!options.curvatures.empty() && !is_table_path(options.curvatures))
     return report({fmt::format("--curvatures: '{}' is no table", options.curvatures),
-                   "it ends in .csv or .json",
-                   {},
-                   0,
-                   0});
+                   "it ends in .csv or .json"});
   if (Status status = check_outputs({options.output.path, options.curvatures}); !status)
     return report(status.error());
   const Result<Scheme> scheme = options.scheme.load();

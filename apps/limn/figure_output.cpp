@@ -38,10 +38,7 @@ Result<FigureFormat> FigureOutput::chosen() const {
 Status FigureOutput::check(bool json) const {
   if (is_printed() && json)
     return Error{"the figure and the JSON object cannot both go to standard output",
-                 "leave out --json, or name a file after -o",
-                 {},
-                 0,
-                 0};
+                 "leave out --json, or name a file after -o"};
   const Result<FigureFormat> known = chosen();
   return known ? Status(Done{}) : known.error();
 }
