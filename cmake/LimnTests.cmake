@@ -82,7 +82,7 @@ if(PROJECT_IS_TOP_LEVEL AND NOT LIMN_SANITIZE)
   set_tests_properties(consumer:find_package PROPERTIES TIMEOUT 180 LABELS consumer)
 endif()
 
-# The rules of tools/floors.txt, and that their checker finds what it should.
+# The rules of tools/floors.txt, that their checker finds what it should, and citations.
 find_package(Python3 COMPONENTS Interpreter)
 if(Python3_FOUND)
   add_test(NAME tools:floors_hold
@@ -91,5 +91,8 @@ if(Python3_FOUND)
     COMMAND Python3::Interpreter ${PROJECT_SOURCE_DIR}/tests/tools/check_floors_test.py)
   add_test(NAME tools:public_headers
     COMMAND Python3::Interpreter ${PROJECT_SOURCE_DIR}/tools/check_public_headers)
-  set_tests_properties(tools:floors_hold tools:check_floors tools:public_headers PROPERTIES TIMEOUT 60 LABELS tools)
+  add_test(NAME tools:citations
+    COMMAND Python3::Interpreter ${PROJECT_SOURCE_DIR}/tests/tools/citations_test.py)
+  set_tests_properties(tools:floors_hold tools:check_floors tools:public_headers tools:citations
+    PROPERTIES TIMEOUT 60 LABELS tools)
 endif()

@@ -5,6 +5,7 @@
 
 #include "command.h"
 #include "control_mesh.h"
+#include "figure_output.h"
 #include "limn/base/progress.h"
 #include "limn/figure/space/visibility.h"
 #include "limn/report/compare/compare_report.h"
@@ -26,7 +27,7 @@ struct CompareOptions {
   double seconds = kDefaultSeconds;
   std::string mesh;
   int steps = 4;
-  std::string output;
+  FigureOutput output;
   ViewOptions view;
   bool triangulate = false;
   bool differences = false;
@@ -39,15 +40,14 @@ Status check(const CompareOptions& options) {
     return Error{"one scheme alone cannot be compared", "name two or more"};
   if (!options.mesh.empty())
     if (Status status = check_mesh_path(options.mesh); !status) return status;
-  if (options.output.empty()) return Done{};
+  if (options.output.path.empty()) return Done{};
   if (!figures_available() || !rays_available())
     return Error{"this limn draws no surfaces", "build it with cairo and Embree"};
-  const Result<FigureFormat> format = figure_format(options.output);
-  if (!format) return format.error();
+  if (Status status = options.output.check(options.json); !status) return status;
   if (options.schemes.size() - 1 > kMostPairs)
     return Error{fmt::format("-o: {} schemes are too many for one picture", options.schemes.size()),
                  fmt::format("it shows the first beside at most {} others", kMostPairs)};
-  return check_outputs({options.output});
+  return check_outputs({options.output.path});
 }
 
 Result<MeshComparison> compare_surfaces(const CompareOptions& options,
@@ -74,7 +74,7 @@ Status draw(const CompareOptions& options, const MeshComparison& on_mesh) {
     return Error{"there are no two limit surfaces to draw",
                  on_mesh.missing.empty() ? "" : on_mesh.missing.front(), options.mesh, 0, 0};
   const CompareView view = {options.view.azimuth, options.view.elevation};
-  return compare_figure(on_mesh.surfaces, on_mesh.distances, view).write(options.output);
+  return options.output.write(compare_figure(on_mesh.surfaces, on_mesh.distances, view));
 }
 
 int compare(const CompareOptions& options) {
@@ -95,8 +95,8 @@ int compare(const CompareOptions& options) {
     if (!on_mesh) return report(on_mesh.error());
     comparison.on_mesh = std::move(*on_mesh);
   }
-  if (!options.output.empty()) {
-    line.show("drawing " + options.output);
+  if (!options.output.path.empty()) {
+    line.show("drawing " + options.output.path);
     if (Status status = draw(options, *comparison.on_mesh); !status) return report(status.error());
   }
   RecordOptions record{.first_valence = valences->first,
@@ -107,13 +107,13 @@ int compare(const CompareOptions& options) {
   record.regularity.seconds = time_limit(options.seconds);
   for (const auto& [label, scheme] : schemes)
     comparison.schemes.push_back(approx_record(label, scheme, record));
-  if (!options.json) {
-    print_text(compare_text(comparison, options.differences));
-    return kDone;
+  if (options.json) {
+    nlohmann::ordered_json json = compare_json(comparison);
+    if (comparison.on_mesh) add_remarks(json, remarks);
+    print_json(json);
+  } else {
+    options.output.print_report(compare_text(comparison, options.differences));
   }
-  nlohmann::ordered_json json = compare_json(comparison);
-  if (comparison.on_mesh) add_remarks(json, remarks);
-  print_json(json);
   return kDone;
 }
 
@@ -129,12 +129,8 @@ void declare_mesh(CLI::App& command, CompareOptions& options) {
       ->capture_default_str()
       ->check(CLI::Range(0, 64))
       ->needs(mesh);
-  command
-      .add_option("-o,--output", options.output,
-                  fmt::format("also draw the surfaces, overlaid and coloured by their distance, "
-                              "into FILE ({})",
-                              kFigureFiles))
-      ->type_name("FILE")
+  options.output
+      .declare(command, "also draw the surfaces, overlaid and coloured by their distance,")
       ->needs(mesh);
   options.view.declare(command);
   command

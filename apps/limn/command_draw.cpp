@@ -5,10 +5,12 @@
 
 #include "command.h"
 #include "control_mesh.h"
+#include "figure_output.h"
 #include "limn/base/printable.h"
 #include "limn/base/progress.h"
 #include "limn/figure/figure.h"
 #include "limn/figure/space/visibility.h"
+#include "limn/report/limit_report.h"
 #include "limn/study/surface_scenes.h"
 #include "view_options.h"
 
@@ -21,7 +23,7 @@ struct DrawOptions {
   std::string mesh;
   SchemeOptions scheme;
   int levels = 4;
-  std::string output;
+  FigureOutput output;
   bool stripes = false;
   bool lines = false;
   int lights = 32;
@@ -56,6 +58,7 @@ Result<Drawing> drawing_of(const DrawOptions& options, const Scheme& scheme) {
   scene.azimuth = options.view.azimuth;
   scene.elevation = options.view.elevation;
   if (options.net) scene.net = control_net(control->mesh, control->points);
+  scale_to_draw(scene);
   return Drawing{std::move(scene), std::move(gaps), std::move(control->remarks)};
 }
 
@@ -64,9 +67,8 @@ int draw(const DrawOptions& options) {
   if (!figures_available() || (curves && !rays_available()))
     return report({"this limn draws no surfaces", "build it with cairo and Embree"});
   if (Status status = check_mesh_path(options.mesh); !status) return report(status.error());
-  if (const Result<FigureFormat> format = figure_format(options.output); !format)
-    return report(format.error());
-  if (Status status = check_outputs({options.output}); !status) return report(status.error());
+  if (Status status = options.output.check(options.json); !status) return report(status.error());
+  if (Status status = check_outputs({options.output.path}); !status) return report(status.error());
   const Result<Scheme> scheme = options.scheme.load();
   if (!scheme) return report(scheme.error());
   ProgressLine line;
@@ -78,8 +80,8 @@ int draw(const DrawOptions& options) {
                gaps_text(drawing->gaps, {.mesh = fmt::format("{}, refined", options.mesh),
                                          .normal = kLeftOutOfPictures,
                                          .curvatures = ""}));
-  line.show("drawing " + options.output);
-  set_step("drawing " + options.output);
+  line.show("drawing " + options.output.path);
+  set_step("drawing " + options.output.path);
   const LightLines lights{.count = options.lights};
   if (options.lines || options.stripes)
     if (Status status = check_lights(*scene, lights, kWidth); !status)
@@ -91,10 +93,10 @@ int draw(const DrawOptions& options) {
     figure.add(ShadedPanel{.scene = *scene, .stripes = lights});
   else
     figure.add(ShadedPanel{.scene = *scene});
-  if (Status status = figure.write(options.output); !status) return report(status.error());
+  if (Status status = options.output.write(figure); !status) return report(status.error());
   const std::size_t vertices = scene->surfaces.front().vertices.size();
   if (options.json) {
-    nlohmann::ordered_json json{{"output", options.output},
+    nlohmann::ordered_json json{{"output", options.output.path},
                                 {"scheme", scheme->name},
                                 {"levels", options.levels},
                                 {"vertices", vertices}};
@@ -103,8 +105,9 @@ int draw(const DrawOptions& options) {
     print_json(json);
     return kDone;
   }
-  print_text(fmt::format("{}: the limit surface of {} at {} points\n", printable(options.output),
-                         printable(scheme->name), vertices));
+  options.output.print_report(fmt::format("{}: the limit surface of {} at {} points\n",
+                                          printable(options.output.path), printable(scheme->name),
+                                          vertices));
   return kDone;
 }
 
@@ -133,10 +136,7 @@ void declare_draw(CLI::App& parser, Action& action) {
   command->add_option("-n,--levels", options->levels, "refinement steps before the limit is taken")
       ->capture_default_str()
       ->check(CLI::Range(0, 64));
-  command
-      ->add_option("-o,--output", options->output, fmt::format("draw into FILE ({})", kFigureFiles))
-      ->type_name("FILE")
-      ->required();
+  options->output.declare(*command, "draw")->required();
   options->scheme.declare_parameters(*command);
   declare_look(*command, *options);
   command->add_flag("--triangulate", options->triangulate,

@@ -7,6 +7,7 @@
 
 #include "command.h"
 #include "control_mesh.h"
+#include "limn/base/files/file.h"
 #include "limn/base/printable.h"
 #include "limn/base/progress.h"
 #include "limn/report/data_table.h"
@@ -28,6 +29,7 @@ struct RefineOptions {
   bool limit = false;
   bool normals = false;
   std::string curvatures;
+  bool overwrite = false;
   bool triangulate = false;
   bool json = false;
   std::string engine = "quick";
@@ -114,10 +116,21 @@ void warn_of_gaps(const RefineOptions& options, const Scheme& scheme, const Refi
   add_warnings(remarks, gaps_text(surface.gaps, places));
 }
 
+/// A refined mesh in place of its control mesh cannot be taken back.
+Status check_keeps_input(const RefineOptions& options) {
+  const std::string& out = options.output.path;
+  if (options.overwrite || options.mesh == kStandardStream || is_standard_output(out) ||
+      !is_same_output(options.mesh, out))
+    return Done{};
+  return Error{fmt::format("the output {} is the control mesh itself", printable(out)),
+               "give it another name, or replace the control mesh by --overwrite"};
+}
+
 int refine_mesh(const RefineOptions& options) {
   // what can be refused at once is refused before any work
   if (Status status = check_mesh_path(options.mesh); !status) return report(status.error());
   if (Status status = options.output.check(options.json); !status) return report(status.error());
+  if (Status status = check_keeps_input(options); !status) return report(status.error());
   if (!options.curvatures.empty() && !is_table_path(options.curvatures))
     return report({fmt::format("--curvatures: '{}' is no table", options.curvatures),
                    "it ends in .csv or .json"});
@@ -176,6 +189,8 @@ void declare_refine(CLI::App& parser, Action& action) {
                                "they are bounded, to FILE ({}); nothing where there is none",
                                kTableFiles))
       ->type_name("FILE");
+  command->add_flag("--overwrite", options->overwrite,
+                    "the output may be MESH itself, which is replaced");
   command->add_flag("--triangulate", options->triangulate,
                     "cut polygons into triangles first, concave ones too");
   command

@@ -1,9 +1,21 @@
 #include "command_tree.h"
 
 #include <algorithm>
+#include <sstream>
 
 namespace limn::app {
 namespace {
+
+/// Of "TEXT:{quick,plain}" the words in braces.
+std::vector<std::string> choices_of(const std::string& type) {
+  std::vector<std::string> choices;
+  const std::size_t open = type.find(":{");
+  const std::size_t close = type.find('}', open);
+  if (open == std::string::npos || close == std::string::npos) return choices;
+  std::istringstream list(type.substr(open + 2, close - open - 2));
+  for (std::string word; std::getline(list, word, ',');) choices.push_back(word);
+  return choices;
+}
 
 OptionText text_of(const CLI::Option& option) {
   OptionText text;
@@ -17,6 +29,7 @@ OptionText text_of(const CLI::Option& option) {
     const std::string type = option.get_type_name();  // "INT:INT in [0 - 64]"
     text.value = type.empty() ? "VALUE" : type.substr(0, type.find(':'));
     text.standard = option.get_default_str();
+    text.choices = choices_of(type);
   }
   return text;
 }
@@ -30,6 +43,12 @@ CommandText text_of(const CLI::App& command) {
 }
 
 }  // namespace
+
+bool OptionText::takes_scheme() const {
+  return std::any_of(names.begin(), names.end(), [](const std::string& name) {
+    return name == "--scheme" || name.starts_with("SCHEME");
+  });
+}
 
 std::vector<CommandText> command_texts(const CLI::App& parser) {
   std::vector<CommandText> texts{text_of(parser)};

@@ -11,9 +11,13 @@ struct OptionText {
   std::vector<std::string> names;  ///< "-s", "--scheme"; a positional's one name
   std::string value;               ///< what it takes, "FILE"; empty: it is a flag
   std::string description;
-  std::string standard;  ///< the default, or empty
+  std::string standard;              ///< the default, or empty
+  std::vector<std::string> choices;  ///< the words that it takes; none: others than a few
   bool positional = false;
   bool required = false;
+
+  /// Whether it takes schemes: SCHEME, --scheme.
+  [[nodiscard]] bool takes_scheme() const;
 };
 
 struct CommandText {

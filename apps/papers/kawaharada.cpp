@@ -9,7 +9,11 @@ constexpr const char* kTitle = "Laplacian subdivision and optimal schemes, made 
 constexpr const char* kCitation =
     "H. Kawaharada, K. Sugihara: Laplacian Subdivision and Optimal Schemes. Mathematical "
     "Engineering Technical Reports METR 2006-42, University of Tokyo, 2006. All its figures "
-    "and the numbers of its claims, computed by limn from the rules in its scheme files.";
+    "and the numbers of its claims, computed by limn from the rules in its scheme files. The paper "
+    "gives no "
+    "coordinates of its control meshes: the torus, the cube and the raised vertex here, their "
+    "sizes and the "
+    "directions from which they are seen are limn's choice, not the paper's.";
 
 }  // namespace
 

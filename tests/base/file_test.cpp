@@ -12,6 +12,8 @@
 #include <new>
 #include <thread>
 
+#include "support/temporary_folder.h"
+
 namespace limn {
 namespace {
 
@@ -19,12 +21,7 @@ namespace fs = std::filesystem;
 
 class FileTest : public testing::Test {
  protected:
-  FileTest() {
-    std::string name = (fs::temp_directory_path() / "limn-file-test-XXXXXX").string();
-    folder_ = ::mkdtemp(name.data());
-  }
-  ~FileTest() override { fs::remove_all(folder_); }
-  [[nodiscard]] std::string path(const char* name) const { return (folder_ / name).string(); }
+  [[nodiscard]] std::string path(const char* name) const { return temporary_ / name; }
   [[nodiscard]] int entries() const {
     return static_cast<int>(std::distance(fs::directory_iterator(folder_), {}));
   }
@@ -32,7 +29,8 @@ class FileTest : public testing::Test {
     struct stat info {};
     return ::stat(path.c_str(), &info) == 0 ? info.st_mode & 0777 : 0;
   }
-  fs::path folder_;
+  test::TemporaryFolder temporary_;
+  const fs::path& folder_ = temporary_.path();
 };
 
 TEST_F(FileTest, WritesReadsAndReplaces) {

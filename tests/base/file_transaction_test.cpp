@@ -10,6 +10,7 @@
 #include <filesystem>
 
 #include "limn/base/files/file.h"
+#include "support/temporary_folder.h"
 
 namespace limn {
 namespace {
@@ -18,18 +19,12 @@ namespace fs = std::filesystem;
 
 class FileTransactionTest : public testing::Test {
  protected:
-  FileTransactionTest() {
-    std::string name = (fs::temp_directory_path() / "limn-transaction-test-XXXXXX").string();
-    folder_ = ::mkdtemp(name.data());
-  }
-  ~FileTransactionTest() override { fs::remove_all(folder_); }
-  [[nodiscard]] std::string path(const std::string& name) const {
-    return (folder_ / name).string();
-  }
+  [[nodiscard]] std::string path(const std::string& name) const { return temporary_ / name; }
   [[nodiscard]] int entries() const {
     return static_cast<int>(std::distance(fs::recursive_directory_iterator(folder_), {}));
   }
-  fs::path folder_;
+  test::TemporaryFolder temporary_;
+  const fs::path& folder_ = temporary_.path();
 };
 
 TEST_F(FileTransactionTest, NothingIsThereBeforeTheCommitAndAllAfterIt) {

@@ -6,6 +6,8 @@
 #include <filesystem>
 #include <fstream>
 
+#include "support/temporary_folder.h"
+
 namespace limn {
 namespace {
 
@@ -14,17 +16,17 @@ namespace fs = std::filesystem;
 /// A root with the files that tell of memory.
 class MemoryTest : public testing::Test {
  protected:
-  MemoryTest() {
-    std::string name = (fs::temp_directory_path() / "limn-memory-test-XXXXXX").string();
-    root_ = ::mkdtemp(name.data());
-  }
-  ~MemoryTest() override { fs::remove_all(root_); }
   void put(const std::string& name, const std::string& content) const {
     fs::create_directories((root_ / name).parent_path());
     std::ofstream(root_ / name) << content;
   }
   [[nodiscard]] double available() const { return available_memory_of(root_.string()); }
-  fs::path root_;
+
+ private:
+  test::TemporaryFolder folder_;
+
+ protected:
+  const fs::path& root_ = folder_.path();
 };
 
 TEST_F(MemoryTest, NothingToldIsNoBound) {

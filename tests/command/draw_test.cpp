@@ -1,7 +1,10 @@
 #include <gtest/gtest.h>
 
+#include <array>
 #include <chrono>
+#include <cmath>
 
+#include <fmt/core.h>
 #include <nlohmann/json.hpp>
 
 #include "run_command.h"
@@ -46,6 +49,29 @@ TEST(DrawCommand, IsTheSameForAnyNumberOfThreads) {
   if (folder.limn(arguments + "a.png").code == 2) GTEST_SKIP() << "built without cairo or Embree";
   EXPECT_EQ(folder.limn(arguments + "b.png", "taskset -c 0").code, 0);
   EXPECT_EQ(folder.read("a.png"), folder.read("b.png"));
+}
+
+TEST(DrawCommand, IsTheSameAtAnySize) {
+  const Folder folder;
+  const auto scaled = [](int exponent) {
+    std::string text;
+    for (const auto& [x, y, z] : {std::array{0., 0., 0.}, {1., 0., 0.}, {0., 1., 0.}, {0., 0., 1.}})
+      text += fmt::format("v {} {} {}\n", std::ldexp(x, exponent), std::ldexp(y, exponent),
+                          std::ldexp(z, exponent));
+    return text + "f 1 3 2\nf 1 2 4\nf 2 3 4\nf 1 4 3\n";
+  };
+  folder.write("usual.obj", scaled(0));
+  for (const std::string how : {"", " --reflection-lines --lights 8 --net"}) {
+    const std::string rest = " -s loop -n 3 -o -" + how;
+    const Outcome usual = folder.limn("draw usual.obj" + rest);
+    if (usual.code == 2) GTEST_SKIP() << usual.err;
+    for (const int exponent : {-1000, -700, 700, 1000}) {
+      folder.write("other.obj", scaled(exponent));
+      const Outcome other = folder.limn("draw other.obj" + rest);
+      EXPECT_EQ(other.code, 0) << other.err;
+      EXPECT_TRUE(other.out == usual.out) << how << exponent;
+    }
+  }
 }
 
 TEST(DrawCommand, RefusesBadInput) {

@@ -57,13 +57,18 @@ TEST(Outputs, OfTheSameNameAreRefused) {
   expect_refused(folder.shell(kRefine + "a.csv --format obj --curvatures b.csv"), {"same file"});
 }
 
-TEST(Outputs, MayReplaceTheInput) {
+TEST(Outputs, ReplaceTheInputOnlyIfAsked) {
   const Folder folder;
   fs::copy_file(LIMN_EXAMPLES "/bracket.obj", folder.file("a.obj"));
   fs::create_hard_link(folder.file("a.obj"), folder.file("hard.obj"));
   fs::create_symlink("a.obj", folder.file("soft.obj"));
   fs::permissions(folder.file("a.obj"), fs::perms(0640));
-  ASSERT_EQ(folder.limn("refine soft.obj -s loop -n 1 -o soft.obj").code, 0);
+  const std::string before = folder.read("a.obj");
+  for (const std::string output : {"soft.obj", "./soft.obj", "a.obj"})
+    expect_refused(folder.limn("refine soft.obj -s loop -n 1 -o " + output),
+                   {output, "the control mesh itself", "--overwrite"});
+  EXPECT_EQ(folder.read("a.obj"), before);
+  ASSERT_EQ(folder.limn("refine soft.obj -s loop -n 1 -o soft.obj --overwrite").code, 0);
   EXPECT_TRUE(fs::is_symlink(folder.file("soft.obj")));
   EXPECT_NE(folder.read("a.obj"), folder.read("hard.obj"));  // the old content lives on
   EXPECT_EQ(fs::status(folder.file("a.obj")).permissions(), fs::perms(0640));

@@ -21,16 +21,6 @@ std::string content(const std::string& path) {
 
 }  // namespace
 
-Folder::Folder() {
-  std::string name = (fs::temp_directory_path() / "limn-command-XXXXXX").string();
-  path_ = mkdtemp(name.data());
-}
-
-Folder::~Folder() {
-  std::error_code ignored;
-  fs::remove_all(path_, ignored);
-}
-
 void Folder::write(const std::string& name, const std::string& text) const {
   std::ofstream(file(name), std::ios::binary) << text;
 }

@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "support/temporary_folder.h"
+
 namespace limn::test {
 
 struct Outcome {
@@ -12,14 +14,9 @@ struct Outcome {
   std::string out, err;
 };
 
-/// A temporary folder that goes with its owner.
+/// A temporary folder in which the command runs.
 class Folder {
  public:
-  Folder();
-  ~Folder();
-  Folder(const Folder&) = delete;
-  Folder& operator=(const Folder&) = delete;
-
   [[nodiscard]] const std::string& path() const { return path_; }
   [[nodiscard]] std::string file(const std::string& name) const { return path_ + "/" + name; }
   void write(const std::string& name, const std::string& content) const;
@@ -33,7 +30,8 @@ class Folder {
   [[nodiscard]] Outcome shell(const std::string& script) const;
 
  private:
-  std::string path_;
+  TemporaryFolder temporary_;
+  std::string path_ = temporary_.path().string();
 };
 
 /// Bad input: exit 2, the reason on standard error with these parts, nothing on standard output.

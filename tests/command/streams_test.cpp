@@ -34,6 +34,25 @@ TEST(Streams, AMeshComesAndGoesInEveryFormat) {
   EXPECT_EQ(folder.read("two.obj"), folder.read("expected.obj"));
 }
 
+TEST(Streams, AFigureGoesInEveryFormat) {
+  const Folder folder;
+  const std::string draw = "draw " + kBracket + " -s loop -n 1 -o ";
+  if (folder.limn(draw + "a.pdf").code == 2) GTEST_SKIP() << "built without cairo";
+  for (const std::string format : {"pdf", "svg", "png"}) {
+    ASSERT_EQ(folder.limn(draw + "a." + format).code, 0);
+    const Outcome outcome = folder.limn(draw + "- --format " + format);
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    EXPECT_EQ(outcome.out, folder.read("a." + format)) << format;
+    EXPECT_NE(outcome.err.find("the limit surface of loop"), std::string::npos);  // the report
+    ASSERT_EQ(folder.limn(draw + "noext --format " + format).code, 0);
+    EXPECT_EQ(folder.read("noext"), outcome.out);
+  }
+  EXPECT_EQ(folder.limn(draw + "-").out, folder.read("a.pdf"));
+  EXPECT_EQ(folder.limn("--quiet " + draw + "-").err, "");
+  expect_refused(folder.limn(draw + "- --json"), {"figure", "JSON", "standard output"});
+  expect_refused(folder.limn(draw + "a.svg --format gif"), {"--format"});
+}
+
 TEST(Streams, ASchemeComesOnStandardInput) {
   const Folder folder;
   const std::string scheme = " <'" LIMN_SCHEMES "/loop.toml'";

@@ -10,6 +10,7 @@
 
 #include "limn/base/files/file.h"
 #include "sample_fields.h"
+#include "support/temporary_folder.h"
 
 namespace limn::test {
 namespace {
@@ -61,18 +62,11 @@ class FigureFile : public testing::Test {
  protected:
   void SetUp() override {
     if (!figures_available()) GTEST_SKIP() << "built without cairo";
-    std::string pattern = (std::filesystem::temp_directory_path() / "limn-figure-XXXXXX").string();
-    ASSERT_NE(mkdtemp(pattern.data()), nullptr);
-    folder_ = pattern;
   }
-  void TearDown() override {
-    if (!folder_.empty()) std::filesystem::remove_all(folder_);
-  }
-  [[nodiscard]] std::string path(const std::string& name) const {
-    return (folder_ / name).string();
-  }
+  [[nodiscard]] std::string path(const std::string& name) const { return temporary_ / name; }
 
-  std::filesystem::path folder_;
+  test::TemporaryFolder temporary_;
+  const std::filesystem::path& folder_ = temporary_.path();
 };
 
 TEST_F(FigureFile, IsTheSameTwice) {

@@ -180,8 +180,8 @@ TEST(Fairness, OfPlanesIsATie) {
     for (const char* flat : {"thin_plate", "curvature_variation"})
       EXPECT_FALSE(json.at("fairest").contains(flat)) << json.at("fairest").dump();
     for (const FairnessRecord& record : records) {
-      EXPECT_NE(record.thin_plate.converges, Truth::no) << record.scheme;
-      EXPECT_NE(record.curvature_variation.converges, Truth::no) << record.scheme;
+      EXPECT_EQ(record.thin_plate.limit, 0) << record.scheme;
+      EXPECT_EQ(record.curvature_variation.limit, 0) << record.scheme;
     }
   }
 }
@@ -209,6 +209,14 @@ TEST(Fairness, OfOnePointDoesNotGrow) {
            {record.scaled_laplacian, record.area, record.thin_plate, record.curvature_variation})
         EXPECT_EQ(trend.converges, Truth::yes) << record.scheme;
     EXPECT_TRUE(fairness_json("point", records).at("fairest").empty());
+    for (const FairnessRecord& record : records)
+      for (const FairnessLevel& level : record.levels) {
+        EXPECT_EQ(level.laplacian_energy, 0) << record.scheme;
+        EXPECT_EQ(level.scaled_laplacian, 0);
+        EXPECT_EQ(level.energies.area, 0);
+        EXPECT_EQ(level.energies.thin_plate, 0);
+        EXPECT_EQ(level.energies.curvature_variation, 0);
+      }
   }
 }
 

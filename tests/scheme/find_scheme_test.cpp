@@ -6,8 +6,8 @@
 
 #include "limn/base/files/file.h"
 #include "limn/mesh/lattice.h"
-#include "mesh/io/mesh_samples.h"
 #include "scheme/refined.h"
+#include "support/temporary_folder.h"
 
 namespace limn {
 namespace {

@@ -9,6 +9,7 @@
 #include "limn/base/files/file.h"
 #include "limn/scheme/file/scheme_files.h"
 #include "mesh/io/mesh_samples.h"
+#include "support/temporary_folder.h"
 
 namespace limn {
 namespace {
@@ -48,6 +49,26 @@ TEST(SchemeChain, ThatEndsInNothing) {
   }
   EXPECT_NE(read_of(files, "c").error().text().find("a:1:11: extends names no scheme"),
             std::string::npos);
+}
+
+TEST(SchemeChain, TellsAFaultFarAwayInOneLine) {
+  Files files{{"0",
+               "split = \"triangle-dyadic\"\nvertex = { self = 1 }\n"
+               "edge = { end = \"1/3\" }\n"}};
+  for (int i = 1; i <= 20; ++i)
+    files[std::to_string(i)] = "extends = \"" + std::to_string(i - 1) + "\"\n";
+  const std::string fault = "0:3:8: the edge rule has weights that sum to 2/3, not 1";
+  EXPECT_EQ(read_of(files, "1").error().message.find("extends '0': " + fault), 0u)
+      << read_of(files, "1").error().message;
+  EXPECT_EQ(read_of(files, "2").error().message.find("extends '1', which extends '0': " + fault),
+            0u)
+      << read_of(files, "2").error().message;
+  EXPECT_EQ(
+      read_of(files, "5").error().message.find("extends '4' and, by way of others, '0': " + fault),
+      0u)
+      << read_of(files, "5").error().message;
+  EXPECT_EQ(read_of(files, "20").error().message,
+            "extends '19' and, by way of others, '11': more than 8 schemes extend one another");
 }
 
 /// A file for each number; what each extends: a number, nothing, "" or a file that is not there.

@@ -150,8 +150,12 @@ Status Figure::write(const std::string& path) const {
   // The name first: drawing may take a while.
   const Result<FigureFormat> format = figure_format(path);
   if (!format) return format.error();
+  return write(path, *format);
+}
+
+Status Figure::write(const std::string& path, FigureFormat format) const {
   if (Status status = check(); !status) return status;
-  return canvas(*format == FigureFormat::png ? kPngDensity : 0).write(path);
+  return canvas(format == FigureFormat::png ? kPngDensity : 0).write(path, format);
 }
 
 }  // namespace limn

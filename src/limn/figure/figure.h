@@ -57,6 +57,8 @@ class Figure {
 
   /// Writes a .pdf, .svg or .png; errors as those of `check` and of `Canvas::write`.
   [[nodiscard]] Status write(const std::string& path) const;
+  /// The same in a given format, whatever the path is called.
+  [[nodiscard]] Status write(const std::string& path, FigureFormat format) const;
 
  private:
   struct Entry {

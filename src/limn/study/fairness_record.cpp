@@ -25,6 +25,17 @@ int default_levels(const Scheme& scheme, const Mesh& control) {
   return levels;
 }
 
+/// What rounding alone may have made is nothing.
+void clear_rounding(FairnessLevel& level) {
+  const auto clear = [](double& value, double rounding) {
+    if (value <= rounding) value = 0;
+  };
+  clear(level.laplacian_energy, level.laplacian_rounding);
+  clear(level.energies.area, level.energies.rounding.area);
+  clear(level.energies.thin_plate, level.energies.rounding.thin_plate);
+  clear(level.energies.curvature_variation, level.energies.rounding.curvature_variation);
+}
+
 Result<FairnessLevel> measured(const Scheme& scheme, const Mesh& control,
                                const std::vector<Point3>& points, int level,
                                std::vector<LimitPoints::Refused>* refused) {
@@ -41,11 +52,12 @@ Result<FairnessLevel> measured(const Scheme& scheme, const Mesh& control,
   result.level = level;
   result.vertices = fine.vertex_count();
   result.faces = fine.face_count();
+  result.energies = *energies;
   result.laplacian_energy = laplacian_energy(fine, positions);
   result.laplacian_rounding = laplacian_rounding(fine, positions, result.laplacian_energy);
+  clear_rounding(result);
   result.scaled_laplacian =
       result.laplacian_energy * std::pow(scheme.split->dilation.growth(), level);
-  result.energies = *energies;
   return result;
 }
 

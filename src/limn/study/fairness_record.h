@@ -12,7 +12,8 @@
 
 namespace limn {
 
-/// One level: the control mesh after so many steps, with its vertices on the limit surface.
+/// One level: the control mesh after so many steps, with its vertices on the limit surface. An
+/// energy that is no more than what rounding may change it by is 0.
 struct FairnessLevel {
   int level = 0;
   Index vertices = 0, faces = 0;

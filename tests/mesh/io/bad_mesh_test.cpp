@@ -8,6 +8,7 @@
 #include "limn/base/files/file.h"
 #include "limn/mesh/io/mesh_file.h"
 #include "mesh/io/mesh_samples.h"
+#include "support/temporary_folder.h"
 
 namespace limn {
 namespace {

@@ -165,5 +165,25 @@ TEST(Obj, ReadsTheSharedMeshesIfTheyAreThere) {
   }
 }
 
+TEST(Obj, PaddingAtTheEndIsNoStatement) {
+  const Polygons plain = parse(kSquare + "f 1 2 3 4\n");
+  for (const std::string& padding :
+       {std::string("\x1a"), std::string(3, '\0'), std::string("\0\n", 2)})
+    EXPECT_EQ(parse(kSquare + "f 1 2 3 4\n" + padding), plain);
+  EXPECT_FALSE(parse_mesh(kSquare + std::string("\0\n", 2) + "f 1 2 3 4\n", "obj", "").ok());
+}
+
+TEST(Obj, NumbersOfOldLibrariesThatAreNoneAreNoNumbersAndComments) {
+  for (const std::string word : {"1.#IND", "-1.#INF00", "1.#QNAN", "1.#SNAN0"}) {
+    const Result<Polygons> mesh =
+        parse_mesh("v 0 0 0\nv 1 0 0\nv 0 1 " + word + "\nf 1 2 3\n", "obj", "");
+    ASSERT_FALSE(mesh.ok()) << word;
+    EXPECT_EQ(mesh.error().message, "a coordinate is '" + word + "', expected a finite number");
+    EXPECT_EQ(mesh.error().line, 3);
+  }
+  EXPECT_EQ(parse("v 0 0 0\nv 1 0 0\nv 0 1 1.#in\nf 1 2 3#INF\n"),
+            parse("v 0 0 0\nv 1 0 0\nv 0 1 1\nf 1 2 3\n"));
+}
+
 }  // namespace
 }  // namespace limn

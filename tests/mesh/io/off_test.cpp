@@ -55,7 +55,10 @@ TEST(Off, KeywordGluedInLowerCaseOrMissing) {
 TEST(Off, SeveralOnALineAreReadNumberByNumberWithAWord) {
   const Polygons plain = parse("OFF\n4 2 0\n" + kPoints + "3 0 1 2\n3 0 2 3\n");
   for (const std::string text : {"OFF\n4 2 0\n0 0 0 1 0 0\n1 1 0 0 1 0\n3 0 1 2 3 0 2 3\n",
-                                 "OFF\n4 2 0\n0 0\n0 1 0 0\n1 1 0 0 1 0 3 0 1\n2 3 0 2 3"}) {
+                                 "OFF\n4 2 0\n0 0\n0 1 0 0\n1 1 0 0 1 0 3 0 1\n2 3 0 2 3",
+                                 "OFF\n4\n2\n0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n3 0 1 2\n3 0 2 3\n",
+                                 "OFF\n4 2\n0 0 0 1 0 0\n1 1 0 0 1 0\n3 0 1 2 3 0 2 3\n",
+                                 "4 2 0 0 0 0 1 0 0 1 1 0 0 1 0 3 0 1 2 3 0 2 3"}) {
     Warnings warnings;
     EXPECT_EQ(parse(text, &warnings), plain) << text;
     ASSERT_EQ(warnings.size(), 1u) << text;
@@ -86,6 +89,14 @@ TEST(Off, VariantsKeepThePositions) {
     Warnings warnings;
     EXPECT_EQ(parse(head + "\n3 1 0\n0 0 0 1\n1 0 0 1\n0 1 0 1\n3 0 1 2\n", &warnings), plain);
     EXPECT_EQ(warnings.size(), head[0] == 'S' ? 3u : 2u) << head;
+  }
+}
+
+TEST(Off, BinaryIsCalledThatInAnyCase) {
+  for (const std::string head : {"OFF BINARY\n", "off binary\n", "COFF Binary\n"}) {
+    const Result<Polygons> mesh = parse_mesh(head + std::string(40, '\0'), "off", "");
+    ASSERT_FALSE(mesh.ok());
+    EXPECT_EQ(mesh.error().message, "binary OFF is not read");
   }
 }
 

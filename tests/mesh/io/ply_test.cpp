@@ -118,6 +118,19 @@ TEST(Ply, HeaderWithCarriageReturnsBeforeBinaryData) {
   EXPECT_EQ(parse(with_cr + text.substr(head)), kTriangle);
 }
 
+TEST(Ply, AfterAHeaderWithCarriageReturnsAloneALineFeedIsData) {
+  std::string text =
+      triangle<float, std::uint8_t, std::int32_t>("float", "uchar", "int", false, "vertex_indices");
+  const std::size_t head = text.find("end_header\n") + 11;
+  for (char& c : text) c = &c < text.data() + head && c == '\n' ? '\r' : c;
+  EXPECT_EQ(parse(text), kTriangle);
+  text[head] = '\n';  // the lowest byte of the first coordinate
+  const Polygons mesh = parse(text);
+  EXPECT_EQ(mesh.corners, kTriangle.corners);
+  EXPECT_NEAR(mesh.positions[0].x, kTriangle.positions[0].x, 1e-5);
+  EXPECT_NE(mesh.positions[0].x, kTriangle.positions[0].x);
+}
+
 const std::string kFourVertices =
     "element vertex 4\nproperty float x\nproperty float y\nproperty float z\n";
 const std::string kFourPoints = "0 0 0\n1 0 0\n0 1 0\n0 0 1\n";
@@ -131,6 +144,13 @@ TEST(Ply, TriangleStripsTurnEveryOtherTriangle) {
   // A repeated vertex turns the next triangle and makes none of its own.
   EXPECT_EQ(parse(head + kFourPoints + "6 0 1 2 2 1 3\n").corners,
             (std::vector<Index>{0, 1, 2, 1, 2, 3}));
+  // -1 in a list of unsigned numbers.
+  const std::string of_unsigned =
+      "ply\nformat ascii 1.0\n" + kFourVertices +
+      "element tristrips 1\nproperty list uint uint vertex_indices\nend_header\n" + kFourPoints;
+  EXPECT_EQ(parse(of_unsigned + "7 0 2 1 4294967295 2 0 3\n").corners,
+            (std::vector<Index>{0, 2, 1, 2, 0, 3}));
+  EXPECT_FALSE(parse_mesh(of_unsigned + "7 0 2 1 4294967294 2 0 3\n", "ply", "").ok());
   // One triangle too few, an index out of range, no triangle at all.
   for (const std::string strip : {"3 0 1 7", "3 0 1 -2", "2 0 1", "4 0 1 -1 2", "-1"})
     EXPECT_FALSE(parse_mesh(head + kFourPoints + strip + "\n", "ply", "").ok()) << strip;
@@ -194,6 +214,17 @@ TEST(Ply, WritesDoublesAndWideLists) {
     EXPECT_NE(text.find("property double x\n"), std::string::npos);
     EXPECT_EQ(parse(text), mesh);
   }
+}
+
+TEST(Ply, AnElementOfNoneIsNotLeftOut) {
+  Warnings warnings;
+  EXPECT_EQ(parse("ply\nformat ascii 1.0\nelement edge 0\nproperty int a\n" + kFourVertices +
+                      "element face 1\nproperty list uchar int vertex_indices\nend_header\n" +
+                      kFourPoints + "3 0 1 2\n",
+                  &warnings)
+                .face_count(),
+            1);
+  EXPECT_TRUE(warnings.empty());
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 
 #include <sstream>
 
+#include "limn/base/wide_text.h"
 #include "limn/mesh/io/mesh_file.h"
 #include "mesh/io/mesh_samples.h"
 
@@ -62,6 +63,62 @@ TEST(FormatOfContent, SaysWhyItCannotTell) {
     ASSERT_FALSE(file.ok());
     EXPECT_EQ(file.error().file, "standard input");
   }
+}
+
+TEST(ReadMesh, WideTextIsRefusedWithTheRightRemedy) {
+  const std::string obj = "# caf\xE9\n" + *format_mesh("obj", test::cube());  // Latin 1
+  struct Encoding {
+    const char* name;
+    std::size_t size;
+    bool big_endian, mark;
+  };
+  for (const Encoding& e :
+       {Encoding{"UTF-16", 2, false, true}, Encoding{"UTF-16", 2, true, true},
+        Encoding{"UTF-16LE", 2, false, false}, Encoding{"UTF-16BE", 2, true, false},
+        Encoding{"UTF-32", 4, false, true}, Encoding{"UTF-32", 4, true, true},
+        Encoding{"UTF-32LE", 4, false, false}, Encoding{"UTF-32BE", 4, true, false}}) {
+    std::string text;
+    const auto add = [&](unsigned c) {
+      for (std::size_t k = 0; k < e.size; ++k)
+        text += static_cast<char>(c >> 8 * (e.big_endian ? e.size - 1 - k : k) & 255);
+    };
+    if (e.mark) add(0xfeff);
+    for (const char c : obj) add(static_cast<unsigned char>(c));
+    for (const char* extension : {"obj", "off", "ply", "stl", ""}) {
+      const Result<MeshFile> file = parse_mesh_file(text, extension, "a");
+      ASSERT_FALSE(file.ok());
+      const std::string name = e.name;
+      EXPECT_EQ(file.error().message, "the file is " + name.substr(0, 6) + " text") << name;
+      EXPECT_EQ(file.error().hint, "convert it to UTF-8: iconv -f " + name + " -t UTF-8");
+    }
+  }
+  // Every format's own files, and text of few or many bytes beyond ASCII, are none of these.
+  for (const char* extension : {"obj", "off", "ply", "stl", "glb"})
+    EXPECT_EQ(wide_encoding(*format_mesh(extension, test::cube())), "") << extension;
+  for (const std::string& text :
+       {std::string(), std::string("OFF"), std::string(400, '\0'), std::string(400, '\xff'),
+        std::string("v 0 0 0\n"), std::string("\xE6\xA8\xA1\xE5\x9E\x8B")})
+    EXPECT_EQ(wide_encoding(text), "");
+}
+
+TEST(ReadMesh, WhatAForeignFileIsIsToldWhateverItsName) {
+  struct Foreign {
+    std::string content, part;
+  };
+  for (const Foreign& foreign :
+       {Foreign{std::string("\x1f\x8b\x08\0", 4) + "zz", "gzip"},
+        Foreign{"<!DOCTYPE html>\n<html>\n", "HTML"},
+        Foreign{"version https://git-lfs.github.com/spec/v1\noid sha256:4d\nsize 12\n", "Git LFS"},
+        Foreign{std::string("\x89PNG\r\n\x1a\n\0\0", 10), "PNG"}}) {
+    for (const char* extension : {"obj", "off", "ply", "stl"}) {
+      const Result<MeshFile> file = parse_mesh_file(foreign.content, extension, "a");
+      ASSERT_FALSE(file.ok());
+      EXPECT_NE(file.error().hint.find(foreign.part), std::string::npos)
+          << extension << ": " << file.error().text();
+    }
+  }
+  // A NUL alone makes no STL file.
+  EXPECT_EQ(parse_mesh_file(std::string("x\0\1\2", 4), "off", "a").error().hint, "");
 }
 
 TEST(ReadMesh, AByteOrderMarkOfUtf8IsNoContent) {

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "limn/mesh/io/mesh_file.h"
+#include "limn/mesh/io/stl_slivers.h"
 #include "limn/mesh/mesh.h"
 #include "mesh/io/mesh_samples.h"
 
@@ -100,8 +101,88 @@ TEST(Stl, DegenerateFacetsAreDroppedWithAWordAndFacetsKeepTheirNumbers) {
   EXPECT_EQ(file->source.face_lines, (std::vector<int>{2, 9, 16, 23}));
   EXPECT_FALSE(
       parse_mesh("solid\n" + facet("0 0 0", "0 0 0", "1 0 0") + "endsolid\n", "stl", "").ok());
-  // A sliver of three places is kept: without it there would be a crack.
-  EXPECT_EQ(parse("solid\n" + facet("0 0 0", "1 0 0", "2 0 0") + "endsolid\n").face_count(), 1);
+}
+
+TEST(Stl, FacetsOnALineAreDroppedWithAWord) {
+  const std::string closed = facet("0 0 0", "0 1 0", "1 0 0") + facet("0 0 0", "1 0 0", "0 0 1") +
+                             facet("1 0 0", "0 1 0", "0 0 1") + facet("0 0 0", "0 0 1", "0 1 0");
+  // Beside a closed surface: one of places that no other facet has, one along an edge of it.
+  for (const std::string& sliver :
+       {facet("0 0 0", "0.5 0.5 0", "1 1 0"), facet("0 0 0", "1e-200 0 0", "1 0 0"),
+        facet("5 7 9", "3e100 3e100 3e100", "7 9 11")}) {
+    const bool on_a_line = sliver.find("e100") == std::string::npos;
+    const Result<MeshFile> file =
+        parse_mesh_file("solid\n" + closed + sliver + "endsolid\n", "stl", "test.stl");
+    ASSERT_TRUE(file.ok());
+    EXPECT_EQ(file->polygons.vertex_count(), on_a_line ? 4 : 7) << sliver;
+    EXPECT_EQ(file->polygons.face_count(), on_a_line ? 4 : 5);
+    ASSERT_EQ(file->warnings.size(), on_a_line ? 1u : 0u);
+    if (on_a_line)
+      EXPECT_EQ(file->warnings[0].text(),
+                "test.stl:30: 1 facet dropped: its corners lie on a line (facet 4, counted from "
+                "0)");
+  }
+  const Result<MeshFile> nothing =
+      parse_mesh_file("solid\n" + facet("0 0 0", "1 1 1", "2 2 2") + "endsolid\n", "stl", "");
+  ASSERT_FALSE(nothing.ok());
+  EXPECT_NE(nothing.error().message.find("no facet are three places off a line"),
+            std::string::npos);
+}
+
+TEST(Stl, ThinFacetsAreNoLines) {
+  for (const std::string& thin :
+       {facet("0 0 0", "1e-300 0 0", "1e-300 1e-15 0"), facet("0 0 0", "1 0 0", "1 1e-15 0"),
+        facet("0 0 0", "1e300 0 0", "1e300 1e-15 0"), facet("0 1e-300 0", "0 0 0", "1e-300 0 0")})
+    EXPECT_EQ(parse("solid\n" + thin + "endsolid\n").face_count(), 1) << thin;
+  EXPECT_TRUE(io::lie_on_a_line({0.1, 0.2, 0.3}, {0.2, 0.4, 0.6}, {0.4, 0.8, 1.2}));
+  EXPECT_FALSE(io::lie_on_a_line({0.1, 0.2, 0.3}, {0.2, 0.4, 0.6}, {0.3, 0.6, 0.9}));  // rounded
+  EXPECT_TRUE(io::lie_on_a_line({1e-310, 0, 0}, {2e-310, 0, 0}, {4e-310, 0, 0}));
+}
+
+/// Half-edges without a twin.
+int open_edges(const Polygons& polygons) {
+  const Result<Mesh> mesh = Mesh::build(polygons);
+  EXPECT_TRUE(mesh.ok()) << (mesh.ok() ? "" : mesh.error().text());
+  int count = 0;
+  for (Index h = 0; mesh.ok() && h < mesh->halfedge_count(); ++h) count += mesh->twin(h) == kNone;
+  return count;
+}
+
+TEST(Stl, WhereAFacetOnALineClosesTheSurfaceItsNeighbourIsCut) {
+  // The edge from 0 to 1 of a tetrahedron is cut at several places on one side only; slivers close
+  // the seam, as a fan from 0, or in a chain.
+  const std::string others = facet("1 0 0", "0 1 0", "0 0 1") + facet("0 0 0", "0 0 1", "0 1 0") +
+                             facet("0 0 0", "1 0 0", "0 0 1");
+  const std::string side = facet("0 0 0", "0 1 0", "0.25 0 0") +
+                           facet("0.25 0 0", "0 1 0", "0.5 0 0") +
+                           facet("0.5 0 0", "0 1 0", "1 0 0");
+  const std::string fan =
+      facet("0 0 0", "0.25 0 0", "0.5 0 0") + facet("0 0 0", "0.5 0 0", "1 0 0");
+  const std::string chain =
+      facet("0.25 0 0", "0.5 0 0", "1 0 0") + facet("1 0 0", "0 0 0", "0.25 0 0");
+  for (const std::string& slivers : {fan, chain}) {
+    const Result<MeshFile> file =
+        parse_mesh_file("solid\n" + slivers + side + others + "endsolid\n", "stl", "test.stl");
+    ASSERT_TRUE(file.ok());
+    EXPECT_EQ(open_edges(file->polygons), 0);
+    EXPECT_EQ(file->polygons.vertex_count(), 6);
+    EXPECT_EQ(file->polygons.face_count(), 8);
+    for (Index f = 0; f < file->polygons.face_count(); ++f) {
+      const Index* c = file->polygons.corners.data() + 3 * f;
+      const std::vector<Point3>& p = file->polygons.positions;
+      EXPECT_FALSE(io::lie_on_a_line(p[c[0]], p[c[1]], p[c[2]])) << f;
+    }
+    ASSERT_EQ(file->warnings.size(), 1u);
+    EXPECT_EQ(file->warnings[0].message,
+              "2 facets dropped: their corners lie on a line (the first is facet 0, counted from "
+              "0); 2 facets that met the whole line are cut at the corner between, so that no "
+              "crack opens");
+  }
+  // Two slivers that have nothing but each other.
+  EXPECT_FALSE(parse_mesh("solid\n" + facet("0 0 0", "1 0 0", "2 0 0") +
+                              facet("2 0 0", "1 0 0", "0 0 0") + "endsolid\n",
+                          "stl", "")
+                   .ok());
 }
 
 TEST(Stl, PaddingBehindBinaryDataIsAWarning) {

@@ -107,7 +107,11 @@ Result<std::string> Canvas::render(FigureFormat format) const {
 Status Canvas::write(const std::string& path) const {
   const Result<FigureFormat> format = figure_format(path);
   if (!format) return format.error();
-  const Result<std::string> bytes = render(*format);
+  return write(path, *format);
+}
+
+Status Canvas::write(const std::string& path, FigureFormat format) const {
+  const Result<std::string> bytes = render(format);
   if (!bytes) {
     Error error = bytes.error();
     error.file = path;

@@ -168,6 +168,7 @@ class Canvas {
 
   /// Writes the file whole or not at all; its kind is `figure_format(path)`.
   [[nodiscard]] Status write(const std::string& path) const;
+  [[nodiscard]] Status write(const std::string& path, FigureFormat format) const;
 
  private:
   double width_, height_, density_;

@@ -18,6 +18,31 @@ bool placeable(const SpaceVector& a) {
   return std::all_of(a.begin(), a.end(), [](double x) { return std::abs(x) <= kLargest; });
 }
 
+void scale_to_draw(SurfaceScene& scene) {
+  constexpr double usual = 1e60;
+  double largest = 0;
+  const auto for_each = [&scene](const auto& use) {
+    for (SmoothSurface& surface : scene.surfaces) use(surface.vertices);
+    use(scene.net.vertices);
+    if (scene.frame) {
+      std::vector<SpaceVector> corners = {scene.frame->low, scene.frame->high};
+      use(corners);
+      *scene.frame = {corners[0], corners[1]};
+    }
+  };
+  for_each([&](const std::vector<SpaceVector>& points) {
+    for (const SpaceVector& point : points)
+      for (const double x : point)
+        if (std::isfinite(x)) largest = std::max(largest, std::abs(x));
+  });
+  if (largest == 0 || (1 / usual <= largest && largest <= usual)) return;
+  const int shift = -std::ilogb(largest);
+  for_each([&](std::vector<SpaceVector>& points) {
+    for (SpaceVector& point : points)
+      for (double& x : point) x = std::ldexp(x, shift);
+  });
+}
+
 SeenSurface seen_surface(const SmoothSurface& surface, const ParallelView& view) {
   const std::size_t count = std::min(surface.vertices.size(), surface.normals.size());
   SeenSurface seen;

@@ -68,6 +68,12 @@ struct SeenSurface {
   std::vector<std::array<int, 3>> triangles = {};
 };
 
+/// Multiplies all coordinates of the scene by one power of two, so that the largest that is finite
+/// comes to about 1, where it is beyond 1e60 or below 1e-60: products of coordinates then neither
+/// over- nor underflow, and the picture is that of the same surfaces at another size. The scene has
+/// no `seen_frame` yet. O(vertices).
+void scale_to_draw(SurfaceScene& scene);
+
 /// O(vertices + triangles).
 [[nodiscard]] SeenSurface seen_surface(const SmoothSurface& surface, const ParallelView& view);
 

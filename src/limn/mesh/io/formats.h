@@ -73,8 +73,8 @@ std::size_t triangle_count(const Polygons& mesh);
 bool has_size_of_binary_stl(std::string_view content);
 /// Whether what is STL is binary: by its size, else by a NUL near its head.
 bool is_binary_stl(std::string_view content);
-/// "the file is UTF-16 text", with or without a byte order mark; or nothing.
-std::string utf16_fault(std::string_view content);
+/// What files of other kinds are that come to mind, by the bytes at their head; or null.
+const char* foreign_format(std::string_view content);
 /// Whether nothing but blanks, line ends and NULs is left: padding that carries nothing.
 bool is_padding(std::string_view rest);
 /// "1 byte of padding follows the data".

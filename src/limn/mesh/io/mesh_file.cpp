@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "limn/base/files/file.h"
+#include "limn/base/wide_text.h"
 #include "limn/mesh/io/formats.h"
 
 namespace limn {
@@ -160,6 +161,19 @@ std::string singular(const std::string& unit) {
   return unit.ends_with("s") ? unit.substr(0, unit.size() - 1) : unit;
 }
 
+/// Why a file of this extension could not be read, by what it holds; else `hint`.
+std::string hint_by_content(std::string_view content, const Format& format,
+                            const std::string& hint) {
+  if (const char* foreign = foreign_format(content))
+    return "the content is " + std::string(foreign);
+  if (!hint.empty()) return hint;
+  const Result<std::string> seems = format_of_content(content);
+  if (!seems || *seems == format.extension) return hint;
+  // A NUL near the head makes a binary file, not yet STL.
+  if (*seems == "stl" && is_binary_stl(content) && !has_size_of_binary_stl(content)) return hint;
+  return "the content looks like " + *seems + "; is the file's extension right?";
+}
+
 Result<Polygons> mesh_of(Result<MeshFile> file, Warnings* warnings) {
   if (!file) return file.error();
   if (warnings != nullptr) {
@@ -218,20 +232,16 @@ Result<MeshFile> parse_mesh_file(std::string_view content, std::string_view exte
   const io::Format* format = io::find_format(extension.empty() ? recognised : extension, true);
   if (format == nullptr) return io::unknown_extension(extension, name, true);
   if (content.empty()) return Error{"the file is empty", "", name, 1, 1};
-  if (std::string fault = io::utf16_fault(content); !fault.empty()) {
+  if (const std::string wide = wide_encoding(content); !wide.empty()) {
     if (format->extension != "stl" || !io::has_size_of_binary_stl(content))
-      return Error{std::move(fault), "convert it to UTF-8: iconv -f UTF-16 -t UTF-8", name, 1, 1};
+      return Error{wide_text_fault(wide), wide_text_remedy(wide), name, 1, 1};
   }
   MeshFile mesh;
   mesh.source.file = name;
   Status done = format->parse(content, mesh);
   if (done) return mesh;
   Error error = done.error();
-  if (!extension.empty() && error.hint.empty()) {
-    const Result<std::string> seems = format_of_content(content);
-    if (seems && *seems != format->extension)
-      error.hint = "the content looks like " + *seems + "; is the file's extension right?";
-  }
+  if (!extension.empty()) error.hint = io::hint_by_content(content, *format, error.hint);
   return error;
 }
 

@@ -46,7 +46,7 @@ class ObjReader {
 
   Status read() {
     source_.first = 1;
-    while (in_.next_content()) {
+    while (in_.next_content() && !is_padding(in_.rest())) {
       if (!statement()) return in_.error();
       in_.skip_line(is_obj_keyword);
     }

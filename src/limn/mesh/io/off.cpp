@@ -14,6 +14,12 @@
 namespace limn::io {
 namespace {
 
+std::string upper_case(std::string_view word) {
+  std::string upper(word);
+  for (char& c : upper) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
+  return upper;
+}
+
 class OffReader {
  public:
   OffReader(std::string_view content, MeshFile& file, bool by_number)
@@ -27,7 +33,7 @@ class OffReader {
     if (header() && counts() && vertices() && faces() && check_end()) return Done{};
     return in_.error();
   }
-  /// Whether the fault lies behind the counts, and nothing but numbers is expected there.
+  /// Whether the fault lies in or behind the counts, and nothing but numbers is expected there.
   [[nodiscard]] bool may_read_by_number() const { return in_body_ && !has_extras_; }
 
  private:
@@ -52,8 +58,7 @@ class OffReader {
                                             " holds points of other than three "
                                             "dimensions, expected OFF, COFF, NOFF or STOFF");
     }
-    std::string kind(prefix);
-    for (char& c : kind) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
+    const std::string kind = upper_case(prefix);
     std::string_view rest = kind;
     const auto take = [&rest](std::string_view part) {
       const bool found = rest.starts_with(part);
@@ -83,11 +88,14 @@ class OffReader {
   bool counts() {
     if (!in_.next_content())
       return in_.fail(in_.place(), "expected the count of vertices, found the end of the file");
+    in_body_ = true;
     Count vertices{0, {}, "the count of vertices"}, faces{0, {}, "the count of faces"};
     if (!read(vertices) || !read(faces)) return false;
-    std::int64_t edges = 0;
-    if (in_.line_has_more() && !in_.read_integer(edges, "the count of edges")) return false;
-    if (in_.line_has_more()) {
+    // Counts on several lines are three; on one line the third may be missing.
+    const bool spread = vertices.place.line != faces.place.line;
+    Count edges{0, {}, "the count of edges"};
+    if ((spread || in_.line_has_more()) && !read(edges)) return false;
+    if (!by_number_ && in_.line_has_more()) {
       in_.take_word();
       return in_.fail(in_.last_place(), "expected the end of the line of counts, found " +
                                             in_quotes(in_.last_word()));
@@ -98,7 +106,6 @@ class OffReader {
     for (const char* what : extras_) {
       remarks_.left_out(keyword_place_, what, "vertices", static_cast<std::size_t>(vertex_count_));
     }
-    in_body_ = true;
     return true;
   }
 
@@ -109,9 +116,9 @@ class OffReader {
   };
 
   bool read(Count& count) {
-    const bool read = in_.read_integer(count.value, count.what);
+    const bool read = integer(count.value, count.what);
     count.place = in_.last_place();
-    if (!read && in_.last_word() == "BINARY") {
+    if (!read && upper_case(in_.last_word()) == "BINARY") {
       return in_.fail(count.place, "binary OFF is not read", "convert it to ascii OFF or PLY");
     }
     return read;
@@ -182,8 +189,9 @@ class OffReader {
     std::int64_t degree = 0;
     if (!integer(degree, "the number of corners")) return false;
     if (degree < 3) {
-      return in_.fail(in_.last_place(),
-                      "a face of " + std::to_string(degree) + " corners, expected three or more");
+      return in_.fail(in_.last_place(), "a face of " + std::to_string(degree) +
+                                            (degree == 1 ? " corner" : " corners") +
+                                            ", expected three or more");
     }
     for (std::int64_t k = 0; k < degree; ++k) {
       std::int64_t vertex = 0;
@@ -232,8 +240,7 @@ class OffReader {
 }  // namespace
 
 std::size_t off_keyword_length(std::string_view word) {
-  std::string upper(word);
-  for (char& c : upper) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
+  const std::string upper = upper_case(word);
   const std::size_t at = upper.find("OFF");
   if (at == std::string::npos) return 0;
   const std::size_t length = at + 3;

@@ -95,7 +95,8 @@ void remark_what_is_left_out(const PlyHeader& header, Remarks& remarks) {
     const auto count = static_cast<std::size_t>(element.count);
     const bool is_vertex = element.name == "vertex";
     if (!is_vertex && !holds_faces(element)) {
-      remarks.left_out(element.place, "elements " + in_quotes(element.name), "of them", count);
+      if (count > 0)
+        remarks.left_out(element.place, "elements " + in_quotes(element.name), "of them", count);
       continue;
     }
     std::set<std::string> kinds;
@@ -206,7 +207,8 @@ class ElementReader {
     std::int64_t degree = 0;
     if (!integer(property.count_type, degree, "the number of corners")) return false;
     if (degree < 3) {
-      return body_.fail("a face of " + std::to_string(degree) + " corners, expected three or more");
+      return body_.fail("a face of " + std::to_string(degree) +
+                        (degree == 1 ? " corner" : " corners") + ", expected three or more");
     }
     for (std::int64_t k = 0; k < degree; ++k) {
       std::int64_t vertex = 0;
@@ -237,7 +239,7 @@ class ElementReader {
     for (std::int64_t k = 0; k < count; ++k) {
       std::int64_t vertex = 0;
       if (!integer(property.type, vertex, "a vertex index, or -1")) return false;
-      if (vertex == -1) {
+      if (vertex == -1 || is_unsigned_minus_one(property.type, vertex)) {
         length = 0;
         continue;
       }
@@ -251,6 +253,11 @@ class ElementReader {
       ++length;
     }
     return true;
+  }
+
+  /// -1 as some write it into a list of unsigned numbers; a vertex has no such number.
+  static bool is_unsigned_minus_one(PlyType type, std::int64_t value) {
+    return type == PlyType::uint32 && value == 0xffffffff;
   }
 
   bool triangle(std::int64_t a, std::int64_t b, std::int64_t c) {
@@ -309,6 +316,14 @@ Status read_elements(Body body, const PlyHeader& header, MeshFile& mesh) {
   return body.error();
 }
 
+/// Where the binary data begin, of a header that was read up to `offset`. Where lines end with CR,
+/// an LF behind the last is the first byte of data.
+std::size_t data_begin(std::string_view content, std::size_t offset) {
+  const std::size_t end = content.find('\r');
+  const bool by_cr = end < offset && content[end + 1] != '\n';
+  return by_cr && content.substr(0, offset).ends_with("\r\n") ? offset - 1 : offset;
+}
+
 /// `by_word`: where one instance a line does not make sense of ascii data.
 Status read_ply(std::string_view content, bool by_word, MeshFile& mesh) {
   TextScanner in(content, mesh.source.file, {});
@@ -317,8 +332,9 @@ Status read_ply(std::string_view content, bool by_word, MeshFile& mesh) {
   Remarks remarks(mesh);
   remark_what_is_left_out(header, remarks);
   if (header.format != PlyFormat::ascii) {
-    return read_elements(BinaryBody(content, in.offset(), header.format, mesh.source.file), header,
-                         mesh);
+    return read_elements(
+        BinaryBody(content, data_begin(content, in.offset()), header.format, mesh.source.file),
+        header, mesh);
   }
   const Status status = read_elements(AsciiBody(in, by_word), header, mesh);
   if (status || by_word) return status;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cctype>
 
+#include "limn/base/wide_text.h"
 #include "limn/mesh/io/formats.h"
 
 namespace limn {
@@ -30,16 +31,6 @@ bool is_integer(std::string_view word) {
   return parse_integer(word.data(), word.data() + word.size(), value) == word.data() + word.size();
 }
 
-/// Formats of others that come to mind, by the bytes at their head.
-const char* foreign_format(std::string_view content) {
-  if (content.starts_with("glTF")) return "glb, which limn writes only";
-  if (content.starts_with("\x1f\x8b")) return "compressed with gzip";
-  if (content.starts_with("PK\x03\x04")) return "a zip archive";
-  if (content.starts_with("<?xml")) return "XML";
-  if (content.starts_with("Kaydara FBX")) return "FBX";
-  return nullptr;
-}
-
 /// "off" or "obj" by the first word that is no comment; else empty.
 std::string text_format(std::string_view content) {
   TextScanner in(content, "", {.comments = true, .continuation = false});
@@ -55,22 +46,30 @@ std::string text_format(std::string_view content) {
 
 }  // namespace
 
-std::string utf16_fault(std::string_view content) {
-  const auto mark = [&](std::string_view bytes) { return content.starts_with(bytes); };
-  if (mark(std::string_view("\xFF\xFE\0\0", 4)) || mark(std::string_view("\0\0\xFE\xFF", 4)))
-    return "the file is UTF-32 text";
-  if (mark("\xFF\xFE") || mark("\xFE\xFF")) return "the file is UTF-16 text";
-  // Without a mark: every other byte of what has ASCII characters only is 0.
-  const std::size_t size = std::min<std::size_t>(content.size(), 64) / 2 * 2;
-  if (size < 8) return {};
-  std::size_t zeros[2] = {};
-  for (std::size_t k = 0; k < size; ++k) {
-    const auto byte = static_cast<unsigned char>(content[k]);
-    if (byte >= 0x80) return {};
-    zeros[k % 2] += byte == 0 ? 1 : 0;
+const char* foreign_format(std::string_view content) {
+  struct Head {
+    std::string_view bytes;
+    const char* what;
+  };
+  static constexpr Head heads[] = {
+      {"glTF", "glb, which limn writes only"},
+      {"\x1f\x8b", "compressed with gzip"},
+      {"BZh", "compressed with bzip2"},
+      {"\xfd\x37zXZ", "compressed with xz"},
+      {"\x28\xb5\x2f\xfd", "compressed with zstd"},
+      {"PK\x03\x04", "a zip archive"},
+      {"<?xml", "XML"},
+      {"<!DOCTYPE html", "a page of the web (HTML)"},
+      {"<html", "a page of the web (HTML)"},
+      {"Kaydara FBX", "FBX"},
+      {"\x89PNG", "a picture (PNG)"},
+      {"%PDF", "PDF"},
+      {"version https://git-lfs", "a pointer of Git LFS, not the file itself (git lfs pull)"},
+  };
+  for (const Head& head : heads) {
+    if (content.starts_with(head.bytes)) return head.what;
   }
-  const bool other = zeros[0] + zeros[1] == size / 2 && (zeros[0] == 0 || zeros[1] == 0);
-  return other ? "the file is UTF-16 text" : std::string();
+  return nullptr;
 }
 
 bool is_padding(std::string_view rest) {
@@ -95,8 +94,8 @@ Result<std::string> format_of_content(std::string_view content) {
     return fail(std::string("the content is ") + foreign, "limn reads obj, off, ply, stl");
   }
   if (io::has_size_of_binary_stl(content)) return std::string("stl");
-  if (std::string fault = io::utf16_fault(content); !fault.empty()) {
-    return fail(std::move(fault), "convert it to UTF-8");
+  if (const std::string wide = wide_encoding(content); !wide.empty()) {
+    return fail(wide_text_fault(wide), wide_text_remedy(wide));
   }
   if (io::is_binary_stl(content) || io::begins_with_word(text, "solid")) return std::string("stl");
   std::string format = io::text_format(text);

@@ -1,6 +1,7 @@
 /// STL: ascii and binary are read, binary is written. Corners whose coordinates are equal are one
 /// vertex, numbered as first met; -0 is +0, but coordinates that an exporter rounded differently
-/// stay apart. A facet that does not have three corners then is dropped, with a warning.
+/// stay apart. A facet that does not have three corners then, or whose corners lie on a line, is
+/// dropped, with a warning.
 
 #include <cmath>
 #include <cstdint>
@@ -9,6 +10,7 @@
 #include "limn/mesh/io/blocks.h"
 #include "limn/mesh/io/bytes.h"
 #include "limn/mesh/io/formats.h"
+#include "limn/mesh/io/stl_slivers.h"
 
 namespace limn::io {
 namespace {
@@ -76,6 +78,7 @@ class Facets {
 
   void reserve(std::size_t count) {
     mesh_.face_begin.reserve(count + 1);
+    numbers_.reserve(count);
     mesh_.corners.reserve(3 * count);
   }
   /// Whether there is room for one more.
@@ -88,37 +91,87 @@ class Facets {
     for (Point3* p : {&a, &b, &c}) {
       *p = {without_sign_of_zero(p->x), without_sign_of_zero(p->y), without_sign_of_zero(p->z)};
     }
-    if (a == b || b == c || c == a) return drop(number, line);
+    if (a == b || b == c || c == a) return coincident_.add(number, line);
+    if (lie_on_a_line(a, b, c)) {
+      collinear_.add(number, line);
+      slivers_.push_back(mesh_.face_count());
+    }
     for (const Point3& p : {a, b, c}) mesh_.corners.push_back(merger_.index_of(p));
     mesh_.face_begin.push_back(static_cast<Index>(mesh_.corners.size()));
-    if (dropped_ > 0) file_.source.file_faces.push_back(number);
+    numbers_.push_back(number);
   }
 
+  /// Precondition: no `add` follows.
   void finish() {
-    if (dropped_ == 0) return;
-    const bool one = dropped_ == 1;
-    std::string message = count_of(static_cast<std::size_t>(dropped_), "facet", "facets") +
-                          " dropped: two of " + (one ? "its" : "their") +
-                          " corners are one place (" + (one ? "" : "the first is ") + "facet " +
-                          std::to_string(first_dropped_) + ", counted from 0)";
-    Remarks(file_).warn({first_line_, 0}, std::move(message));
+    const std::size_t cut = slivers_.empty() ? 0 : without_slivers();
+    if (mesh_.face_count() < met_) file_.source.file_faces = std::move(numbers_);
+    warn(coincident_, "two of its corners are one place", "two of their corners are one place", "");
+    warn(collinear_, "its corners lie on a line", "their corners lie on a line",
+         cut == 0 ? ""
+                  : "; " + count_of(cut, "facet that met", "facets that met") + " the whole line " +
+                        (cut == 1 ? "is" : "are") +
+                        " cut at the corner between, so that no crack opens");
+  }
+
+  /// Why there is no mesh, after `finish`; or nothing.
+  [[nodiscard]] std::string emptiness() const {
+    if (met_ == 0 || mesh_.face_count() > 0) return io::emptiness(mesh_);
+    return "the mesh has no faces: the corners of no facet are three places off a line";
   }
 
  private:
-  void drop(Index number, int line) {
-    if (dropped_++ == 0) {
-      first_dropped_ = number;
-      first_line_ = line;
-      for (Index face = 0; face < mesh_.face_count(); ++face)
-        file_.source.file_faces.push_back(face);
+  struct Dropped {
+    void add(Index number, int line) {
+      if (count++ > 0) return;
+      first = number;
+      first_line = line;
     }
+    std::size_t count = 0;
+    Index first = 0;
+    int first_line = 0;
+  };
+
+  void warn(const Dropped& dropped, const char* why_one, const char* why_many,
+            const std::string& besides) {
+    if (dropped.count == 0) return;
+    const bool one = dropped.count == 1;
+    std::string message = count_of(dropped.count, "facet", "facets") + " dropped: ";
+    message += one ? why_one : why_many;
+    message += std::string(" (") + (one ? "" : "the first is ") + "facet " +
+               std::to_string(dropped.first) + ", counted from 0)" + besides;
+    Remarks(file_).warn({dropped.first_line, 0}, std::move(message));
+  }
+
+  /// Leaves them out, and vertices that no other facet has. Returns how many facets were cut.
+  std::size_t without_slivers() {
+    const SliverRemoval removal = take_out_slivers(mesh_, slivers_);
+    Polygons kept;
+    std::vector<Index> numbers, new_index(mesh_.positions.size(), kNone);
+    for (Index face = 0; face < mesh_.face_count(); ++face) {
+      if (removal.removed[face] != 0) continue;
+      for (Index c = mesh_.face_begin[face]; c < mesh_.face_begin[face + 1]; ++c) {
+        Index& index = new_index[mesh_.corners[c]];
+        if (index == kNone) {
+          index = kept.vertex_count();
+          kept.positions.push_back(mesh_.positions[mesh_.corners[c]]);
+        }
+        kept.corners.push_back(index);
+      }
+      kept.face_begin.push_back(static_cast<Index>(kept.corners.size()));
+      numbers.push_back(numbers_[face]);
+    }
+    mesh_ = std::move(kept);
+    numbers_ = std::move(numbers);
+    return removal.cut;
   }
 
   MeshFile& file_;
   Polygons& mesh_;
   Merger merger_;
-  Index met_ = 0, dropped_ = 0, first_dropped_ = 0;
-  int first_line_ = 0;
+  Index met_ = 0;
+  std::vector<Index> numbers_;  ///< of the faces of the mesh, in the file
+  Dropped coincident_, collinear_;
+  std::vector<Index> slivers_;  ///< faces of the mesh whose corners lie on a line
 };
 
 class StlTextReader {
@@ -134,11 +187,11 @@ class StlTextReader {
       if (solids == 1) second = in_.place();
       if (!solid()) return in_.error();
     }
-    if (const std::string fault = emptiness(file_.polygons); !fault.empty()) {
+    facets_.finish();
+    if (const std::string fault = facets_.emptiness(); !fault.empty()) {
       in_.fail(in_.place(), fault);
       return in_.error();
     }
-    facets_.finish();
     if (solids > 1) {
       Remarks(file_).left_out(second, "which facets form a solid", "solids",
                               static_cast<std::size_t>(solids));
@@ -265,9 +318,9 @@ Status parse_binary(std::string_view content, MeshFile& file) {
     if (load_little<std::uint16_t>(content.data() + at) != 0) ++attributes;
     facets.add(corners[0], corners[1], corners[2], 0);
   }
-  if (const std::string fault = emptiness(file.polygons); !fault.empty())
-    return Error{fault + ": no facet has three different corners", "", file.source.file, 0, 0};
   facets.finish();
+  if (const std::string fault = facets.emptiness(); !fault.empty())
+    return Error{fault, "", file.source.file, 0, 0};
   if (longer) {
     Remarks(file).warn({}, padding_remark(content.size() - static_cast<std::size_t>(expected)) +
                                " at byte " + std::to_string(expected));

@@ -104,6 +104,7 @@ std::string_view TextScanner::take_word() {
 
 bool TextScanner::read_number(double& value, const char* what) {
   if (!skip_word(what)) return false;
+  if (last_word().ends_with('.') && cursor_ < end_ && *cursor_ == '#') take_old_special_number();
   const char* first = last_;
   if (*first == '+' && first + 1 < cursor_ && first[1] != '-') ++first;
   const auto [stop, code] = fast_float::from_chars(first, cursor_, value);
@@ -114,12 +115,24 @@ bool TextScanner::read_number(double& value, const char* what) {
   return bad_number(value, parsed, what);
 }
 
+void TextScanner::take_old_special_number() {
+  for (const std::string_view name : {"#IND", "#INF", "#QNAN", "#SNAN"}) {
+    if (!std::string_view(cursor_, remaining()).starts_with(name)) continue;
+    while (cursor_ < end_ && !is_blank(*cursor_) && !is_line_end(cursor_)) ++cursor_;
+    last_end_ = cursor_;
+    return;
+  }
+}
+
 bool TextScanner::bad_number(double value, bool parsed, const char* what) {
   const std::string word = in_quotes(last_word());
-  if (!parsed) return fail(last_place(), "expected " + std::string(what) + ", found " + word);
+  const bool old_special = last_word().find(".#") != std::string_view::npos;
+  if (!parsed && !old_special)
+    return fail(last_place(), "expected " + std::string(what) + ", found " + word);
   // "inf" and "nan" begin with a letter behind the sign; an overflow with a digit or a point.
   const char head = *last_ == '-' || *last_ == '+' ? last_[1] : *last_;
-  const bool overflow = !std::isnan(value) && (head == '.' || (head >= '0' && head <= '9'));
+  const bool overflow =
+      parsed && !std::isnan(value) && (head == '.' || (head >= '0' && head <= '9'));
   if (overflow) {
     return fail(last_place(), std::string(what) + " " + word + " is too large for a double");
   }

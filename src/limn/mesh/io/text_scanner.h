@@ -80,6 +80,8 @@ class TextScanner {
   void join_next_line();
   /// The first word of the line after the one that ends behind `p`.
   [[nodiscard]] std::string_view first_word_after(const char* p) const;
+  /// Of 1.#IND, 1.#INF, 1.#QNAN, which old C libraries print, the '#' begins no comment.
+  void take_old_special_number();
   bool bad_number(double value, bool parsed, const char* what);
 
   const char* begin_;

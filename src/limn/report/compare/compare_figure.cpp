@@ -29,6 +29,16 @@ ViewFrame common_frame(const std::vector<NamedSurface>& surfaces, const CompareV
   return frame_of(all);
 }
 
+/// All by one factor.
+std::vector<NamedSurface> scaled_to_draw(std::vector<NamedSurface> surfaces) {
+  SurfaceScene all;
+  for (NamedSurface& named : surfaces) all.surfaces.push_back(std::move(named.surface));
+  scale_to_draw(all);
+  for (std::size_t s = 0; s < surfaces.size(); ++s)
+    surfaces[s].surface = std::move(all.surfaces[s]);
+  return surfaces;
+}
+
 /// The panels of one pair.
 class PairPanels {
  public:
@@ -95,9 +105,10 @@ Result<std::vector<PairDistance>> approx_distances(
 Figure compare_figure(const std::vector<NamedSurface>& surfaces,
                       const std::vector<PairDistance>& distances, const CompareView& view) {
   Figure figure(kColumns);
-  const PairPanels panels(view, common_frame(surfaces, view));
+  const std::vector<NamedSurface> drawn = scaled_to_draw(surfaces);
+  const PairPanels panels(view, common_frame(drawn, view));
   for (const PairDistance& pair : distances)
-    if (pair.first == 0) panels.add_to(figure, surfaces[0], surfaces[pair.second], pair.distance);
+    if (pair.first == 0) panels.add_to(figure, drawn[0], drawn[pair.second], pair.distance);
   return figure;
 }
 

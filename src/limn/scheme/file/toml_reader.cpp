@@ -10,6 +10,7 @@
 #include "limn/base/near_word.h"
 #include "limn/base/printable.h"
 #include "limn/base/utf8.h"
+#include "limn/base/wide_text.h"
 
 namespace limn {
 namespace {
@@ -80,6 +81,10 @@ toml::table TomlReader::parse(std::string_view text) {
     if (text[i] == '\n') line_begins_.push_back(i + 1);
   if (const std::size_t dot = find_dot_too_many(text); dot != std::string_view::npos) {
     fail_at(dot, fmt::format("the file has more than {} dotted keys or sentences", kMostDots));
+    return {};
+  }
+  if (const std::string wide = wide_encoding(text); !wide.empty()) {
+    fail_at(0, wide_text_fault(wide), wide_text_remedy(wide));
     return {};
   }
   if (const std::size_t bad = find_no_utf8(text); bad != std::string_view::npos) {
