@@ -5,7 +5,7 @@ file(GLOB_RECURSE limn_headers CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/limn/
 if(LIMN_FUZZ)
   # The fuzzers read files and refine meshes by the plain engine: no need to instrument the rest.
   list(FILTER limn_sources EXCLUDE REGEX
-       "/limn/(refine/fast|regular|extraordinary|fairness|tune|report)/")
+       "/limn/(fast|regular|extraordinary|fairness|tune|report)/")
 endif()
 
 # The command names every scheme file, so that it also runs again when one is added or removed.
@@ -37,7 +37,7 @@ target_link_libraries(limn
           $<BUILD_INTERFACE:FastFloat::fast_float>)
 target_include_directories(limn SYSTEM PRIVATE ${LIMN_TOML_INCLUDE_DIR})
 # Square roots in vectors: they need not set errno.
-set_source_files_properties(${PROJECT_SOURCE_DIR}/src/limn/refine/fast/patch_step.cpp
+set_source_files_properties(${PROJECT_SOURCE_DIR}/src/limn/fast/kernel/patch_step.cpp
   PROPERTIES COMPILE_OPTIONS -fno-math-errno)
 
 if(LIMN_SANITIZE STREQUAL thread)

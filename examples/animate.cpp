@@ -6,7 +6,7 @@
 #include <cstdio>
 #include <cstdlib>
 
-#include "limn/extraordinary/fast_limit.h"
+#include "limn/fast/fast_limit.h"
 #include "limn/mesh/io/mesh_file.h"
 
 namespace {

@@ -8,7 +8,7 @@
 #include <csignal>
 #include <filesystem>
 
-#include "limn/extraordinary/limit_estimate.h"
+#include "limn/fast/limit_estimate.h"
 #include "limn/mesh/io/mesh_file.h"
 #include "run_command.h"
 

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include "extraordinary/fast_limit_check.h"
+#include "fast/fast_limit_check.h"
 #include "limn/extraordinary/eigencomponents.h"
 #include "limn/extraordinary/limit_points.h"
 #include "limn/refine/refine.h"

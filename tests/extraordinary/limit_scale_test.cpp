@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "extraordinary/fast_limit_check.h"
+#include "fast/fast_limit_check.h"
 #include "limn/extraordinary/limit_points.h"
 #include "limn/refine/refine.h"
 #include "support/shipped.h"

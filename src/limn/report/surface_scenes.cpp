@@ -4,9 +4,9 @@
 
 #include <fmt/core.h>
 
-#include "limn/extraordinary/fast_limit.h"
-#include "limn/extraordinary/limit_estimate.h"
 #include "limn/extraordinary/limit_points.h"
+#include "limn/fast/fast_limit.h"
+#include "limn/fast/limit_estimate.h"
 #include "limn/refine/refine.h"
 
 namespace limn {

@@ -1,0 +1,129 @@
+#include "limn/fast/limit/limit_forms.h"
+
+#include "limn/fast/sites/star_places.h"
+
+namespace limn {
+namespace {
+
+using Form = LinearForm<double>;
+using Spot = LimitPlace<Form>;
+
+Form weighted(const std::vector<double>& weights, const std::vector<Index>& vertices,
+              const std::vector<Form>& values) {
+  Form sum;
+  for (std::size_t i = 0; i < weights.size(); ++i)
+    if (weights[i] != 0) add_scaled(sum, weights[i], values[vertices[i]]);
+  return sum;
+}
+
+Form difference(const Form& to, const Form& from) {
+  Form sum = to;
+  add_scaled(sum, -1.0, from);
+  return sum;
+}
+
+/// Two vectors whose cross product is the area vector of the one face, or nothing.
+std::optional<std::array<Form, 2>> tangents_of_face(const Mesh& mesh,
+                                                    const std::vector<Form>& values, Index h,
+                                                    bool dual) {
+  const auto value = [&](Index g) -> const Form& { return values[mesh.origin(g)]; };
+  const Index last = mesh.prev(h), next = mesh.next(h);
+  if (!dual) {
+    if (mesh.twin(last) != kNone || mesh.twin(h) != kNone) return std::nullopt;
+    return std::array{difference(value(next), value(h)), difference(value(last), value(h))};
+  }
+  if (mesh.degree(mesh.face(h)) != 4) return std::nullopt;
+  return std::array{difference(value(mesh.next(next)), value(h)),
+                    difference(value(last), value(next))};
+}
+
+/// t₀, t₁, …, whose Σ tᵢ × tᵢ₊₁ is the sum that normals are taken from where there are no two
+/// tangents: from the vertex to its neighbours, or (dual) along the edges of the face.
+void add_chain(const Mesh& mesh, const std::vector<Form>& values, Index start, bool dual,
+               std::vector<Form>& chain) {
+  const std::size_t first = chain.size();
+  const auto edge = [&](Index h) {
+    return difference(values[mesh.target(h)], values[mesh.origin(h)]);
+  };
+  for (Index h = start;;) {
+    chain.push_back(edge(h));
+    const Index next = dual ? mesh.next(h) : mesh.rotate(h);
+    if (next == kNone) {
+      const Index last = mesh.prev(h);
+      chain.push_back(difference(values[mesh.origin(last)], values[mesh.target(last)]));
+      return;
+    }
+    if (next == start) break;
+    h = next;
+  }
+  chain.push_back(Form(chain[first]));
+}
+
+LimitOptions options_of(int steps_made, bool closed) {
+  LimitOptions options;
+  options.steps_made = steps_made;
+  options.boundary = !closed;
+  return options;
+}
+
+}  // namespace
+
+template <class Read>
+Status ApproxLimitReader::search(const Mesh& mesh, int steps_made, bool closed,
+                                 const std::vector<Index>& vertices, Read read) {
+  const auto no_curvature = [](const Spot&) {};
+  const LimitOptions options = options_of(steps_made, closed);
+  return LimitSearch<Form, Read, decltype(no_curvature)>(scheme_, kinds_, options, read,
+                                                         no_curvature)
+      .run(mesh, unit_forms<double>(mesh.vertex_count()), vertices, nullptr);
+}
+
+Result<Index> ApproxLimitReader::regular_rings(bool open) {
+  const Lattice lattice = scheme_.split->lattice;
+  const int size = open ? fast::half_plane_sectors(lattice) : fast::plane_sectors(lattice);
+  const Result<const LimitKind*> kind = kinds_.find(open, size);
+  if (!kind) return kind.error();
+  return (*kind)->shape;
+}
+
+Result<std::vector<std::optional<fast::LimitForms>>> ApproxLimitReader::read(
+    const Mesh& mesh, int steps_made, bool closed, const std::vector<Index>& vertices) {
+  std::vector<std::optional<fast::LimitForms>> found(vertices.size());
+  std::vector<Index> slot(static_cast<std::size_t>(mesh.vertex_count()), kNone);
+  for (std::size_t i = 0; i < vertices.size(); ++i) {
+    slot[vertices[i]] = static_cast<Index>(i);
+    if (mesh.is_isolated(vertices[i])) found[i] = {Form::unit(vertices[i]), Form(), Form()};
+  }
+  const bool dual = scheme_.split->births_corners;
+  const auto read = [&](const Spot& at) {
+    const LimitStencil& limit = at.kind.limit;
+    const Form position = weighted(limit.position, at.neighbourhood, at.values);
+    auto& forms = found[slot[at.vertex]];
+    if (!limit.has_plane)
+      forms = {position, Form(), Form()};
+    else if (!limit.first_tangent.empty())
+      forms = {position, weighted(limit.first_tangent, at.neighbourhood, at.values),
+               weighted(limit.second_tangent, at.neighbourhood, at.values)};
+    else if (auto tangents = tangents_of_face(at.mesh, at.values, at.start, dual))
+      forms = {position, std::move((*tangents)[0]), std::move((*tangents)[1])};
+  };
+  if (Status status = search(mesh, steps_made, closed, vertices, read); !status)
+    return status.error();
+  return found;
+}
+
+Result<fast::LimitChain> ApproxLimitReader::read_chain(const Mesh& mesh, int steps_made,
+                                                       bool closed, Index vertex) {
+  fast::LimitChain chain;
+  const bool dual = scheme_.split->births_corners;
+  const auto read = [&](const Spot& at) {
+    chain.forms = {weighted(at.kind.limit.position, at.neighbourhood, at.values)};
+    add_chain(at.mesh, at.values, at.start, dual, chain.forms);
+    chain.rings = at.kind.shape;
+  };
+  if (Status status = search(mesh, steps_made, closed, {vertex}, read); !status)
+    return status.error();
+  return chain;
+}
+
+}  // namespace limn

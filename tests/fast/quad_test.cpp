@@ -1,0 +1,342 @@
+// The quick engine on quads: its numbers, and its results beside the plain engine's, on any
+// polygons.
+
+#include "fast/fast_check.h"
+#include "limn/fast/layout/quad_frame.h"
+#include "limn/fast/layout/quad_layout.h"
+#include "limn/fast/sites/reach.h"
+#include "support/mutants.h"
+#include "support/shipped.h"
+
+namespace limn::test {
+namespace {
+
+using fast::QuadLayout;
+
+/// Quads only, with other numbers than a split gives where that is possible.
+Mesh random_quads(unsigned seed) {
+  const Mesh mesh = RandomMesh(seed).polygons();
+  return mesh.uniform_degree() == 4 ? mesh : find_split("quad-dyadic")->apply(mesh, 0).mesh;
+}
+
+std::vector<Mesh> some_quads() {
+  std::vector<Mesh> meshes{cube(), fan(Lattice::quad, 1, 2)};
+  for (unsigned seed = 0; seed < 12; ++seed) meshes.push_back(random_quads(seed));
+  return meshes;
+}
+
+/// Every point of every patch has a number, every number a point, and neighbours agree on a side.
+TEST(FastQuadLayout, NumbersEachPointOnce) {
+  for (const Mesh& mesh : some_quads())
+    for (const Index n : {1, 2, 4, 8}) {
+      const QuadLayout layout(mesh, n);
+      std::vector<int> met(static_cast<std::size_t>(layout.vertex_count()), 0);
+      for (Index f = 0; f < mesh.face_count(); ++f)
+        for (Index y = 0; y <= n; ++y)
+          for (Index x = 0; x <= n; ++x) ++met[layout.point(4 * f, x, y)];
+      for (Index v = 0; v < mesh.vertex_count(); ++v)
+        if (mesh.is_isolated(v)) met[v] = 1;
+      EXPECT_EQ(std::count(met.begin(), met.end(), 0), 0);
+      for (Index h = 0; h < mesh.halfedge_count(); ++h) {
+        EXPECT_EQ(layout.point(h, 0, 0), mesh.origin(h));
+        for (Index t = 0; t <= n && mesh.twin(h) != kNone; ++t)
+          EXPECT_EQ(layout.point(h, t, 0), layout.point(mesh.twin(h), n - t, 0));
+      }
+    }
+}
+
+/// The inner points of a patch come row by row in its own frame, and its four frames are turned
+/// into each other by 90°.
+TEST(FastQuadLayout, TurnsFrames) {
+  const Mesh mesh = cube();
+  for (const Index n : {1, 2, 4, 8}) {
+    const QuadLayout layout(mesh, n);
+    for (Index f = 0; f < mesh.face_count(); ++f) {
+      Index next = layout.face_begin(f);
+      for (Index y = 1; y < n; ++y)
+        for (Index x = 1; x < n; ++x) EXPECT_EQ(layout.point(4 * f, x, y), next++);
+    }
+    for (Index h = 0; h < mesh.halfedge_count(); ++h)
+      for (Index y = 0; y <= n; ++y)
+        for (Index x = 0; x <= n; ++x)
+          EXPECT_EQ(layout.point(mesh.next(h), y, n - x), layout.point(h, x, y));
+  }
+}
+
+TEST(FastQuadLayout, LooksBeyondSides) {
+  for (const Mesh& mesh : some_quads()) {
+    const Index n = 4;
+    const QuadLayout layout(mesh, n);
+    for (Index h = 0; h < mesh.halfedge_count(); ++h)
+      for (Index y = 1; y <= n; ++y)
+        for (Index x = 0; x <= n; ++x) {
+          const Index twin = mesh.twin(h);
+          const Index expected = twin == kNone ? kNone : layout.point(twin, n - x, y);
+          // the same place from each of the patch's frames
+          EXPECT_EQ(layout.point_beyond(h, x, -y), expected);
+          EXPECT_EQ(layout.point_beyond(mesh.next(h), -y, n - x), expected);
+          EXPECT_EQ(layout.point_beyond(mesh.next(mesh.next(h)), n - x, n + y), expected);
+          EXPECT_EQ(layout.point_beyond(mesh.prev(h), n + y, x), expected);
+        }
+  }
+}
+
+TEST(FastQuadLayout, NumbersFrames) {
+  for (const Mesh& mesh : some_quads())
+    for (const Index n : {1, 2, 4, 8})
+      for (const Index halo : {1, n}) {
+        const QuadLayout layout(mesh, n);
+        const fast::QuadFrames frames(layout, halo);
+        const std::vector<fast::Offset> places = fast::quad_frame_places(n, halo);
+        std::vector<Index> numbers(places.size(), kNone);
+        for (Index f = 0; f < mesh.face_count(); ++f) {
+          frames.number(fast::quad_topology(mesh, f), numbers.data());
+          for (std::size_t i = 0; i < places.size(); ++i) {
+            const Index there = layout.point_beyond(4 * f, places[i].a, places[i].b);
+            EXPECT_EQ(numbers[i], there == kNone ? mesh.origin(4 * f) : there);
+          }
+        }
+      }
+}
+
+TEST(FastQuadLayout, WritesFacesRowByRow) {
+  const Mesh mesh = random_quads(2);
+  for (const Index n : {1, 2, 4, 8, 16}) {
+    const QuadLayout layout(mesh, n);
+    std::vector<Index> corners(4 * static_cast<std::size_t>(layout.face_count()));
+    layout.write_faces(0, mesh.face_count(), corners.data());
+    std::vector<Index> expected;
+    for (Index f = 0; f < mesh.face_count(); ++f)
+      for (Index y = 0; y < n; ++y)
+        for (Index x = 0; x < n; ++x)
+          for (const auto& [dx, dy] : {std::pair{0, 0}, {1, 0}, {1, 1}, {0, 1}})
+            expected.push_back(layout.point(4 * f, x + dx, y + dy));
+    EXPECT_EQ(corners, expected);
+  }
+}
+
+/// By hand: Catmull–Clark's stencils need the faces of an edge or a vertex only.
+TEST(FastQuadReach, IsThatOfTheRules) {
+  const fast::Reach reach = fast::find_reach(shipped("catmull-clark"), true).value();
+  EXPECT_EQ(reach.star_zone, 0);
+  EXPECT_EQ(reach.strip_depth, 0);
+  EXPECT_EQ(reach.fan_zone, 0);
+  EXPECT_EQ(reach.corner_zone, 0);
+  EXPECT_EQ(reach.star_rings, 1);
+  EXPECT_EQ(reach.fan_rings, 1);
+  EXPECT_EQ(reach.smallest_grid, 1);
+}
+
+void expect_same_everywhere(const Scheme& scheme, unsigned seeds, Index most_plain) {
+  const auto check = [&](const Mesh& mesh, int levels, unsigned seed) {
+    const bool quads = mesh.uniform_degree() == 4 || mesh.face_count() == 0;
+    const int plain = expect_same(scheme, mesh, levels, seed);
+    EXPECT_GE(plain, quads || levels == 0 ? 0 : 1);
+    if (mesh.face_count() > 0) EXPECT_LE(plain, std::min(levels, most_plain + (quads ? 0 : 1)));
+  };
+  for (const Mesh& mesh : {cube(), torus(Lattice::quad, 3, 4), tetrahedron(), icosahedron()})
+    for (int levels = 0; levels <= 4; ++levels) check(mesh, levels, 5);
+  for (unsigned seed = 0; seed < seeds; ++seed) {
+    SCOPED_TRACE(seed);
+    check(RandomMesh(seed).polygons(), static_cast<int>(seed % 5), seed);
+    check(random_quads(seed), static_cast<int>(1 + seed % 4), seed);
+  }
+  for (const Index n : {3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 30})
+    for (const Index rings : {1, 2, 3}) {
+      SCOPED_TRACE(n);
+      check(star(Lattice::quad, n, rings), 3, 3);
+      check(fan(Lattice::quad, n, rings), 3, 4);
+      check(face_star(n, rings), 3, 4);
+    }
+  for (const Index faces : {1, 2, 3})
+    for (const Index rings : {1, 2, 3}) check(fan(Lattice::quad, faces, rings), 4, 6);
+  check(fan(Lattice::quad, 1, 1), 5, 1);
+}
+
+TEST(FastQuads, AreThePlainEngines) { expect_same_everywhere(shipped("catmull-clark"), 200, 0); }
+
+Scheme parsed(const std::string& rules) { return rules_on("quad-dyadic", rules); }
+
+constexpr const char* kBoundary = R"toml(
+[[boundary.vertex]]
+when = "n < 4"
+self = "7/8"
+next = "1/16"
+
+[[boundary.vertex]]
+self = "3/4"
+next = "1/8"
+
+[boundary.edge]
+end = "9/16"
+beyond = "-1/16"
+)toml";
+
+/// Rules that look as far as two rings, by way of faces and at edges' ends too, and differ by
+/// valence.
+constexpr const char* kWide = R"toml(
+[roles.vertex]
+straight = "vefev"
+
+[face]
+corner = "9/(8*n)"
+beyond = "-1/(16*n)"
+
+[[vertex]]
+when = "n == 5"
+self = "1/2"
+ring = "1/(4*n)"
+diagonal = "1/(4*n)"
+
+[[vertex]]
+self = "5/8"
+ring = "1/(8*n)"
+straight = "1/(8*n)"
+face = "1/(8*n)"
+
+[edge]
+end = "7/16"
+wing = "1/64"
+opposite = "-1/32"
+face = "1/16"
+
+[[edge-end]]
+when = "n == 7 or n == 4"
+self = "5/8"
+ring = "(3/8)/n + cos(2*pi*k/n)/(2*n)"
+)toml";
+
+/// The tensor product of the four-point scheme: of an edge's or face's two rings, not all.
+constexpr const char* kFourPoint = R"toml(
+[roles.face]
+far = "fefvev"
+
+[face]
+corner = "81/(64*n)"
+beyond = "-9/(64*n)"
+far = "1/(64*n)"
+
+[vertex]
+self = 1
+
+[edge]
+end = "9/16"
+opposite = "-1/16"
+)toml";
+
+/// New vertices of faces, with weights by position, that look beyond their faces.
+constexpr const char* kFaces = R"toml(
+[roles.vertex]
+around = "(ef)*F"
+
+[face]
+corner = "9/(8*n)"
+beyond = "-1/(16*n)"
+
+[vertex]
+self = "3/4"
+around = "1/(4*n)"
+
+[edge]
+end = "1/4"
+face = "1/4"
+)toml";
+
+TEST(FastQuadRules, MayLookFar) {
+  for (const char* rules : {kWide, kFourPoint, kFaces})
+    expect_same_everywhere(parsed(std::string(rules) + kBoundary), 120, 2);
+}
+
+/// Rules of the boundary that look farther than those inside: along it, past a vertex of any number
+/// of faces, and across faces whose other side may lie on the boundary.
+TEST(FastQuadRules, MayLookFarFromTheBoundary) {
+  const std::string base = "extends = \"catmull-clark\"\n";
+  const std::string inward = R"toml(
+[roles."boundary.edge"]
+inner = "evefev"
+
+[boundary.edge]
+end = "5/8"
+inner = "-1/8"
+)toml";
+  const std::string along = R"toml(
+[boundary.edge]
+end = "9/16"
+beyond = "-1/16"
+)toml";
+  for (const std::string& rules : {along, inward}) {
+    const Scheme scheme = parsed(base + rules);
+    expect_same_everywhere(scheme, 80, 2);
+    EXPECT_EQ(expect_same(scheme, band(5, 1), 3, 1), 1);
+    EXPECT_EQ(expect_same(scheme, band(5, 2), 3, 1), 1);
+  }
+}
+
+/// Where the end's rule applies at regular vertices, an edge depends on whether an end is on the
+/// boundary, however near its stencil stays.
+TEST(FastQuadRules, MayDependOnAnEdgesEnds) {
+  for (const std::string rule :
+       {"when = \"n == 4\"\nself = \"1/2\"\nring = \"1/(2*n) + cos(2*pi*k/n)/12\"\n",
+        "when = \"n < 5\"\nself = 1\n"})
+    expect_same_everywhere(parsed("extends = \"catmull-clark\"\n[[edge-end]]\n" + rule), 40, 1);
+}
+
+/// Whatever the weights: each mutant moves some of them.
+TEST(FastQuadRules, MayHaveAnyWeights) {
+  std::mt19937 random(7);
+  const std::vector<Scheme> schemes{shipped("catmull-clark"),
+                                    parsed(std::string(kWide) + kBoundary),
+                                    parsed(std::string(kFourPoint) + kBoundary)};
+  for (const Scheme& scheme : schemes) {
+    std::vector<RuleMutant> mutants = rule_mutants(scheme);
+    std::shuffle(mutants.begin(), mutants.end(), random);
+    mutants.resize(std::min<std::size_t>(mutants.size(), 40));
+    for (const RuleMutant& mutant : mutants) {
+      SCOPED_TRACE(mutant.change);
+      expect_same(mutant.scheme, RandomMesh(random()).polygons(), 3, 1);
+      expect_same(mutant.scheme, random_quads(random()), 3, 1);
+      expect_same(mutant.scheme, fan(Lattice::quad, 5, 2), 2, 1);
+    }
+  }
+}
+
+TEST(FastQuads, AreRefusedAsByThePlainEngine) {
+  const Scheme closed =
+      parsed("[face]\ncorner=\"1/n\"\n[vertex]\nself = 1\n[edge]\nend = \"1/2\"\n");
+  expect_same(closed, cube(), 2, 1);
+  EXPECT_EQ(expect_same(closed, fan(Lattice::quad, 3, 2), 2, 1), -1);
+  EXPECT_EQ(expect_same(shipped("box-spline-quad"), cube(), 2, 1), -1);
+  EXPECT_EQ(expect_same(shipped("catmull-clark"), cube(), 40, 1), -1);
+  EXPECT_EQ(expect_same(shipped("catmull-clark"), icosahedron(), 14, 1), -1);
+}
+
+/// Then the plain engine makes all steps, in the quick one's numbers.
+TEST(FastQuads, AreLeftWhereNoTableWouldDo) {
+  const std::string straight = "efev";
+  std::string far;
+  for (int i = 0; i < 6; ++i) far += straight;
+  const Scheme scheme = parsed("extends = \"catmull-clark\"\n[roles.edge]\nfar = \"" + far +
+                               "\"\n[edge]\nend = \"1/4\"\nface = \"3/16\"\nfar = \"1/16\"\n");
+  for (const Mesh& mesh : {cube(), icosahedron(), torus(Lattice::quad, 9, 3)})
+    for (const int levels : {1, 2, 3}) EXPECT_EQ(expect_same(scheme, mesh, levels, 1), levels);
+  EXPECT_EQ(expect_same(shipped("catmull-clark"), star(Lattice::quad, 1001, 1), 2, 1), 2);
+  EXPECT_EQ(expect_same(shipped("catmull-clark"), star(Lattice::quad, 1000, 1), 2, 1), 0);
+}
+
+/// Zones that overlap, too, are made in one order.
+TEST(FastQuads, AreTheSameBitsOnOneThreadAndMany) {
+  for (const Scheme& scheme :
+       {shipped("catmull-clark"), parsed(std::string(kFourPoint) + kBoundary)})
+    for (const Mesh& mesh : {fan(Lattice::quad, 9, 25), torus(Lattice::triangle, 30, 31)})
+      expect_same_bits(scheme, mesh, 3);
+}
+
+TEST(FastQuads, MayBeNone) {
+  for (const Index vertices : {0, 3}) {
+    const Mesh mesh = must_build(vertices, {});
+    EXPECT_EQ(expect_same(shipped("catmull-clark"), mesh, 3, 1), 3);
+  }
+}
+
+}  // namespace
+}  // namespace limn::test
