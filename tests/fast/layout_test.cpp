@@ -1,103 +1,184 @@
-// The quick engine's parts: its numbers, its coordinates, and how far it finds rules to look.
+// The quick engine's numbers, frames and faces, for all lattices at once; its coordinates.
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 
-#include "limn/fast/layout/triangle_layout.h"
-#include "limn/fast/sites/reach.h"
+#include "fast/fast_check.h"
+#include "limn/fast/layout/patch_frame.h"
+#include "limn/fast/layout/star_places.h"
 #include "mesh/random_mesh.h"
-#include "support/shipped.h"
 
 namespace limn::fast {
 namespace {
 
-using test::shipped;
+/// The levels of a split as patches have them.
+struct Levels {
+  const char* name;
+  Lattice lattice;
+  Index cut, unit;
+  bool centres;
+};
 
-std::vector<Mesh> some_meshes() {
-  std::vector<Mesh> meshes{test::icosahedron(), fan(Lattice::triangle, 1, 2)};
-  for (unsigned seed = 0; seed < 12; ++seed) meshes.push_back(test::RandomMesh(seed).triangles());
-  return meshes;
-}
+std::ostream& operator<<(std::ostream& out, const Levels& levels) { return out << levels.name; }
 
-/// Every point of every patch has a number, every number a point, and neighbours agree on a side.
-TEST(FastLayout, NumbersEachPointOnce) {
-  for (const Mesh& mesh : some_meshes())
-    for (const Index n : {1, 2, 4, 8}) {
-      const TriangleLayout layout(mesh, n);
-      std::vector<int> met(static_cast<std::size_t>(layout.vertex_count()), 0);
-      for (Index f = 0; f < mesh.face_count(); ++f)
-        for (Index y = 0; y <= n; ++y)
-          for (Index x = 0; x + y <= n; ++x) ++met[layout.point(3 * f, x, y)];
-      for (Index v = 0; v < mesh.vertex_count(); ++v)
-        if (mesh.is_isolated(v)) met[v] = 1;
-      EXPECT_EQ(std::count(met.begin(), met.end(), 0), 0);
-      for (Index h = 0; h < mesh.halfedge_count(); ++h) {
-        EXPECT_EQ(layout.point(h, 0, 0), mesh.origin(h));
-        for (Index t = 0; t <= n && mesh.twin(h) != kNone; ++t)
-          EXPECT_EQ(layout.point(h, t, 0), layout.point(mesh.twin(h), n - t, 0));
-      }
+class FastLayout : public ::testing::TestWithParam<Levels> {
+ protected:
+  [[nodiscard]] static bool triangles() { return GetParam().lattice == Lattice::triangle; }
+
+  [[nodiscard]] static std::vector<Mesh> meshes() {
+    std::vector<Mesh> meshes{triangles() ? test::icosahedron() : test::cube(),
+                             fan(GetParam().lattice, 1, 1), fan(GetParam().lattice, 1, 2)};
+    for (unsigned seed = 0; seed < 12; ++seed) {
+      const Mesh mesh =
+          triangles() ? test::RandomMesh(seed).triangles() : test::RandomMesh(seed).polygons();
+      meshes.push_back(triangles() || mesh.uniform_degree() == 4
+                           ? mesh
+                           : find_split("quad-dyadic")->apply(mesh, 0).mesh);
     }
-}
-
-/// The three frames of a patch are turned into each other by 120°.
-TEST(FastLayout, TurnsFrames) {
-  const Mesh mesh = test::icosahedron();
-  const TriangleLayout layout(mesh, 4);
-  for (Index h = 0; h < mesh.halfedge_count(); ++h)
-    for (Index y = 0; y <= 4; ++y)
-      for (Index x = 0; x + y <= 4; ++x)
-        EXPECT_EQ(layout.point(mesh.next(h), y, 4 - x - y), layout.point(h, x, y));
-}
-
-/// A point beyond a side is the point of the neighbour that lies there: its mirror image's twin.
-TEST(FastLayout, LooksBeyondSides) {
-  for (const Mesh& mesh : some_meshes()) {
-    const Index n = 4;
-    const TriangleLayout layout(mesh, n);
-    for (Index h = 0; h < mesh.halfedge_count(); ++h)
-      for (Index y = 1; y <= n; ++y)
-        for (Index x = y; x <= n; ++x) {
-          const Index twin = mesh.twin(h);
-          const Index expected = twin == kNone ? kNone : layout.point(twin, n - x, y);
-          // the neighbour's frame at the other end looks back along the side
-          EXPECT_EQ(layout.point_beyond(h, x, -y), expected);
-          EXPECT_EQ(layout.point_beyond(mesh.next(h), -y, n - x + y), expected);
-          EXPECT_EQ(layout.point_beyond(mesh.prev(h), n - x + y, x), expected);
-        }
+    return meshes;
   }
-}
 
-TEST(FastLayout, WritesColumns) {
-  for (const Mesh& mesh : some_meshes())
-    for (const Index n : {1, 2, 4, 8}) {
-      const TriangleLayout layout(mesh, n);
-      for (Index h = 0; h < mesh.halfedge_count(); ++h)
-        for (Index x = 1; x <= n; ++x) {
-          std::vector<Index> column(2 * static_cast<std::size_t>(n) + 2, kNone);
-          layout.column(h, x, column.data(), 2);
-          for (Index y = 0; x + y <= n; ++y) EXPECT_EQ(column[2 * y], layout.point(h, x, y));
-        }
+  /// test(mesh, layout) for some meshes and grids.
+  template <class Test>
+  static void each(Test test) {
+    const auto& [name, lattice, cut, unit, centres] = GetParam();
+    for (const Mesh& mesh : meshes())
+      for (const Index n : {Index{1}, cut, cut * cut})
+        test(mesh, GridLayout(mesh, lattice, n, unit, centres));
+  }
+
+  /// visit(x, y) for all points of a patch.
+  template <class Visit>
+  static void each_point(const GridLayout& layout, Visit visit) {
+    for (Index y = 0; y <= layout.side(); ++y)
+      for (Index x = 0; x <= layout.side(); ++x)
+        if (patch_holds(layout.lattice(), layout.side(), {x, y}) && layout.has_point(x, y))
+          visit(x, y);
+  }
+};
+
+INSTANTIATE_TEST_SUITE_P(Lattices, FastLayout,
+                         ::testing::Values(Levels{"triangles", Lattice::triangle, 2, 1, false},
+                                           Levels{"quads", Lattice::quad, 2, 1, false},
+                                           Levels{"spread", Lattice::quad, 2, 2, false},
+                                           Levels{"thirds", Lattice::triangle, 3, 1, false},
+                                           Levels{"centroids", Lattice::triangle, 3, 3, true},
+                                           Levels{"centres", Lattice::quad, 2, 2, true}),
+                         [](const auto& info) { return info.param.name; });
+
+/// Every point of every patch has a number, every number a point, neighbours agree on a side, and
+/// the numbers inside of a patch come row by row.
+TEST_P(FastLayout, NumbersEachPointOnce) {
+  each([](const Mesh& mesh, const GridLayout& layout) {
+    std::vector<int> met(static_cast<std::size_t>(layout.vertex_count()), 0);
+    for (Index f = 0; f < mesh.face_count(); ++f) {
+      const Index h = layout.sides() * f, unit = layout.unit();
+      each_point(layout, [&](Index x, Index y) { ++met[layout.point(h, x, y)]; });
+      Index next = layout.face_begin(f);
+      for (const Offset p : inner_places(layout.lattice(), layout.n()))
+        EXPECT_EQ(layout.point(h, unit * p.a, unit * p.b), next++);
+      EXPECT_EQ(next, layout.face_begin(f + 1));
+      if (!layout.has_centres()) continue;
+      next = layout.centre_begin(f);
+      for (const Offset p : centre_places(layout.lattice(), layout.n(), unit))
+        EXPECT_EQ(layout.point(h, p.a, p.b), next++);
+      EXPECT_EQ(next, layout.centre_begin(f + 1));
     }
+    for (Index v = 0; v < mesh.vertex_count(); ++v)
+      if (mesh.is_isolated(v)) met[v] = 1;
+    EXPECT_EQ(std::count(met.begin(), met.end(), 0), 0);
+    for (Index h = 0; h < mesh.halfedge_count(); ++h) {
+      EXPECT_EQ(layout.point(h, 0, 0), mesh.origin(h));
+      for (Index t = 0; t <= layout.side() && mesh.twin(h) != kNone; t += layout.unit())
+        EXPECT_EQ(layout.point(h, t, 0), layout.point(mesh.twin(h), layout.side() - t, 0));
+    }
+  });
 }
 
-TEST(FastLayout, WritesFacesRowByRow) {
-  const Mesh mesh = test::RandomMesh(2).triangles();
-  for (const Index n : {1, 2, 4, 8, 16}) {
-    const TriangleLayout layout(mesh, n);
-    std::vector<Index> corners(3 * static_cast<std::size_t>(layout.face_count()));
-    layout.write_faces(0, mesh.face_count(), corners.data());
+TEST_P(FastLayout, TurnsFrames) {
+  each([](const Mesh& mesh, const GridLayout& layout) {
+    for (Index h = 0; h < mesh.halfedge_count(); ++h)
+      each_point(layout, [&](Index x, Index y) {
+        EXPECT_EQ(layout.point(mesh.next(h), y, mirrored(layout.lattice(), layout.side(), x, y)),
+                  layout.point(h, x, y));
+      });
+  });
+}
+
+/// A point beyond a side is one of the neighbour, whose frame there is turned by half a turn; from
+/// all frames of the patch it is the same.
+TEST_P(FastLayout, LooksBeyondSides) {
+  each([](const Mesh& mesh, const GridLayout& layout) {
+    const Index side = layout.side();
+    for (Index h = 0; h < mesh.halfedge_count(); ++h)
+      each_point(layout, [&](Index x, Index y) {
+        if (y == 0) return;
+        const Index twin = mesh.twin(h);
+        const Index expected = twin == kNone ? kNone : layout.point(twin, x, y);
+        Offset place{side - x, -y};
+        for (Index k = 0, g = h; k < layout.sides(); ++k, g = mesh.next(g)) {
+          EXPECT_EQ(layout.point_beyond(g, place.a, place.b), expected);
+          place = {place.b, mirrored(layout.lattice(), side, place.a, place.b)};
+        }
+      });
+  });
+}
+
+TEST_P(FastLayout, NumbersFrames) {
+  each([](const Mesh& mesh, const GridLayout& layout) {
+    const PatchTopology topology(mesh, layout.sides());
+    for (const Index halo : {Index{0}, Index{1}, layout.side()}) {
+      const PatchFrame frame(layout, halo);
+      std::vector<Index> numbers(frame.places().size() + 1, kNone);
+      for (Index f = 0; f < mesh.face_count(); ++f) {
+        frame.number(f, topology.face(f), numbers.data());
+        const Index h = layout.sides() * f;
+        for (std::size_t i = 0; i < frame.places().size(); ++i) {
+          const Index there = layout.point_beyond(h, frame.places()[i].a, frame.places()[i].b);
+          EXPECT_EQ(numbers[i], there == kNone ? mesh.origin(h) : there);
+        }
+      }
+      EXPECT_EQ(numbers.back(), kNone);
+    }
+  });
+}
+
+/// By definition, from places alone.
+TEST_P(FastLayout, WritesFaces) {
+  if (GetParam().centres && !triangles()) GTEST_SKIP() << "no split has them";
+  each([](const Mesh& mesh, const GridLayout& layout) {
+    const Index unit = layout.unit(), sides = layout.sides();
     std::vector<Index> expected;
     for (Index f = 0; f < mesh.face_count(); ++f) {
-      const auto add = [&](Index x, Index y) { expected.push_back(layout.point(3 * f, x, y)); };
-      for (Index y = 0; y < n; ++y)
-        for (Index x = 0; x + y < n; ++x) {
-          add(x, y), add(x + 1, y), add(x, y + 1);
-          if (x + y + 1 < n) add(x + 1, y), add(x + 1, y + 1), add(x, y + 1);
+      const auto at = [&](Offset p) { return layout.point_beyond(sides * f, p.a, p.b); };
+      const auto cell = [&](std::vector<Offset> p) {
+        if (!layout.has_centres())
+          for (const Offset corner : p) expected.push_back(at(corner));
+        for (std::size_t i = 0; layout.has_centres() && i < 3; ++i) {
+          const Offset a = p[i], b = p[(i + 1) % 3], c = p[(i + 2) % 3];
+          const Offset far{a.a + b.a - c.a, a.b + b.b - c.b};
+          const Index own = at({(a.a + b.a + c.a) / 3, (a.b + b.b + c.b) / 3});
+          const Index across = at({(a.a + b.a + far.a) / 3, (a.b + b.b + far.b) / 3});
+          expected.insert(expected.end(), {at(a), across == kNone ? at(b) : across, own});
+        }
+      };
+      for (Index y = 0; y < layout.side(); y += unit)
+        for (Index x = 0; mirrored(layout.lattice(), layout.side(), x, y) > 0; x += unit) {
+          const Offset right{x + unit, y}, up{x, y + unit}, far{x + unit, y + unit};
+          if (triangles()) {
+            cell({{x, y}, right, up});
+            if (x + y + unit < layout.side()) cell({right, far, up});
+          } else {
+            cell({{x, y}, right, far, up});
+          }
         }
     }
+    std::vector<Index> corners(static_cast<std::size_t>(sides * layout.face_count()));
+    layout.write_faces(0, mesh.face_count(), corners.data());
     EXPECT_EQ(corners, expected);
-  }
+  });
 }
 
 TEST(FastPlaces, AreThoseOfTheStar) {
@@ -148,37 +229,6 @@ TEST(FastPlaces, AreSeenFromPatches) {
       EXPECT_EQ(beside_corner(lattice, on_plane(lattice, point)), beside);
     }
   }
-}
-
-TEST(FastPlaces, HaveANearestCorner) {
-  const Index n = 6;
-  for (const Lattice lattice : {Lattice::triangle, Lattice::quad})
-    for (Index y = 0; y <= n; ++y)
-      for (Index x = 0; patch_holds(lattice, n, {x, y}); ++x) {
-        Index nearest = n;
-        for (Offset p{x, y}; nearest > 0;) {  // from each corner in turn
-          nearest = std::min(nearest, ring_of(lattice, p.a, p.b));
-          p = {p.b, mirrored(lattice, n, p.a, p.b)};
-          if (p == Offset{x, y}) break;
-        }
-        EXPECT_EQ(ring_of_nearest_corner(lattice, n, x, y), nearest);
-      }
-}
-
-/// By hand: Loop's stencils need the neighbours of an edge's or vertex's own faces only, the
-/// butterfly's also the vertices beyond, so that edges at a control vertex see round it.
-TEST(FastReach, IsThatOfTheRules) {
-  const Reach loop = find_reach(shipped("loop"), true).value();
-  EXPECT_EQ(loop.star_zone, 0);
-  EXPECT_EQ(loop.strip_depth, 0);
-  EXPECT_EQ(loop.fan_zone, 0);
-  EXPECT_EQ(loop.star_rings, 1);
-  EXPECT_EQ(loop.smallest_grid, 1);
-  const Reach butterfly = find_reach(shipped("butterfly"), true).value();
-  EXPECT_EQ(butterfly.star_zone, 1);
-  EXPECT_EQ(butterfly.strip_depth, 1);
-  EXPECT_EQ(butterfly.star_rings, 2);
-  EXPECT_EQ(butterfly.smallest_grid, 2);
 }
 
 }  // namespace

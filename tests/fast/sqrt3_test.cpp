@@ -1,7 +1,6 @@
 // The quick engine's family of √3 against the plain engine.
 
 #include "fast/fast_check.h"
-#include "limn/fast/sites/sqrt3_reach.h"
 #include "support/mutants.h"
 #include "support/shipped.h"
 
@@ -59,25 +58,6 @@ Starts start_sqrt3(const Mesh& control, int levels, const Mesh& quick) {
 
 int expect_same_sqrt3(const Scheme& scheme, const Mesh& control, int levels, unsigned seed) {
   return expect_same(scheme, control, levels, seed, start_sqrt3);
-}
-
-/// By hand: vertices look at the neighbours that their faces have, faces at their corners, so only
-/// control vertices are not regular; at the boundary, the ends of edges look round the corner.
-TEST(Sqrt3Reach, IsThatOfTheRules) {
-  const fast::BoundarySides closed{true, false, false, false}, open{true, true, true, false};
-  for (const fast::Sqrt3Step step : {fast::Sqrt3Step::centroids, fast::Sqrt3Step::thirds}) {
-    const bool thirds = step == fast::Sqrt3Step::thirds;
-    const auto inner = fast::find_sqrt3_reach(shipped("sqrt3"), step, closed).value();
-    EXPECT_EQ(inner.star_zone, 0);
-    EXPECT_EQ(inner.star_rings, thirds ? 2 : 3);
-    EXPECT_EQ(inner.strip_depth, -1);
-    EXPECT_EQ(inner.smallest_side, 3);
-    const auto outer = fast::find_sqrt3_reach(shipped("sqrt3"), step, open).value();
-    EXPECT_EQ(outer.strip_depth, thirds ? 1 : 0);
-    EXPECT_EQ(outer.fan_zone, thirds ? 1 : 0);
-    EXPECT_EQ(outer.corner_zone, thirds ? 1 : 0);
-    EXPECT_EQ(outer.smallest_side, 3);
-  }
 }
 
 TEST(Sqrt3Engine, IsThePlainEngineOnRegularBodies) {

@@ -1,6 +1,6 @@
 #include "limn/fast/limit/limit_forms.h"
 
-#include "limn/fast/sites/star_places.h"
+#include "limn/fast/layout/star_places.h"
 
 namespace limn {
 namespace {

@@ -85,15 +85,4 @@ std::pair<RowTable, std::vector<Offset>> limit_rows(const LimitStencils& stencil
 
 RowTable isolated_limit_rows() { return {1, {0, 1, 1, 1}, {{0, 1.0}}}; }
 
-ZoneTable limit_table(const StarShape& shape, const std::vector<Index>& targets,
-                      std::span<const LimitSums> sums) {
-  std::vector<Form> forms;
-  for (const LimitSums& sum : sums) forms.insert(forms.end(), sum.begin(), sum.end());
-  auto [rows, vertices] = to_rows(forms);
-  ZoneTable table{shape.sectors, {}, {}, std::move(rows)};
-  for (const Index v : vertices) table.sources.push_back(sector_point(shape, v));
-  for (const Index v : targets) table.targets.push_back(sector_point(shape, v));
-  return table;
-}
-
 }  // namespace limn::fast

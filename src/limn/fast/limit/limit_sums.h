@@ -4,7 +4,6 @@
 #include <span>
 
 #include "limn/fast/families/family.h"
-#include "limn/fast/sites/stencil_tables.h"
 
 namespace limn::fast {
 
@@ -32,9 +31,5 @@ void drop_rounding(LinearForm<double>& form);
 
 /// The rows of an isolated vertex, which stays and has no tangents.
 [[nodiscard]] RowTable isolated_limit_rows();
-
-/// The rows of some vertices of a star or fan, from the sums of each.
-[[nodiscard]] ZoneTable limit_table(const StarShape& shape, const std::vector<Index>& targets,
-                                    std::span<const LimitSums> sums);
 
 }  // namespace limn::fast

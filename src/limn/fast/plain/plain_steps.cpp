@@ -3,23 +3,11 @@
 #include <algorithm>
 
 #include "limn/base/huge_array.h"
+#include "limn/fast/sites/dependence.h"
 #include "limn/refine/refine_values.h"
 
 namespace limn::fast {
 namespace {
-
-/// Those of a first step.
-Births births(const Split& split, const Mesh& mesh) {
-  Births births;
-  if (split.births_vertices) births.from_vertices = mesh.vertex_count();
-  if (split.births_edges) births.from_edges = mesh.edge_count();
-  if (split.births_faces) births.from_faces = mesh.face_count();
-  if (!split.births_corners) return births;
-  births.from_corners = mesh.halfedge_count();
-  for (Index v = 0; v < mesh.vertex_count(); ++v)
-    if (mesh.is_isolated(v)) births.isolated.push_back(v);
-  return births;
-}
 
 /// The most that rows may take: half as much again as a butterfly's do, and something on top for
 /// small meshes.
@@ -27,28 +15,13 @@ std::size_t row_limit(Index vertices) { return 48 * (static_cast<std::size_t>(ve
 
 }  // namespace
 
-Index halfedge_between(const Mesh& mesh, Index from, Index to) {
-  const Index first = mesh.halfedge_of_vertex(to);
-  Index h = first;
-  do {
-    if (mesh.origin(mesh.prev(h)) == from) return mesh.prev(h);
-    h = mesh.rotate(h);
-  } while (h != kNone && h != first);
-  return kNone;
-}
-
-Index first_part(const Mesh& coarse, const SplitResult& split, Index h) {
-  const Index middle = split.births.from_vertices + coarse.edge(h);
-  return halfedge_between(split.mesh, coarse.origin(h), middle);
-}
-
 Result<PlainSteps> PlainSteps::make(const Scheme& scheme, const Mesh& control, int count) {
   PlainSteps steps(scheme, control);
   for (int step = 0; step < count; ++step) {
     const Mesh& mesh = steps.mesh(static_cast<std::size_t>(step));
     // nobody looks at the mesh that a single step makes
-    SplitResult split =
-        count > 1 ? scheme.split->apply(mesh, step) : SplitResult{{}, births(*scheme.split, mesh)};
+    SplitResult split = count > 1 ? scheme.split->apply(mesh, step)
+                                  : SplitResult{{}, first_births(*scheme.split, mesh)};
     if (Status status = steps.tables_.prepare(mesh, split.births); !status) return status.error();
     steps.splits_.push_back(std::move(split));
     ++steps.count_;

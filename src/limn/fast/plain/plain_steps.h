@@ -8,14 +8,6 @@
 
 namespace limn::fast {
 
-/// The half-edge between two vertices, or kNone; the faces round `to`, which should have few, are
-/// gone through.
-[[nodiscard]] Index halfedge_between(const Mesh& mesh, Index from, Index to);
-
-/// Of a split that cuts edges in two: the half-edge of the refined mesh that starts as h does, on
-/// the same edge.
-[[nodiscard]] Index first_part(const Mesh& coarse, const SplitResult& split, Index h);
-
 class PlainSteps {
  public:
   /// `count` ≥ 0 steps from the control mesh; scheme and mesh must outlive them. Fails as refine

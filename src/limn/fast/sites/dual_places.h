@@ -9,9 +9,16 @@
 
 #include <optional>
 
-#include "limn/fast/sites/star_places.h"
+#include "limn/fast/layout/star_places.h"
 
 namespace limn::fast {
+
+/// Fine points of one class have the same stencil but for a translation: those of one parity.
+/// Point (X, Y) is of class [Y mod 2][X mod 2], its anchor the old point (⌊X/2⌋, ⌊Y/2⌋).
+[[nodiscard]] inline std::size_t class_of(Index fine_x, Index fine_y) {
+  return static_cast<std::size_t>((fine_y & 1) * 2 + (fine_x & 1));
+}
+inline constexpr std::size_t kClasses = 4;
 
 /// The ring of a point, as face_star counts them: 1 round the middle face.
 [[nodiscard]] inline Index dual_ring(const SectorPoint& point) {

@@ -7,8 +7,7 @@
 #include <fmt/core.h>
 
 #include "limn/fast/layout/dual_walk.h"
-#include "limn/fast/sites/reach.h"
-#include "limn/fast/sites/walk_hull.h"
+#include "limn/fast/sites/dependence.h"
 #include "limn/refine/refine_values.h"
 
 namespace limn::fast {
@@ -172,7 +171,8 @@ class RimReader {
       });
     }
     for (const Index h : born)
-      for (const Index v : corner_hull(scheme_, coarse_mesh, h))
+      for (const Index v :
+           dependence(scheme_, coarse_mesh, corner_births(coarse_mesh), {Birth::corner, h}))
         if (!places.contains(v))
           return Error{
               fmt::format("the rules of scheme '{}' look too far", scheme_.name), {}, {}, 0, 0};

@@ -6,7 +6,7 @@
 
 #include <fmt/core.h>
 
-#include "limn/fast/sites/walk_hull.h"
+#include "limn/fast/sites/dependence.h"
 #include "limn/mesh/lattice.h"
 #include "limn/refine/refine_values.h"
 #include "limn/refine/star_step.h"
@@ -37,7 +37,8 @@ class Site {
   /// What the rule of a fine point sees; nothing where it meets the rim.
   [[nodiscard]] std::vector<SectorPoint> seen(const SectorPoint& fine) const {
     std::vector<SectorPoint> points;
-    for (const Index v : corner_hull(scheme_, step_.coarse, step_.images[image(fine)])) {
+    for (const Index v : dependence(scheme_, step_.coarse, step_.fine.births,
+                                    {Birth::corner, step_.images[image(fine)]})) {
       points.push_back(dual_point(sides_, v));
       if (dual_ring(points.back()) == rings_) return {};
     }

@@ -8,8 +8,8 @@
 #include <map>
 #include <optional>
 
+#include "limn/fast/sites/dual_places.h"
 #include "limn/fast/sites/dual_rims.h"
-#include "limn/fast/sites/reach.h"
 
 namespace limn::fast {
 

@@ -1,51 +1,57 @@
 #pragma once
-/// How far the rules of a dyadic scheme, on triangles or quads, look. A rule sees the mesh by walks
-/// (mesh/flag.h); where all faces that its walks visit are regular, its stencil is the regular one.
-/// The walks are made here on a regular star and on fans, with every case of every rule, so the
-/// answer holds for all valences and needs no weight.
+/// How far the rules of a scheme look. A rule sees the mesh by walks (mesh/flag.h); where all faces
+/// that its walks visit are regular, its stencil is the regular one. The walks are made here on
+/// stars and fans, with every case of every rule, so the answer holds for all valences and needs no
+/// weight.
+///
+/// Lengths are in steps of the finer grid (lattice_step.h), of which a patch has `side` a side;
+/// rings (star_places.h) are counted round a control vertex.
 
 #include <array>
 #include <optional>
-#include <set>
-#include <vector>
 
-#include "limn/fast/sites/star_places.h"
-#include "limn/scheme/scheme.h"
+#include "limn/fast/sites/site.h"
 
 namespace limn::fast {
 
-/// Fine points of one class have the same stencil but for a translation: those of one parity.
-/// Point (X, Y) of the refined lattice is of class [Y mod 2][X mod 2], its anchor the old vertex
-/// (⌊X/2⌋, ⌊Y/2⌋).
-[[nodiscard]] inline std::size_t class_of(Index fine_x, Index fine_y) {
-  return static_cast<std::size_t>((fine_y & 1) * 2 + (fine_x & 1));
-}
-inline constexpr std::size_t kClasses = 4;
+/// Which sides of its faces a mesh has on the boundary: whether some face has those of this bit
+/// set.
+using BoundarySides = std::array<bool, 16>;
+[[nodiscard]] BoundarySides boundary_sides(const Mesh& control);
 
-/// What the rule sees (walk_hull.h) by which fine point (x, y) of a sector is born, on a star or
-/// fan. Both coordinates odd, that is an edge of triangles or a face of quads.
-[[nodiscard]] std::set<Index> birth_hull(const Scheme& scheme, const Mesh& star,
-                                         const StarShape& shape, const SectorPoint& fine);
-
-/// Rings are counted round a control vertex: fine rings in steps of the finer grid, coarse rings
-/// in steps of the coarser.
-struct Reach {
-  /// Fine points of fine rings 0 … this round an interior vertex need a table of its valence.
-  Index star_zone = 0;
-  /// The same round a boundary vertex of two faces or more, and of one face.
-  Index fan_zone = 0, corner_zone = 0;
-  /// Fine points so near to a boundary side, in rows of the finer grid, need the side's own
-  /// stencils.
-  Index strip_depth = 0;
-  /// Coarse rings that these tables look at.
-  Index star_rings = 1, fan_rings = 1;
-  /// The fewest coarse edges (a power of two) that a control edge must have been cut into for all
-  /// this to be so: vertices of the control mesh are then far enough apart.
-  Index smallest_grid = 1;
+/// Points round a control vertex, the same in each sector: x + y ≤ size, or (`square`) x, y ≤ size.
+struct Zone {
+  Index size = 0;
+  bool square = false;
+  [[nodiscard]] bool has(Index x, Index y) const {
+    return square ? x <= size && y <= size : x + y <= size;
+  }
 };
 
-/// Nothing where the rules look too far for tables (beyond 6 rings) or a walk cannot be made on
-/// the lattice. `boundary`: whether boundaries count. Cost some 0.1 ms.
-[[nodiscard]] std::optional<Reach> find_reach(const Scheme& scheme, bool boundary);
+/// Of one step.
+struct Reach {
+  /// The new points that need a table of their vertex: round an interior one, a boundary vertex of
+  /// two faces or more, and one of one face.
+  Zone star_zone, fan_zone, corner_zone;
+  /// New points so near to a boundary side, in rows, need the side's own stencils.
+  Index strip_depth = 0;
+  /// Rings of old points that the rules of these zones see. At a vertex of one triangle they may
+  /// see beyond its other side, so far along either of its spokes.
+  Index star_rings = 1, fan_rings = 1, corner_rings = 0, corner_width = 0;
+  /// The least side (a power of the cut) for which all this is so: control vertices are then far
+  /// enough apart.
+  Index smallest_side = 1;
+
+  [[nodiscard]] Zone zone(Index sectors, bool open) const {
+    return !open ? star_zone : sectors == 1 ? corner_zone : fan_zone;
+  }
+  /// Whether zones of two vertices may have points in common.
+  [[nodiscard]] bool zones_meet(Index side) const;
+};
+
+/// Nothing where the rules look too far for tables or a walk cannot be made on the lattice. Cost
+/// some 0.1 to 1 ms.
+[[nodiscard]] std::optional<Reach> find_reach(const Scheme& scheme, const GridCycle& cycle,
+                                              int step, const BoundarySides& sides);
 
 }  // namespace limn::fast

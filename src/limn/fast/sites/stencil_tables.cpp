@@ -1,175 +1,195 @@
 #include "limn/fast/sites/stencil_tables.h"
 
 #include <algorithm>
-#include <numeric>
 
 #include <fmt/core.h>
 
-#include "limn/mesh/lattice.h"
-#include "limn/refine/linear_form.h"
 #include "limn/refine/refine_values.h"
-#include "limn/refine/star_step.h"
 
 namespace limn::fast {
 namespace {
 
-constexpr Index kClassRings = 2;  // of a star that holds a point of each class
-
 using Form = LinearForm<double>;
+using Places = std::vector<SectorPoint>;
 
-/// Forms of fine points (numbered as on the coarse star) over the coarse vertices.
-class Reader {
- public:
-  explicit Reader(const Scheme& scheme)
-      : scheme_(scheme), closed_(scheme, Boundary::left_out), open_(scheme, Boundary::refined) {}
-
-  Result<std::vector<Form>> read(const StarShape& shape, Index rings,
-                                 const std::vector<Index>& wanted) {
-    if (!shape.open) {
-      const StarStep step = star_step(*scheme_.split, shape.sectors, static_cast<int>(rings));
-      return read(closed_, step.coarse, step.fine.births, step.images, wanted);
-    }
-    const FanStep step = fan_step(*scheme_.split, shape.sectors, static_cast<int>(rings));
-    return read(open_, step.coarse, step.fine.front().births, step.images, wanted);
-  }
-
- private:
-  Result<std::vector<Form>> read(RuleTables<double>& tables, const Mesh& coarse,
-                                 const Births& births, const std::vector<Index>& images,
-                                 const std::vector<Index>& wanted) {
-    if (Status status = tables.prepare(coarse, births); !status) return status.error();
-    std::vector<Index> vertices;
-    vertices.reserve(wanted.size());
-    for (const Index i : wanted) vertices.push_back(images[i]);
-    return refine_values_at(scheme_, coarse, births, tables,
-                            unit_forms<double>(coarse.vertex_count()), vertices);
-  }
-
-  const Scheme& scheme_;
-  RuleTables<double> closed_, open_;
-};
-
-/// The form of fine point (x, y) of sector 0 as a stencil, on the star or fan that makes the plane
-/// or half of it.
-Stencil to_stencil(const Form& form, const StarShape& shape, Index fine_x, Index fine_y) {
-  Stencil stencil;
-  for (const auto& [vertex, weight] : form.terms) {
-    if (weight == 0) continue;
-    const Offset place = on_plane(shape.lattice, sector_point(shape, vertex));
-    stencil.push_back({{place.a - fine_x / 2, place.b - fine_y / 2}, weight});
-  }
+void sort(Stencil& stencil) {
   std::sort(stencil.begin(), stencil.end(),
             [](const Tap& p, const Tap& q) { return p.place < q.place; });
-  return stencil;
-}
-
-ZoneTable to_table(const std::vector<Form>& forms, const StarShape& shape) {
-  auto [rows, vertices] = to_rows(forms);
-  ZoneTable table{shape.sectors, {}, {}, std::move(rows)};
-  for (const Index v : vertices) table.sources.push_back(sector_point(shape, v));
-  for (Index i = 0; i < table.rows.targets(); ++i) table.targets.push_back(sector_point(shape, i));
-  return table;
 }
 
 class TableMaker {
  public:
-  TableMaker(const Scheme& scheme, const std::vector<VertexKind>& kinds)
-      : scheme_(scheme), lattice_(scheme.split->lattice), kinds_(kinds), reader_(scheme) {}
+  TableMaker(const Scheme& scheme, const GridCycle& cycle, const std::vector<VertexKind>& kinds,
+             const BoundarySides& sides)
+      : scheme_(scheme),
+        cycle_(cycle),
+        kinds_(kinds),
+        sides_(sides),
+        closed_(scheme, Boundary::left_out),
+        open_(scheme, Boundary::refined),
+        tables_(static_cast<std::size_t>(cycle.steps)) {}
 
-  Result<StencilTables> make() {
-    const bool boundary =
-        std::any_of(kinds_.begin(), kinds_.end(), [](const VertexKind& kind) { return kind.open; });
-    const std::optional<Reach> reach = find_reach(scheme_, boundary);
-    if (!reach)
-      return Error{
-          fmt::format("the rules of scheme '{}' look too far", scheme_.name), {}, {}, 0, 0};
-    tables_.lattice = lattice_;
-    tables_.reach = *reach;
+  Result<std::vector<StencilTables>> make() {
+    for (int step = 0; step < cycle_.steps; ++step) {
+      const std::optional<Reach> reach = find_reach(scheme_, cycle_, step, sides_);
+      if (!reach)
+        return Error{
+            fmt::format("the rules of scheme '{}' look too far", scheme_.name), {}, {}, 0, 0};
+      of(step).reach = *reach;
+    }
     if (Status status = read_interior(); !status) return status.error();
-    if (boundary)
+    if (std::find(sides_.begin() + 1, sides_.end(), true) != sides_.end())
       if (Status status = read_strips(); !status) return status.error();
     for (const VertexKind& kind : kinds_)
-      if (Status status = read_zone(kind); !status) return status.error();
+      if (Status status = read_zones(kind); !status) return status.error();
     return std::move(tables_);
   }
 
  private:
-  Status read_interior() {
-    const StarShape plane{lattice_, plane_sectors(lattice_), false};
-    std::vector<Index> wanted;
-    for (const Index y : {0, 1})
-      for (const Index x : {0, 1}) wanted.push_back(vertex_at(plane, {0, x, y}));
-    const Result<std::vector<Form>> forms = reader_.read(plane, kClassRings, wanted);
-    if (!forms) return forms.error();
-    for (const Index y : {0, 1})
-      for (const Index x : {0, 1}) {
-        const std::size_t c = class_of(x, y);
-        tables_.interior[c] = to_stencil((*forms)[c], plane, x, y);
-        for (const auto& [place, weight] : tables_.interior[c])
-          tables_.halo = std::max(tables_.halo, rows_beyond(x, y, place));
-      }
-    return Done{};
+  StencilTables& of(int step) { return tables_[static_cast<std::size_t>(step)]; }
+
+  /// Forms of new points over site.mesh(step).
+  Result<std::vector<Form>> read(const Site& site, int step, const Places& wanted) {
+    RuleTables<double>& rules = site.shape().open ? open_ : closed_;
+    const Mesh& mesh = site.mesh(step);
+    const Births& births = site.births(step);
+    if (Status status = rules.prepare(mesh, births); !status) return status.error();
+    std::vector<Index> vertices;
+    vertices.reserve(wanted.size());
+    for (const SectorPoint& point : wanted) vertices.push_back(site.new_vertex(step, point));
+    return refine_values_at(scheme_, mesh, births, rules, unit_forms<double>(mesh.vertex_count()),
+                            vertices);
   }
 
-  /// How far a place lies beyond the sides of any patch that holds the fine point.
-  [[nodiscard]] Index rows_beyond(Index x, Index y, Offset place) const {
-    const auto [a, b] = place;
-    const Index beyond = lattice_ == Lattice::triangle ? a + b - (x + y + 1) / 2
-                                                       : std::max(a - (x + 1) / 2, b - (y + 1) / 2);
-    return std::max({-a, -b, beyond});
+  /// A form's vertices as places on the plane, from one of them on.
+  Stencil on_lattice(const Form& form, const Site& site, int step, Offset from) const {
+    Stencil stencil;
+    for (const auto& [vertex, weight] : form.terms) {
+      if (weight == 0) continue;
+      const Offset place = on_plane(cycle_.lattice, site.place(step, vertex));
+      stencil.push_back({{place.a - from.a, place.b - from.b}, weight});
+    }
+    return stencil;
+  }
+
+  Status read_interior() {
+    const Site site = this->site(plane_sectors(cycle_.lattice), false, cycle_.cut);
+    for (int i = 0; i < cycle_.steps; ++i) {
+      const LatticeStep step(cycle_, i);
+      Places wanted;
+      for (Index y = 0; y < cycle_.cut; ++y)
+        for (Index x = 0; x < cycle_.cut; ++x)
+          if (step.is_new(x, y) && step.anchor_of(x, y) == Offset{}) wanted.push_back({0, x, y});
+      const Result<std::vector<Form>> forms = read(site, i, wanted);
+      if (!forms) return forms.error();
+      of(i).interior.resize(step.classes());
+      for (std::size_t c = 0; c < wanted.size(); ++c) {
+        Stencil& stencil = of(i).interior[step.class_of(wanted[c].x, wanted[c].y)];
+        stencil = on_lattice((*forms)[c], site, i, {});
+        for (Tap& tap : stencil) tap.place = step.to_local(tap.place);
+        sort(stencil);
+      }
+    }
+    return Done{};
   }
 
   Status read_strips() {
-    const Index depth = tables_.reach.strip_depth;
-    const StarShape half{lattice_, half_plane_sectors(lattice_), true};
-    std::vector<Index> wanted;
-    for (Index y = 0; y <= depth; ++y)
-      for (const Index x : {0, 1}) wanted.push_back(vertex_at(half, {0, x, y}));
-    const Index rings = std::max(depth, kClassRings) + 1;
-    const Result<std::vector<Form>> forms = reader_.read(half, rings, wanted);
-    if (!forms) return forms.error();
-    for (Index i = 0; i < 2 * (depth + 1); ++i)
-      tables_.strips.push_back(
-          to_stencil((*forms)[static_cast<std::size_t>(i)], half, i % 2, i / 2));
+    Index depth = 0;
+    for (const StencilTables& table : tables_) depth = std::max(depth, table.reach.strip_depth);
+    const Site site = this->site(half_plane_sectors(cycle_.lattice), true, depth + cycle_.cut);
+    for (int i = 0; i < cycle_.steps; ++i) {
+      const LatticeStep step(cycle_, i);
+      const Index rows = of(i).reach.strip_depth + 1;
+      Places wanted;
+      for (Index y = 0; y < rows; ++y)
+        for (Index x = 0; x < cycle_.cut; ++x)
+          if (step.is_new(x, y)) wanted.push_back({0, x, y});
+      const Result<std::vector<Form>> forms = read(site, i, wanted);
+      if (!forms) return forms.error();
+      of(i).strips.resize(static_cast<std::size_t>(cycle_.cut * rows));
+      for (std::size_t c = 0; c < wanted.size(); ++c) {
+        const auto& [sector, x, y] = wanted[c];
+        Stencil& stencil = of(i).strips[static_cast<std::size_t>(cycle_.cut * y + x)];
+        stencil = on_lattice((*forms)[c], site, i, {x, y});
+        sort(stencil);
+      }
+    }
     return Done{};
   }
 
-  Status read_zone(const VertexKind& kind) {
-    if (kind.faces == 0) return Done{};
+  Status read_zones(const VertexKind& kind) {
     const bool open = kind.open;
     const Index sectors = kind.faces;
-    const StarShape shape{lattice_, sectors, open};
-    if (sectors > kLargestTable || (!open && sectors < fewest_sectors(lattice_)))
+    if (sectors == 0) return Done{};
+    if (sectors > kLargestTable || (!open && sectors < fewest_sectors(cycle_.lattice)))
       return Error{fmt::format("no table for vertex {} of {} faces", kind.vertices[0], sectors),
                    {},
                    {},
                    0,
                    0};
-    const Reach& reach = tables_.reach;
-    const Index zone = !open ? reach.star_zone : sectors == 1 ? reach.corner_zone : reach.fan_zone;
-    const Index rings = std::max(zone, open ? reach.fan_rings : reach.star_rings);
-    const Index size = zone == 0 ? 1
-                       : open    ? fan_size(lattice_, sectors, zone)
-                                 : star_size(lattice_, sectors, zone);
-    std::vector<Index> wanted(static_cast<std::size_t>(size));
-    std::iota(wanted.begin(), wanted.end(), 0);
-    const Result<std::vector<Form>> forms = reader_.read(shape, rings, wanted);
-    if (!forms) return forms.error();
-    (open ? tables_.fans : tables_.stars).emplace(sectors, to_table(*forms, shape));
+    const Site site = this->site(sectors, open, 0);
+    for (int i = 0; i < cycle_.steps; ++i) {
+      Places wanted = points_round(i, sectors, open);
+      const Result<std::vector<Form>> forms = read(site, i, wanted);
+      if (!forms) return forms.error();
+      (open ? of(i).fans : of(i).stars)
+          .emplace(sectors, zone_table(*forms, site, i, std::move(wanted)));
+    }
     return Done{};
   }
 
+  /// The new points of a zone, the centre first.
+  Places points_round(int i, Index sectors, bool open) {
+    const LatticeStep step(cycle_, i);
+    const Zone zone = of(i).reach.zone(sectors, open);
+    Places points{{0, 0, 0}};
+    for (Index s = 0; s < sectors; ++s)
+      for (Index x = 1; x <= zone.size; ++x)
+        for (Index y = 0; zone.has(x, y); ++y)
+          if (step.is_new(x, y)) points.push_back({s, x, y});
+    for (Index y = 1; open && y <= zone.size; ++y)  // the last spoke
+      if (step.is_new(0, y)) points.push_back({sectors - 1, 0, y});
+    return points;
+  }
+
+  /// On which zones, and points so many steps farther out, see as far as they look.
+  [[nodiscard]] Site site(Index sectors, bool open, Index more) const {
+    constexpr Index kMargin = 2;  // control edges, of which the rim is within
+    Index seen = 0;
+    for (const StencilTables& table : tables_) {
+      const Reach& reach = table.reach;
+      const Index corner = reach.corner_zone.size * (cycle_.lattice == Lattice::triangle ? 2 : 1);
+      seen = std::max({seen, reach.star_zone.size, reach.fan_zone.size, corner, reach.star_rings,
+                       reach.fan_rings, reach.corner_rings});
+    }
+    return {*scheme_.split,
+            cycle_,
+            {cycle_.lattice, sectors, open},
+            (seen + more) / cycle_.cut + kMargin};
+  }
+
   const Scheme& scheme_;
-  Lattice lattice_;
+  const GridCycle& cycle_;
   const std::vector<VertexKind>& kinds_;
-  Reader reader_;
-  StencilTables tables_;
+  BoundarySides sides_;
+  RuleTables<double> closed_, open_;
+  std::vector<StencilTables> tables_;  // by step
 };
 
 }  // namespace
 
-Result<StencilTables> read_stencils(const Scheme& scheme, const std::vector<VertexKind>& kinds) {
-  return TableMaker(scheme, kinds).make();
+ZoneTable zone_table(std::span<const Form> forms, const Site& site, int step,
+                     std::vector<SectorPoint> targets) {
+  auto [rows, vertices] = to_rows(forms);
+  ZoneTable table{site.shape().sectors, {}, std::move(targets), std::move(rows)};
+  for (const Index v : vertices) table.sources.push_back(site.place(step, v));
+  return table;
+}
+
+Result<std::vector<StencilTables>> read_stencils(const Scheme& scheme, const GridCycle& cycle,
+                                                 const std::vector<VertexKind>& kinds,
+                                                 const BoundarySides& sides) {
+  return TableMaker(scheme, cycle, kinds, sides).make();
 }
 
 }  // namespace limn::fast

@@ -1,4 +1,4 @@
-#include "limn/fast/sites/star_places.h"
+#include "limn/fast/layout/star_places.h"
 
 #include <algorithm>
 #include <array>
@@ -71,9 +71,10 @@ bool patch_sees(Lattice lattice, Index n, Offset place) {
   return (between(0, a, n) && between(-n, b, 2 * n)) || (between(0, b, n) && between(-n, a, 2 * n));
 }
 
-Index ring_of_nearest_corner(Lattice lattice, Index n, Index x, Index y) {
-  if (lattice == Lattice::triangle) return std::min({x + y, n - x, n - y});
-  return std::max(std::min(x, n - x), std::min(y, n - y));
+Index rows_beyond(Lattice lattice, Index n, Offset place) {
+  const auto [a, b] = place;
+  const Index far = lattice == Lattice::triangle ? a + b - n : std::max(a - n, b - n);
+  return std::max({Index{0}, -a, -b, far});
 }
 
 }  // namespace limn::fast

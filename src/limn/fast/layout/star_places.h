@@ -17,6 +17,7 @@ namespace limn::fast {
 
 struct SectorPoint {
   Index sector = 0, x = 0, y = 0;
+  friend bool operator==(const SectorPoint&, const SectorPoint&) = default;
 };
 
 /// A star, or a fan (`open`).
@@ -63,13 +64,13 @@ struct StarShape {
 /// Whether a place is in that patch or in one of those across its sides.
 [[nodiscard]] bool patch_sees(Lattice lattice, Index n, Offset place);
 
+/// How many rows beyond the patch's sides it lies.
+[[nodiscard]] Index rows_beyond(Lattice lattice, Index n, Offset place);
+
 /// How many steps a point of the patch, y rows from the side y = 0, is from the side at that one's
 /// far end: its x in the frame that is the mirror image.
 [[nodiscard]] constexpr Index mirrored(Lattice lattice, Index n, Index x, Index y) {
   return lattice == Lattice::triangle ? n - x - y : n - x;
 }
-
-/// The ring of a point of the patch round the nearest of its corners.
-[[nodiscard]] Index ring_of_nearest_corner(Lattice lattice, Index n, Index x, Index y);
 
 }  // namespace limn::fast
