@@ -1,10 +1,7 @@
 // The quick engine on dual splits: against the plain engine.
 
-#include "fast/fast_check.h"
+#include "fast/families.h"
 #include "limn/fast/sites/dual_tables.h"
-#include "refine/dual_meshes.h"
-#include "refine/dual_rules.h"
-#include "support/mutants.h"
 #include "support/shipped.h"
 
 namespace limn::test {
@@ -12,52 +9,9 @@ namespace {
 
 Scheme parsed(const std::string& rules) { return rules_on("quad-dual", rules); }
 
-/// The faces of the control faces are the first of both meshes.
-Starts start_dual(const Mesh& control, int /*levels*/, const Mesh& /*quick*/) {
-  Starts starts;
-  for (Index f = 0; f < control.face_count(); ++f)
-    starts.emplace_back(control.face_begin(f), control.face_begin(f));
-  return starts;
-}
-
 int expect_same_dual(const Scheme& scheme, const Mesh& control, int levels, unsigned seed) {
   return expect_same(scheme, control, levels, seed, start_dual);
 }
-
-// --- rules ----------------------------------------------------------------------------------
-
-/// A rule of the face alone whose weights differ by place and by number of corners.
-constexpr const char* kNear = R"toml(
-[[corner]]
-when = "n == 5"
-round = "((k == 0)*n/3 + 2/3 + cos(2*pi*k/n)/5 - cos(4*pi*k/n)/7)/n"
-
-[[corner]]
-when = "n == 4"
-self = "1/8"
-round = "((k == 0)*n/4 + 5/8 + cos(2*pi*k/n)/3 + cos(4*pi*k/n)/11)/n"
-
-[[corner]]
-round = "((k == 0)*n/2 + 1/2 + cos(2*pi*k/n)/9)/n"
-)toml";
-
-/// Rules that look beyond the face, one vertex or two.
-constexpr const char* kWide = R"toml(
-[roles.corner]
-beyond = "fev"
-
-[corner]
-round = "((k == 0)*n + 3 + 2*cos(2*pi*k/n))/(4*n) - (k == 0)/16"
-beyond = "1/32"
-)toml";
-constexpr const char* kFarther = R"toml(
-[roles.corner]
-straight = "vefevefev"
-
-[corner]
-round = "((k == 0)*n + 3 + 2*cos(2*pi*k/n))/(4*n) - (k == 0)/16"
-straight = "1/32"
-)toml";
 
 TEST(FastDualTables, SeeHowFarRulesLook) {
   const Mesh mesh = cube();
@@ -68,12 +22,10 @@ TEST(FastDualTables, SeeHowFarRulesLook) {
   EXPECT_EQ(near.smallest_grid, 1);
   EXPECT_EQ(near.interior[0].size(), 4U);
   EXPECT_EQ(near.zones.at(3).table.terms.size(), 9U);
-  const fast::DualTables wide = fast::read_dual_tables(parsed(kWide), mesh).value();
+  const fast::DualTables wide = fast::read_dual_tables(parsed(kWideDual), mesh).value();
   EXPECT_FALSE(wide.own_face);
   EXPECT_GT(wide.zone, 1);
 }
-
-// --- both engines ---------------------------------------------------------------------------
 
 TEST(FastDual, IsThePlainEngineOnBodies) {
   for (const Scheme& scheme : {shipped("doo-sabin"), parsed(kNear)})
@@ -83,25 +35,6 @@ TEST(FastDual, IsThePlainEngineOnBodies) {
         const bool thin = mesh.max_valence() == 2;
         EXPECT_EQ(expect_same_dual(scheme, mesh, levels, 5), thin ? std::min(levels, 1) : 0);
       }
-}
-
-TEST(FastDual, IsThePlainEngineOnOpenMeshes) {
-  for (const Scheme& scheme : {shipped("doo-sabin"), parsed(kNear)})
-    for (const Mesh& mesh : open_meshes())
-      for (int levels = 0; levels <= 4; ++levels) {
-        SCOPED_TRACE(levels);
-        EXPECT_GE(expect_same_dual(scheme, mesh, levels, 6), 0);
-      }
-}
-
-TEST(FastDual, IsThePlainEngineOnRandomMeshes) {
-  for (const Scheme& scheme : {shipped("doo-sabin"), parsed(kNear)})
-    for (unsigned seed = 0; seed < 60; ++seed) {
-      SCOPED_TRACE(seed);
-      const auto levels = static_cast<int>(1 + seed % 4);
-      EXPECT_GE(expect_same_dual(scheme, RandomMesh(seed).polygons(), levels, seed), 0);
-      EXPECT_GE(expect_same_dual(scheme, RandomMesh(seed).triangles(), levels, seed), 0);
-    }
 }
 
 /// Every number of sides, of faces and of vertices.
@@ -126,7 +59,7 @@ TEST(FastDual, LeavesToThePlainEngineWhatItMust) {
 
 /// The plain engine makes the steps until centres are far enough apart, and no more.
 TEST(FastDualRules, MayLookBeyondTheFace) {
-  for (const char* rules : {kWide, kWider, kFar}) {
+  for (const char* rules : {kWideDual, kWider, kFar}) {
     const Scheme scheme = parsed(rules);
     // a mesh without inner edges does not grow; one of valence 2 is regular a step later
     const auto most = [&](const Mesh& mesh) {
@@ -154,23 +87,6 @@ TEST(FastDualRules, MayLookFar) {
                            star(Lattice::quad, 5, 1), face_star(3, 2), tree(Lattice::quad, 1)})
     for (int levels = 0; levels <= 5; ++levels)
       EXPECT_LE(expect_same_dual(scheme, mesh, levels, 2), 4);
-}
-
-/// Whatever the weights: each mutant moves some of them.
-TEST(FastDualRules, MayHaveAnyWeights) {
-  unsigned seed = 0;
-  for (const Scheme& scheme : {shipped("doo-sabin"), parsed(kNear), parsed(kWide)})
-    for (const RuleMutant& mutant : rule_mutants(scheme)) {
-      SCOPED_TRACE(mutant.change);
-      ++seed;
-      expect_same_dual(mutant.scheme, RandomMesh(seed).polygons(), 3, seed);
-      expect_same_dual(mutant.scheme, cube(), 4, seed);
-    }
-}
-
-TEST(FastDual, GivesTheSameBitsOnOneThreadAndMany) {
-  for (const Mesh& mesh : {torus(Lattice::triangle, 30, 31), star(Lattice::quad, 7, 12)})
-    expect_same_bits(shipped("doo-sabin"), mesh, 4);
 }
 
 TEST(FastDual, SaysWhereAllFacesAreQuads) {
