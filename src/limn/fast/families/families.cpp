@@ -6,7 +6,7 @@
 namespace limn::fast {
 namespace {
 
-bool is_dual(const Split& split) { return split.lattice == Lattice::quad && split.births_corners; }
+bool is_dual(const Split& split) { return split.lattice == Lattice::quad && split.births.corners; }
 
 }  // namespace
 

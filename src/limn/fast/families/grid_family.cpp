@@ -130,9 +130,9 @@ class GridFamily final : public Family {
 
 std::optional<GridCycle> grid_cycle(const Split& split) {
   const bool quads = split.lattice == Lattice::quad;
-  if (!split.births_vertices || split.births_corners) return std::nullopt;
-  if (split.births_edges) {
-    if (split.dilation.growth() != 4 || split.births_faces != quads) return std::nullopt;
+  if (!split.births.vertices || split.births.corners) return std::nullopt;
+  if (split.births.edges) {
+    if (split.dilation.growth() != 4 || split.births.faces != quads) return std::nullopt;
     return GridCycle{split.lattice, 2, 1};
   }
   if (quads || !split.trisects_boundary || split.dilation.growth() != 3) return std::nullopt;

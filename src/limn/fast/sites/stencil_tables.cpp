@@ -32,9 +32,7 @@ class TableMaker {
   Result<std::vector<StencilTables>> make() {
     for (int step = 0; step < cycle_.steps; ++step) {
       const std::optional<Reach> reach = find_reach(scheme_, cycle_, step, sides_);
-      if (!reach)
-        return Error{
-            fmt::format("the rules of scheme '{}' look too far", scheme_.name), {}, {}, 0, 0};
+      if (!reach) return Error{fmt::format("the rules of scheme '{}' look too far", scheme_.name)};
       of(step).reach = *reach;
     }
     if (Status status = read_interior(); !status) return status.error();
@@ -122,11 +120,7 @@ class TableMaker {
     const Index sectors = kind.faces;
     if (sectors == 0) return Done{};
     if (sectors > kLargestTable || (!open && sectors < fewest_sectors(cycle_.lattice)))
-      return Error{fmt::format("no table for vertex {} of {} faces", kind.vertices[0], sectors),
-                   {},
-                   {},
-                   0,
-                   0};
+      return Error{fmt::format("no table for vertex {} of {} faces", kind.vertices[0], sectors)};
     const Site site = this->site(sectors, open, 0);
     for (int i = 0; i < cycle_.steps; ++i) {
       Places wanted = points_round(i, sectors, open);
