@@ -12,8 +12,8 @@
 #include <fmt/core.h>
 
 #include "limn/base/parallel.h"
-#include "limn/fast/limit/fast_limit.h"
-#include "limn/refine/fast/fast_refiner.h"
+#include "limn/fast/fast_limit.h"
+#include "limn/fast/fast_refiner.h"
 #include "peers/control_meshes.h"
 
 namespace limn {

@@ -12,8 +12,8 @@
 
 #include "limn/base/files/file.h"
 #include "limn/base/parallel.h"
+#include "limn/fast/fast_refiner.h"
 #include "limn/mesh/io/mesh_file.h"
-#include "limn/refine/fast/fast_refiner.h"
 #include "peers/control_meshes.h"
 
 namespace limn {

@@ -9,7 +9,7 @@ set_property(DIRECTORY ${PROJECT_SOURCE_DIR} APPEND PROPERTY CMAKE_CONFIGURE_DEP
 if(LIMN_FUZZ)
   # The fuzzers read files and refine meshes by the plain engine: no need to instrument the rest.
   list(FILTER limn_sources EXCLUDE REGEX
-       "/limn/(refine/fast|figure|regular|spectrum|limit|fairness|fast|surface|tune|study|report)/")
+       "/limn/(figure|regular|spectrum|limit|fairness|fast|surface|tune|study|report)/")
 endif()
 
 # The command names every scheme file, so that it also runs again when one is added or removed.
@@ -42,7 +42,7 @@ target_link_libraries(limn
           $<BUILD_INTERFACE:FastFloat::fast_float>)
 target_include_directories(limn SYSTEM PRIVATE ${LIMN_TOML_INCLUDE_DIR})
 # Square roots in vectors: they need not set errno.
-set_source_files_properties(${PROJECT_SOURCE_DIR}/src/limn/refine/fast/patch_step.cpp
+set_source_files_properties(${PROJECT_SOURCE_DIR}/src/limn/fast/kernel/patch_step.cpp
   PROPERTIES COMPILE_OPTIONS -fno-math-errno)
 
 if(LIMN_SANITIZE STREQUAL thread)

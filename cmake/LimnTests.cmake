@@ -63,16 +63,16 @@ foreach(folder IN LISTS test_folders)
 endforeach()
 
 # The quick engine without vector instructions: its sources and tests once more, with one lane.
-file(GLOB one_lane_sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/limn/refine/fast/*.cpp
-     ${PROJECT_SOURCE_DIR}/tests/refine/fast_*_test.cpp)
-add_executable(limn_test_refine_one_lane ${one_lane_sources})
-limn_flags(limn_test_refine_one_lane)
-target_compile_definitions(limn_test_refine_one_lane PRIVATE LIMN_ONE_LANE)
-target_compile_options(limn_test_refine_one_lane PRIVATE -Wno-dangling-else -Wno-shadow)
-target_link_libraries(limn_test_refine_one_lane PRIVATE limn_test_support)
-gtest_discover_tests(limn_test_refine_one_lane
-  TEST_PREFIX "refine_one_lane:" NO_PRETTY_VALUES DISCOVERY_MODE PRE_TEST DISCOVERY_TIMEOUT 60
-  PROPERTIES TIMEOUT 300 LABELS refine ENVIRONMENT RC_PARAMS=seed=2026)
+file(GLOB_RECURSE one_lane_sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/limn/fast/*.cpp
+     ${PROJECT_SOURCE_DIR}/tests/fast/*_test.cpp)
+add_executable(limn_test_fast_one_lane ${one_lane_sources})
+limn_flags(limn_test_fast_one_lane)
+target_compile_definitions(limn_test_fast_one_lane PRIVATE LIMN_ONE_LANE)
+target_compile_options(limn_test_fast_one_lane PRIVATE -Wno-dangling-else -Wno-shadow)
+target_link_libraries(limn_test_fast_one_lane PRIVATE limn_test_support)
+gtest_discover_tests(limn_test_fast_one_lane
+  TEST_PREFIX "fast_one_lane:" NO_PRETTY_VALUES DISCOVERY_MODE PRE_TEST DISCOVERY_TIMEOUT 60
+  PROPERTIES TIMEOUT 300 LABELS fast ENVIRONMENT RC_PARAMS=seed=2026)
 
 # Somebody else's project that finds an installed limn; sanitizers would have to be theirs too.
 if(PROJECT_IS_TOP_LEVEL AND NOT LIMN_SANITIZE)

@@ -6,7 +6,9 @@
 #include <cstdio>
 #include <cstdlib>
 
+#include "limn/fast/fast_limit.h"
 #include "limn/limn.h"
+#include "limn/mesh/io/mesh_file.h"
 
 namespace {
 

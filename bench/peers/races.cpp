@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "limn/base/parallel.h"
-#include "limn/refine/fast/fast_refiner.h"
+#include "limn/fast/fast_refiner.h"
 #include "limn/refine/refine.h"
 #include "peers/repeated_peer.h"
 

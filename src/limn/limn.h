@@ -28,8 +28,8 @@
 #include "limn/scheme/file/scheme_files.h"
 #include "limn/scheme/scheme.h"
 // Refined meshes, limit surfaces.
-#include "limn/fast/limit/fast_limit.h"
-#include "limn/refine/fast/fast_refiner.h"
+#include "limn/fast/fast_limit.h"
+#include "limn/fast/fast_refiner.h"
 #include "limn/surface/refine_surface.h"
 // The regular lattice: masks, factors, artifacts, smoothness.
 #include "limn/regular/artifacts.h"

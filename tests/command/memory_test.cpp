@@ -8,8 +8,8 @@
 #include <csignal>
 #include <filesystem>
 
-#include "limn/surface/surface_estimate.h"
 #include "limn/mesh/io/mesh_file.h"
+#include "limn/surface/surface_estimate.h"
 #include "run_command.h"
 
 namespace limn::test {

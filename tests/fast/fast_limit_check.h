@@ -3,10 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include "fast/fast_check.h"
 #include "limn/base/parallel.h"
-#include "limn/fast/limit/fast_limit.h"
+#include "limn/fast/fast_limit.h"
 #include "limn/limit/limit_points.h"
-#include "refine/fast_check.h"
 
 namespace limn::test {
 

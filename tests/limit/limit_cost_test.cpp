@@ -6,12 +6,12 @@
 #include <chrono>
 #include <cmath>
 
+#include "fast/fast_check.h"
 #include "limn/limit/limit_points.h"
 #include "limn/refine/refine.h"
 #include "limn/spectrum/eigencomponents.h"
 #include "limn/spectrum/ring_transform.h"
 #include "mesh/random_mesh.h"
-#include "refine/fast_check.h"
 #include "support/shipped.h"
 
 namespace limn::test {

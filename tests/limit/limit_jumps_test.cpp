@@ -4,10 +4,10 @@
 
 #include <cmath>
 
+#include "fast/fast_check.h"
 #include "limn/limit/limit_points.h"
 #include "limn/refine/refine.h"
 #include "mesh/random_mesh.h"
-#include "refine/fast_check.h"
 #include "support/shipped.h"
 
 namespace limn::test {

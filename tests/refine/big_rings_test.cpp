@@ -4,11 +4,11 @@
 
 #include <numeric>
 
+#include "fast/fast_check.h"
 #include "limn/base/parallel.h"
 #include "limn/refine/big_rings.h"
 #include "limn/refine/refine_values.h"
 #include "limn/refine/star_step.h"
-#include "refine/fast_check.h"
 #include "support/shipped.h"
 
 namespace limn::test {

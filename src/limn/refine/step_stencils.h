@@ -1,7 +1,7 @@
 #pragma once
 /// The sums of one refinement step: which rule makes each new vertex, and what it weighs there. The
 /// one place where rules meet a mesh, whatever is refined (refine_values.h) or only written down
-/// (fast/plain_rows.h).
+/// (fast/plain/plain_rows.h).
 
 #include <algorithm>
 #include <type_traits>

@@ -4,8 +4,8 @@
 
 #include <fmt/core.h>
 
-#include "limn/fast/limit/fast_limit.h"
-#include "limn/refine/fast/fast_refiner.h"
+#include "limn/fast/fast_limit.h"
+#include "limn/fast/fast_refiner.h"
 #include "limn/refine/refine.h"
 #include "limn/regular/smoothness/second_differences.h"
 

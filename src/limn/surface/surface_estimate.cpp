@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
+#include "limn/fast/fast_refiner.h"
 #include "limn/limit/limit_points.h"
-#include "limn/refine/fast/fast_refiner.h"
 
 namespace limn {
 namespace {

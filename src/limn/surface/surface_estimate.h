@@ -1,7 +1,7 @@
 #pragma once
 /// The memory that refinement takes together with what is asked of the limit surface.
 
-#include "limn/refine/refine.h"
+#include "limn/refine/refine_estimate.h"
 
 namespace limn {
 

@@ -1,6 +1,6 @@
 #include "limn/fast/limit/limit_forms.h"
 
-#include "limn/refine/fast/star_places.h"
+#include "limn/fast/layout/star_places.h"
 
 namespace limn {
 namespace {

@@ -4,8 +4,8 @@
 #include <array>
 #include <optional>
 
+#include "limn/fast/families/family.h"
 #include "limn/limit/limit_kinds.h"
-#include "limn/refine/fast/family.h"
 
 namespace limn {
 

@@ -1,0 +1,147 @@
+#include "limn/fast/families/grid_family.h"
+
+#include <algorithm>
+#include <cassert>
+
+#include "limn/base/parallel.h"
+#include "limn/fast/limit/grid_limit.h"
+#include "limn/fast/plain/plain_order.h"
+#include "limn/fast/sites/zones.h"
+
+namespace limn::fast {
+namespace {
+
+class GridFamily final : public Family {
+ public:
+  /// All steps are left to the plain engine where there are no tables.
+  GridFamily(const Scheme& scheme, const GridCycle& cycle, const Mesh& control, int levels)
+      : cycle_(cycle), split_(*scheme.split), control_(control), plain_(levels) {
+    if (!is_grid(control) && levels == 0) return;
+    if (!is_grid(control)) {
+      refined_ = scheme.split->apply(control, 0).mesh;
+      first_ = 1;
+    }
+    if (control.face_count() == 0) return;
+    std::vector<VertexKind> kinds = vertex_kinds(mesh());
+    Result<std::vector<StencilTables>> read =
+        read_stencils(scheme, cycle, kinds, boundary_sides(mesh()));
+    if (!read) return;
+    tables_ = std::move(*read);
+    while (plain_ > first_ && fits(plain_ - 1)) --plain_;
+    groups_ = group_vertices(std::move(kinds), mesh());
+    faces_ = PatchTopology(mesh(), corners());
+    if (!mesh().has_boundary()) return;
+    for (Index e = 0; e < mesh().edge_count(); ++e)
+      if (mesh().is_boundary_edge(e)) sides_.push_back(mesh().halfedge_of_edge(e));
+  }
+
+  [[nodiscard]] int plain_steps() const override { return plain_; }
+
+  [[nodiscard]] Size size(int level) const override {
+    if (level < first_ || !is_grid(mesh()))
+      return {control_.vertex_count(), control_.face_count(), control_.halfedge_count()};
+    const GridLayout at = step(level).old_points;
+    return {at.vertex_count(), at.face_count(), corners() * at.face_count()};
+  }
+
+  [[nodiscard]] StepPlan plan(int level) const override {
+    const GridStep step = this->step(level);
+    const StencilTables& tables = tables_of(level);
+    StepPlan plan;
+    plan.patches = plan_patches(step, tables.interior, faces_, Made::next_level);
+    add_side_rows(
+        side_rows(tables, step.step), sides_,
+        [&](Index faces) { return tables.reach.zone(faces, true); }, step.old_points,
+        step.new_points, plan.rows);
+    const bool overlap = tables.reach.zones_meet(step.side());
+    for (const ZoneGroup& group : groups_)
+      plan.rows.push_back(zone_rows(table_of(tables, group.kind), group, step.old_points,
+                                    step.new_points, overlap));
+    return plan;
+  }
+
+  [[nodiscard]] Result<std::optional<StepPlan>> limit_plan(int level,
+                                                           LimitReader& reader) const override {
+    if (groups_.empty() || level < first_) return std::optional<StepPlan>();
+    return plan_grid_limit({split_, cycle_, mesh(), groups_, sides_, faces_}, level - first_, level,
+                           reader);
+  }
+
+  [[nodiscard]] std::vector<Index> plain_order(
+      const std::vector<SplitResult>& steps) const override {
+    if (steps.size() < 2 || control_.face_count() == 0) return {};
+    return grid_order(mesh(), cycle_, std::span(steps).subspan(static_cast<std::size_t>(first_)));
+  }
+
+  void write_faces(int level, std::span<Index> corners) const override {
+    constexpr std::ptrdiff_t kChunk = 32768;  // faces that one call of the parallel loop writes
+    if (level < first_ || !is_grid(mesh())) {
+      for (Index h = 0; h < control_.halfedge_count(); ++h) corners[h] = control_.origin(h);
+      return;
+    }
+    const GridLayout at = step(level).old_points;
+    const std::ptrdiff_t faces = at.patch_faces();
+    parallel_for(
+        Index{0}, mesh().face_count(),
+        [&](Index first, Index last) {
+          at.write_faces(first, last, corners.data() + first * this->corners() * faces);
+        },
+        std::max<std::ptrdiff_t>(1, kChunk / faces));
+  }
+
+  [[nodiscard]] Index corners_per_face() const override { return is_grid(mesh()) ? corners() : 0; }
+
+  void write_face_begin(int /*level*/, std::span<Index> begin) const override {
+    for (Index f = 0; f <= control_.face_count(); ++f) begin[f] = control_.face_begin(f);
+  }
+
+ private:
+  [[nodiscard]] Index corners() const { return cycle_.lattice == Lattice::triangle ? 3 : 4; }
+  [[nodiscard]] bool is_grid(const Mesh& mesh) const {
+    return mesh.uniform_degree() == corners() || mesh.face_count() == 0;
+  }
+  /// What is cut into grids, from level first_ on; the control mesh if no level was asked for.
+  [[nodiscard]] const Mesh& mesh() const { return first_ > 0 ? refined_ : control_; }
+  [[nodiscard]] GridStep step(int level) const {
+    assert(level >= first_);
+    return {mesh(), cycle_, level - first_};
+  }
+  [[nodiscard]] const StencilTables& tables_of(int level) const {
+    return tables_[static_cast<std::size_t>((level - first_) % cycle_.steps)];
+  }
+  /// Whether vertices that are not regular lie far enough apart for the step from a level.
+  [[nodiscard]] bool fits(int level) const {
+    return step(level).side() >= tables_of(level).reach.smallest_side;
+  }
+
+  GridCycle cycle_;
+  const Split& split_;
+  const Mesh& control_;
+  Mesh refined_;
+  int first_ = 0;  // the level whose faces are the patches
+  int plain_;
+  std::vector<StencilTables> tables_;  // by the cycle's steps
+  std::vector<ZoneGroup> groups_;
+  PatchTopology faces_;
+  std::vector<Index> sides_;  // half-edges on the boundary
+};
+
+}  // namespace
+
+std::optional<GridCycle> grid_cycle(const Split& split) {
+  const bool quads = split.lattice == Lattice::quad;
+  if (!split.births.vertices || split.births.corners) return std::nullopt;
+  if (split.births.edges) {
+    if (split.dilation.growth() != 4 || split.births.faces != quads) return std::nullopt;
+    return GridCycle{split.lattice, 2, 1};
+  }
+  if (quads || !split.trisects_boundary || split.dilation.growth() != 3) return std::nullopt;
+  return GridCycle{split.lattice, 3, 2};
+}
+
+std::unique_ptr<Family> make_grid_family(const Scheme& scheme, const GridCycle& cycle,
+                                         const Mesh& control, int levels) {
+  return std::make_unique<GridFamily>(scheme, cycle, control, levels);
+}
+
+}  // namespace limn::fast

@@ -1,0 +1,35 @@
+#include "limn/fast/fast_limit.h"
+
+#include <algorithm>
+
+#include "limn/fast/limit/limit_forms.h"
+
+namespace limn {
+
+Result<std::optional<FastRefiner::Limit>> approx_fast_limit(const Scheme& scheme,
+                                                            const FastRefiner& refiner) {
+  ApproxLimitReader reader(scheme);
+  return refiner.limit(reader);
+}
+
+Result<std::optional<FastLimitMesh>> approx_fast_limit_mesh(const Scheme& scheme,
+                                                            const Mesh& control,
+                                                            const std::vector<Point3>& positions,
+                                                            int levels) {
+  using Found = std::optional<FastLimitMesh>;
+  const Result<FastRefiner> refiner = FastRefiner::make(scheme, control, levels);
+  if (!refiner) return refiner.error();
+  const Result<std::optional<FastRefiner::Limit>> limit = approx_fast_limit(scheme, *refiner);
+  if (!limit) return limit.error();
+  if (!*limit) return Found();
+  const auto vertices = static_cast<std::size_t>(refiner->vertex_count());
+  std::vector<Point3> fine(vertices), points(vertices), normals(vertices);
+  FastRefiner::Scratch<double> scratch;
+  refiner->evaluate_limit<double>(**limit, numbers_of(positions), numbers_of(points),
+                                  numbers_of(normals), scratch);
+  std::copy_n(scratch.refined.data(), 3 * vertices, numbers_of(fine).data());
+  return Found(
+      {refined_polygons(*refiner, std::move(fine)), std::move(points), std::move(normals)});
+}
+
+}  // namespace limn

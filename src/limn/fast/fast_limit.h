@@ -1,0 +1,25 @@
+#pragma once
+/// Limit positions and normals by the quick engine (fast/fast_refiner.h).
+
+#include "limn/fast/fast_refiner.h"
+#include "limn/limit/limit_stencil.h"
+
+namespace limn {
+
+/// The limit of a refiner of this scheme, for FastRefiner::evaluate_limit, from
+/// approx_limit_stencil and approx_boundary_limit_stencil: the points of approx_limit_points
+/// (limit_points.h), much faster. Nothing where the refiner takes none (FastRefiner::limit); ask
+/// approx_limit_points then. Fails as the stencils. Cost: a stencil for each valence in the mesh.
+[[nodiscard]] Result<std::optional<FastRefiner::Limit>> approx_fast_limit(
+    const Scheme& scheme, const FastRefiner& refiner);
+
+/// A refined mesh with limit positions and unit normals at its vertices.
+struct FastLimitMesh {
+  Polygons refined;
+  std::vector<Point3> limit, normals;
+};
+/// All of it in one call. Nothing as approx_fast_limit; fails as FastRefiner::make, too.
+[[nodiscard]] Result<std::optional<FastLimitMesh>> approx_fast_limit_mesh(
+    const Scheme& scheme, const Mesh& control, const std::vector<Point3>& positions, int levels);
+
+}  // namespace limn

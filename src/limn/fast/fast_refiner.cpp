@@ -1,0 +1,225 @@
+#include "limn/fast/fast_refiner.h"
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <limits>
+#include <optional>
+
+#include "limn/base/parallel.h"
+#include "limn/fast/families/families.h"
+#include "limn/fast/kernel/patch_step.h"
+#include "limn/fast/kernel/row_step.h"
+#include "limn/fast/plain/plain_steps.h"
+#include "limn/refine/refine.h"
+
+namespace limn {
+namespace {
+
+/// A step, made ready.
+struct ReadyStep {
+  fast::StepPlan plan;
+  fast::PatchProgram program;
+};
+
+/// The most that a result in doubles and the work on it take.
+double needed_bytes(double vertices, double faces, double corners) {
+  constexpr double kPoint = 3 * sizeof(double);
+  // the level before, and the plans' numbers (measured: 1 to 9 bytes; 18 where √3 ends early)
+  constexpr double kWork = kPoint / 3 + 9;
+  return vertices * (kPoint + kWork) + (faces + corners) * sizeof(Index);
+}
+
+}  // namespace
+
+bool has_fast_layout(const Split& split) { return fast::has_family(split); }
+
+RefineEstimate FastRefiner::estimate(const Split& split, const Mesh& control, int levels) {
+  RefineEstimate estimate = estimate_refinement(split, control, levels, sizeof(Point3));
+  const double corners = (split.lattice == Lattice::triangle ? 3 : 4) * estimate.faces;
+  estimate.peak_bytes = needed_bytes(estimate.vertices, estimate.faces, corners);
+  return estimate;
+}
+
+struct FastRefiner::State {
+  Mesh control;
+  int levels = 0;
+  std::unique_ptr<fast::Family> family;
+  std::optional<fast::PlainSteps> plain;
+  fast::Family::Size size;
+  std::vector<ReadyStep> steps;
+  std::vector<Index> vertices;  ///< before each step, and after the last
+
+  Status prepare(const Scheme& scheme);
+};
+
+Status FastRefiner::State::prepare(const Scheme& scheme) {
+  constexpr double kUnlimited = std::numeric_limits<double>::infinity();
+  // before anything is made that could be too large for an index
+  if (Status status = check_refinable(scheme, control, levels, sizeof(Point3), kUnlimited); !status)
+    return status;
+  family = fast::make_family(scheme, control, levels);
+  const int first = family->plain_steps();
+  if (first == levels)
+    if (Status status =
+            check_refinable(scheme, control, levels, sizeof(Point3), available_memory());
+        !status)
+      return status;
+  size = family->size(levels);
+  const double after = size.vertices, faces = size.faces;
+  const RefineEstimate needed{after, faces, needed_bytes(after, faces, size.corners)};
+  if (Status status = check_memory(needed, levels, available_memory()); !status) return status;
+  Result<fast::PlainSteps> made = fast::PlainSteps::make(scheme, control, first);
+  if (!made) return made.error();
+  plain.emplace(std::move(*made));
+  plain->write_down(family->plain_order(plain->splits()));
+  vertices.push_back(family->size(first).vertices);
+  for (int level = first; level < levels; ++level) {
+    ReadyStep& step = steps.emplace_back();
+    step.plan = family->plan(level);
+    step.program = fast::make_patch_program(step.plan.patches.shape, step.plan.patches.stencils);
+    vertices.push_back(family->size(level + 1).vertices);
+  }
+  return Done{};
+}
+
+FastRefiner::FastRefiner(std::unique_ptr<State> state) : state_(std::move(state)) {}
+FastRefiner::FastRefiner(FastRefiner&&) noexcept = default;
+FastRefiner& FastRefiner::operator=(FastRefiner&&) noexcept = default;
+FastRefiner::~FastRefiner() = default;
+
+Result<FastRefiner> FastRefiner::make(const Scheme& scheme, Mesh control, int levels) {
+  assert(has_fast_layout(*scheme.split));
+  auto state = std::make_unique<State>();
+  state->control = std::move(control);
+  state->levels = levels;
+  if (Status status = state->prepare(scheme); !status) return status.error();
+  return FastRefiner(std::move(state));
+}
+
+Index FastRefiner::vertex_count() const { return state_->size.vertices; }
+Index FastRefiner::face_count() const { return state_->size.faces; }
+Index FastRefiner::corner_count() const { return state_->size.corners; }
+Index FastRefiner::corners_per_face() const { return state_->family->corners_per_face(); }
+int FastRefiner::plain_steps() const { return state_->plain->count(); }
+
+template <class Real>
+void FastRefiner::evaluate(std::span<const Real> control, std::span<Real> fine,
+                           Scratch<Real>& scratch) const {
+  const State& state = *state_;
+  const std::size_t steps = state.steps.size();
+  assert(control.size() == 3 * static_cast<std::size_t>(state.control.vertex_count()));
+  assert(fine.size() == 3 * static_cast<std::size_t>(vertex_count()));
+  if (steps > 0) {
+    // a point is read with the number after it
+    const auto before = static_cast<std::size_t>(state.vertices[steps - 1]);
+    if (scratch.numbers.size() < 3 * before + 1) scratch.numbers = HugeArray<Real>(3 * before + 1);
+  }
+  // the levels take turns, so that the last one is made in `fine`
+  std::array<Real*, 2> places{fine.data(), scratch.numbers.data()};
+  if (steps % 2 == 1) std::swap(places[0], places[1]);
+  state.plain->evaluate(control.data(), places[0]);
+  for (std::size_t i = 0; i < steps; ++i) {
+    Real* in = places[i % 2];
+    Real* out = places[(i + 1) % 2];
+    in[3 * static_cast<std::size_t>(state.vertices[i])] = 0;
+    const ReadyStep& step = state.steps[i];
+    fast::make_patches(step.plan.patches, step.program, in, out);
+    for (const fast::RowPlan& rows : step.plan.rows) fast::make_rows(rows, in, out);
+  }
+}
+
+struct FastRefiner::Limit::Plan {
+  ReadyStep step;
+};
+
+FastRefiner::Limit::Limit(std::unique_ptr<const Plan> plan) : plan_(std::move(plan)) {}
+FastRefiner::Limit::Limit(Limit&&) noexcept = default;
+FastRefiner::Limit& FastRefiner::Limit::operator=(Limit&&) noexcept = default;
+FastRefiner::Limit::~Limit() = default;
+std::size_t FastRefiner::Limit::bytes() const { return bytes_of(plan_->step.plan); }
+
+Result<std::optional<FastRefiner::Limit>> FastRefiner::limit(fast::LimitReader& reader) const {
+  Result<std::optional<fast::StepPlan>> plan = state_->family->limit_plan(state_->levels, reader);
+  if (!plan) return plan.error();
+  if (!*plan) return std::optional<Limit>();
+  fast::PatchProgram program =
+      fast::make_patch_program((*plan)->patches.shape, (*plan)->patches.stencils, 3);
+  auto made = std::make_unique<Limit::Plan>();
+  made->step = {*std::move(*plan), std::move(program)};
+  return std::optional<Limit>(Limit(std::move(made)));
+}
+
+template <class Real>
+void FastRefiner::evaluate_limit(const Limit& limit, std::span<const Real> control,
+                                 std::span<Real> positions, std::span<Real> normals,
+                                 Scratch<Real>& scratch) const {
+  const std::size_t numbers = 3 * static_cast<std::size_t>(vertex_count());
+  assert(positions.size() == numbers && normals.size() == numbers);
+  // a point is read with the number after it
+  if (scratch.refined.size() < numbers + 1) scratch.refined = HugeArray<Real>(numbers + 1);
+  Real* refined = scratch.refined.data();
+  evaluate<Real>(control, {refined, numbers}, scratch);
+  refined[numbers] = 0;
+  const ReadyStep& step = limit.plan_->step;
+  fast::make_limit_patches<Real>(step.plan.patches, step.program, refined, positions.data(),
+                                 normals.data());
+  for (const fast::RowPlan& rows : step.plan.rows)
+    fast::make_limit_rows<Real>(rows, refined, positions.data(), normals.data());
+}
+
+void FastRefiner::write_faces(std::span<Index> corners) const {
+  assert(corners.size() == static_cast<std::size_t>(corner_count()));
+  state_->family->write_faces(state_->levels, corners);
+}
+
+void FastRefiner::write_face_begin(std::span<Index> begin) const {
+  assert(begin.size() == static_cast<std::size_t>(face_count()) + 1);
+  const Index each = corners_per_face();
+  if (each == 0) return state_->family->write_face_begin(state_->levels, begin);
+  parallel_for(0, face_count() + 1, [&](Index first, Index last) {
+    for (Index f = first; f < last; ++f) begin[static_cast<std::size_t>(f)] = each * f;
+  });
+}
+
+std::size_t FastRefiner::bytes() const {
+  const State& state = *state_;
+  const Mesh& mesh = state.control;
+  const std::size_t indices = 3 * static_cast<std::size_t>(mesh.halfedge_count()) +
+                              static_cast<std::size_t>(mesh.edge_count() + mesh.vertex_count());
+  std::size_t bytes = indices * sizeof(Index) + state.plain->bytes();
+  for (const ReadyStep& step : state.steps) bytes += bytes_of(step.plan);
+  return bytes;
+}
+
+template void FastRefiner::evaluate<float>(std::span<const float>, std::span<float>,
+                                           Scratch<float>&) const;
+template void FastRefiner::evaluate<double>(std::span<const double>, std::span<double>,
+                                            Scratch<double>&) const;
+template void FastRefiner::evaluate_limit<float>(const Limit&, std::span<const float>,
+                                                 std::span<float>, std::span<float>,
+                                                 Scratch<float>&) const;
+template void FastRefiner::evaluate_limit<double>(const Limit&, std::span<const double>,
+                                                  std::span<double>, std::span<double>,
+                                                  Scratch<double>&) const;
+
+Polygons refined_polygons(const FastRefiner& refiner, std::vector<Point3> positions) {
+  Polygons polygons;
+  polygons.positions = std::move(positions);
+  polygons.corners.resize(static_cast<std::size_t>(refiner.corner_count()));
+  refiner.write_faces(polygons.corners);
+  polygons.face_begin.resize(static_cast<std::size_t>(refiner.face_count()) + 1);
+  refiner.write_face_begin(polygons.face_begin);
+  return polygons;
+}
+
+Result<Polygons> fast_refine(const Scheme& scheme, Mesh control,
+                             const std::vector<Point3>& positions, int levels) {
+  Result<FastRefiner> refiner = FastRefiner::make(scheme, std::move(control), levels);
+  if (!refiner) return refiner.error();
+  std::vector<Point3> fine(static_cast<std::size_t>(refiner->vertex_count()));
+  refiner->evaluate<double>(numbers_of(positions), numbers_of(fine));
+  return refined_polygons(*refiner, std::move(fine));
+}
+
+}  // namespace limn

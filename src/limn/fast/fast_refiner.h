@@ -1,0 +1,123 @@
+#pragma once
+/// The quick engine: refinement of a control mesh by a fixed number of steps, many times as fast
+/// as the plain engine (refine/refine.h), whose results it gives to rounding, for every scheme of
+/// a split that has a family (families.h).
+///
+/// The finer the mesh, the more of it is regular: it falls into patches, whose insides need a few
+/// stencils and whose connectivity is arithmetic. Nothing is typed in for a scheme: all stencils
+/// are read by refining linear forms with the plain engine (stencil_tables.h), which also makes the
+/// first steps where rules look farther than a control edge: their sums are then written down
+/// (plain_rows.h). Topology is worked out once; positions may be evaluated often.
+///
+/// Numbers of the refined mesh: see grid_layout.h, grid_family.h and dual_layout.h. Where a split
+/// keeps the old vertices, control vertices keep their numbers, so vertex v < V is the image of
+/// control vertex v; the vertices of the levels in between do not come first. The order is another
+/// than the plain engine's.
+
+#include <memory>
+#include <optional>
+#include <span>
+
+#include "limn/base/huge_array.h"
+#include "limn/refine/refine_estimate.h"
+
+namespace limn {
+namespace fast {
+class LimitReader;  // families/family.h
+}
+
+/// Whether there is a quick engine for schemes of this split.
+[[nodiscard]] bool has_fast_layout(const Split& split);
+
+class FastRefiner {
+ public:
+  /// Precondition: has_fast_layout(*scheme.split); `scheme` must outlive the refiner. Fails as
+  /// `refine` (refine.h) does, with the same errors but for the memory that it says is needed.
+  /// Cost: reading the tables, some 0.1 ms for each valence that is in the mesh, the plain steps,
+  /// and for each further level some 0.1 µs a control vertex.
+  [[nodiscard]] static Result<FastRefiner> make(const Scheme& scheme, Mesh control, int levels);
+
+  /// What `fast_refine` will make and need at most, by counting.
+  [[nodiscard]] static RefineEstimate estimate(const Split& split, const Mesh& control, int levels);
+
+  FastRefiner(FastRefiner&&) noexcept;
+  FastRefiner& operator=(FastRefiner&&) noexcept;
+  ~FastRefiner();
+
+  [[nodiscard]] Index vertex_count() const;  ///< of the refined mesh
+  [[nodiscard]] Index face_count() const;
+  [[nodiscard]] Index corner_count() const;      ///< of all faces together
+  [[nodiscard]] Index corners_per_face() const;  ///< or 0 where faces differ
+  /// How many of the steps the plain engine makes: as a rule 0 or 1; all of them, where
+  /// the rules look too far, or a vertex has fewer than 3 (of quads: 2) or more than 1000 faces
+  /// round it. Of other polygons than quads, a split that takes them leaves the first to it.
+  [[nodiscard]] int plain_steps() const;
+
+  /// Memory for intermediate levels, kept from one evaluation to the next: a quarter of the
+  /// result's. One is for one thread at a time.
+  template <class Real>
+  struct Scratch {
+    HugeArray<Real> numbers;
+    HugeArray<Real> refined;  ///< where the limit is evaluated
+  };
+
+  /// Positions of the refined vertices from those of the control vertices: x, y, z of each, one
+  /// after the other; `fine` holds 3 · vertex_count() numbers and does not overlap `control`. Sums
+  /// are made in `Real`, float or double, each by one thread in a fixed order, so one thread and
+  /// many give the same bits. Not-a-numbers pass through.
+  template <class Real>
+  void evaluate(std::span<const Real> control, std::span<Real> fine, Scratch<Real>& scratch) const;
+  template <class Real>
+  void evaluate(std::span<const Real> control, std::span<Real> fine) const {
+    Scratch<Real> scratch;
+    evaluate(control, fine, scratch);
+  }
+
+  /// The limit surface at the refined vertices; built once, evaluated often.
+  class Limit {
+   public:
+    Limit(Limit&&) noexcept;
+    Limit& operator=(Limit&&) noexcept;
+    ~Limit();
+    [[nodiscard]] std::size_t bytes() const;  ///< what it holds
+
+   private:
+    friend class FastRefiner;
+    struct Plan;
+    explicit Limit(std::unique_ptr<const Plan> plan);
+    std::unique_ptr<const Plan> plan_;
+  };
+  /// `reader` knows the limit surface (fast/families/family.h). Nothing where it looks too far for
+  /// so few levels (sums over two rings need control edges cut into 4 or 8), or a normal at a
+  /// regular vertex is not that of two sums. Fails as `reader`.
+  [[nodiscard]] Result<std::optional<Limit>> limit(fast::LimitReader& reader) const;
+
+  /// Limit positions and unit normals at the refined vertices from the positions of the control
+  /// vertices; arrays as for `evaluate`. A normal is zero where the tangents are parallel. The
+  /// tangents are differences of neighbours, so that floats lose half a digit a level.
+  template <class Real>
+  void evaluate_limit(const Limit& limit, std::span<const Real> control, std::span<Real> positions,
+                      std::span<Real> normals, Scratch<Real>& scratch) const;
+
+  /// The refined faces' vertices, face by face: corner_count() of them.
+  void write_faces(std::span<Index> corners) const;
+  /// Where each face's corners begin, and where the last one's end: face_count() + 1 numbers.
+  void write_face_begin(std::span<Index> begin) const;
+
+  /// What the refiner itself holds, in bytes.
+  [[nodiscard]] std::size_t bytes() const;
+
+ private:
+  struct State;
+  explicit FastRefiner(std::unique_ptr<State> state);
+  std::unique_ptr<const State> state_;
+};
+
+/// The refined faces, with these positions (one per vertex).
+[[nodiscard]] Polygons refined_polygons(const FastRefiner& refiner, std::vector<Point3> positions);
+
+/// The refined mesh as polygons. Fails as FastRefiner::make.
+[[nodiscard]] Result<Polygons> fast_refine(const Scheme& scheme, Mesh control,
+                                           const std::vector<Point3>& positions, int levels);
+
+}  // namespace limn

@@ -1,0 +1,181 @@
+#include "limn/fast/kernel/row_step.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstring>
+#include <limits>
+
+#include "limn/base/parallel.h"
+#include "limn/mesh/unit_normal.h"
+
+namespace limn::fast {
+namespace {
+
+constexpr std::ptrdiff_t kPlaceGrain = 1024;
+
+/// Four numbers at once: a point and what comes after it.
+template <class Real>
+struct Quad {
+  typedef Real Type __attribute__((vector_size(4 * sizeof(Real))));
+};
+
+/// Sums the rows of one table.
+template <class Real>
+class RowWorker {
+ public:
+  using Four = typename Quad<Real>::Type;
+
+  RowWorker(const RowTable& table, const std::vector<Real>& weights)
+      : table_(table), weights_(weights), points_(static_cast<std::size_t>(table.sources)) {}
+
+  void load(const Index* sources, const Real* in) {
+    for (std::size_t i = 0; i < points_.size(); ++i)
+      std::memcpy(&points_[i], in + 3 * static_cast<std::ptrdiff_t>(sources[i]), sizeof(Four));
+  }
+
+  /// The largest coordinate of the points.
+  [[nodiscard]] Real size() const {
+    Real size = 0;
+    for (const Four& point : points_)
+      size = std::max({size, std::abs(point[0]), std::abs(point[1]), std::abs(point[2])});
+    return size;
+  }
+
+  /// By reference, as such vectors are not returned alike on all processors.
+  void sum(int row, Four& to) const {
+    Four sum{};
+    for (int t = table_.row_begin[row]; t < table_.row_begin[row + 1]; ++t)
+      sum += weights_[t] * points_[table_.terms[t].source];
+    to = sum;
+  }
+
+ private:
+  const RowTable& table_;
+  const std::vector<Real>& weights_;
+  std::vector<Four> points_;
+};
+
+template <class Real>
+void put(const typename Quad<Real>::Type& value, Index number, Real* out) {
+  Real* to = out + 3 * static_cast<std::ptrdiff_t>(number);
+  for (int i = 0; i < 3; ++i) to[i] = value[i];
+}
+
+/// sum := sum + first × second.
+template <class Real>
+void add_cross(const typename Quad<Real>::Type& first, const typename Quad<Real>::Type& second,
+               typename Quad<Real>::Type& sum) {
+  sum += typename Quad<Real>::Type{first[1] * second[2] - first[2] * second[1],
+                                   first[2] * second[0] - first[0] * second[2],
+                                   first[0] * second[1] - first[1] * second[0], 0};
+}
+
+/// A sum's numbers.
+template <class Real>
+std::array<double, 3> numbers(const typename Quad<Real>::Type& sum) {
+  return {sum[0], sum[1], sum[2]};
+}
+
+/// Makes the vector a unit one, unless it is so large or small that products may be lost, or may be
+/// no more than rounding leaves of points of this size and tangents of these squares: then false.
+template <class Real>
+bool is_normalized(typename Quad<Real>::Type& normal, Real size, Real squares) {
+  const Real squared = normal[0] * normal[0] + normal[1] * normal[1] + normal[2] * normal[2];
+  constexpr Real kError = Real(kTangentUnits) * std::numeric_limits<Real>::epsilon();
+  const Real least = kError * size * kError * size * squares;
+  if (!(squared > least && squared > kSafeSquare<Real> && squared < 1 / kSafeSquare<Real>))
+    return false;
+  normal *= 1 / std::sqrt(squared);
+  return true;
+}
+
+template <class Real>
+Real square(const typename Quad<Real>::Type& sum) {
+  return sum[0] * sum[0] + sum[1] * sum[1] + sum[2] * sum[2];
+}
+
+/// The normal of a chain of rows at any size, or zero.
+template <class Real>
+void careful_normal(const RowWorker<Real>& worker, int row, int end, Real size,
+                    typename Quad<Real>::Type& normal) {
+  std::vector<std::array<double, 3>> chain;
+  typename Quad<Real>::Type sum;
+  for (; row < end; ++row) {
+    worker.sum(row, sum);
+    chain.push_back(numbers<Real>(sum));
+  }
+  const std::array<double, 3> unit = unit_normal<Real>(chain, static_cast<double>(size));
+  for (int i = 0; i < 3; ++i) normal[i] = static_cast<Real>(unit[static_cast<std::size_t>(i)]);
+}
+
+/// work(worker, a place's targets), after the place's sources have been read.
+template <class Real, class Work>
+void for_places(const RowPlan& plan, std::ptrdiff_t targets, const Real* in, Work work) {
+  if (targets == 0) return;
+  std::vector<Real> weights;
+  weights.reserve(plan.table.terms.size());
+  for (const RowTable::Term& term : plan.table.terms)
+    weights.push_back(static_cast<Real>(term.weight));
+  const std::ptrdiff_t places = static_cast<std::ptrdiff_t>(plan.targets.size()) / targets;
+  parallel_for(
+      std::ptrdiff_t{0}, places,
+      [&](std::ptrdiff_t first, std::ptrdiff_t last) {
+        RowWorker<Real> worker(plan.table, weights);
+        for (std::ptrdiff_t i = first; i < last; ++i) {
+          worker.load(plan.sources.data() + i * plan.table.sources, in);
+          work(worker, plan.targets.data() + i * targets);
+        }
+      },
+      plan.overlap ? places : kPlaceGrain);
+}
+
+}  // namespace
+
+template <class Real>
+void make_rows(const RowPlan& plan, const Real* in, Real* out) {
+  const int rows = plan.table.targets();
+  for_places(plan, rows, in, [&](const RowWorker<Real>& worker, const Index* targets) {
+    typename Quad<Real>::Type sum;
+    for (int row = 0; row < rows; ++row) {
+      worker.sum(row, sum);
+      put<Real>(sum, targets[row], out);
+    }
+  });
+}
+
+template <class Real>
+void make_limit_rows(const RowPlan& plan, const Real* in, Real* positions, Real* normals) {
+  using Four = typename Quad<Real>::Type;
+  if (plan.targets.size() == 0) return;
+  const std::size_t places = plan.sources.size() / static_cast<std::size_t>(plan.table.sources);
+  const auto points = static_cast<int>(plan.targets.size() / places);
+  const int rows = plan.table.targets() / points;  // of each point
+  for_places(plan, points, in, [&](const RowWorker<Real>& worker, const Index* targets) {
+    Four position, last, next;
+    const Real size = worker.size();
+    for (int i = 0; i < points; ++i) {
+      const int first = i * rows;
+      Four normal{};
+      worker.sum(first, position);
+      worker.sum(first + 1, last);
+      Real squares = square<Real>(last);
+      for (int row = first + 2; row < first + rows; ++row, last = next) {
+        worker.sum(row, next);
+        add_cross<Real>(last, next, normal);
+        squares += square<Real>(next);
+      }
+      if (!is_normalized<Real>(normal, size, squares))
+        careful_normal(worker, first + 1, first + rows, size, normal);
+      put<Real>(position, targets[i], positions);
+      put<Real>(normal, targets[i], normals);
+    }
+  });
+}
+
+template void make_rows<float>(const RowPlan&, const float*, float*);
+template void make_rows<double>(const RowPlan&, const double*, double*);
+template void make_limit_rows<float>(const RowPlan&, const float*, float*, float*);
+template void make_limit_rows<double>(const RowPlan&, const double*, double*, double*);
+
+}  // namespace limn::fast

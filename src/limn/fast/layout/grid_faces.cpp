@@ -1,0 +1,230 @@
+// The faces of the levels of a GridLayout, several corners at a time.
+
+#include <algorithm>
+#include <array>
+#include <cstring>
+#include <utility>
+#include <vector>
+
+#include "limn/fast/layout/grid_layout.h"
+
+namespace limn::fast {
+namespace {
+
+typedef Index Four __attribute__((vector_size(16)));
+
+void put(const Four& four, Index* to) { std::memcpy(to, &four, sizeof four); }
+
+/// The corners of 2 · pairs faces between two rows, and unless `pairs` is even six numbers after
+/// them, that are to be overwritten; reads as far as row[pairs + 2]. Returns past the last corner.
+Index* write_pairs(const Index* low, const Index* high, Index pairs, Index* out) {
+  Index* to = out;
+  for (Index x = 0; x < pairs; x += 2, to += 12) {
+    Four l, h;
+    std::memcpy(&l, low + x, sizeof l);
+    std::memcpy(&h, high + x, sizeof h);
+    put(__builtin_shufflevector(l, h, 0, 1, 4, 1), to);
+    put(__builtin_shufflevector(l, h, 5, 4, 1, 2), to + 4);
+    put(__builtin_shufflevector(l, h, 5, 2, 6, 5), to + 8);
+  }
+  return out + std::ptrdiff_t{6} * pairs;
+}
+
+/// The corners of n faces between two rows of n + 1 numbers each; reads one number past them.
+Index* write_between(const Index* low, const Index* high, Index n, Index* out) {
+  Index x = 0;
+  for (; x + 1 < n; x += 2, out += 8) {
+    Four l, h;
+    std::memcpy(&l, low + x, sizeof l);
+    std::memcpy(&h, high + x, sizeof h);
+    put(__builtin_shufflevector(l, h, 0, 1, 5, 4), out);
+    put(__builtin_shufflevector(l, h, 1, 2, 6, 5), out + 4);
+  }
+  if (x == n) return out;
+  put(Four{low[x], low[x + 1], high[x + 1], high[x]}, out);
+  return out + 4;
+}
+
+/// The numbers of a patch's grid points, row by row.
+class Rows {
+ public:
+  explicit Rows(const GridLayout& layout)
+      : layout_(layout),
+        triangles_(layout.sides() == 3),
+        numbers_(static_cast<std::size_t>((layout.n() + 1) * (layout.n() + 1)) + 2) {}
+
+  void fill(Index f) {
+    const Mesh& mesh = layout_.control();
+    const Index n = layout_.n(), sides = layout_.sides(), h = sides * f;
+    const auto along = [&](Index k) { return AlongEdge(layout_, edge_code(mesh, h + k)); };
+    const AlongEdge bottom = along(0), right = along(1), top = along(2), left = along(sides - 1);
+    Index inside = layout_.face_begin(f);
+    Index* row = numbers_.data();
+    row[0] = mesh.origin(h);
+    for (Index x = 1; x < n; ++x) row[x] = bottom(x);
+    row[n] = mesh.origin(h + 1);
+    row += n + 1;
+    for (Index y = 1; y < n; ++y) {
+      const Index last = triangles_ ? n - y : n;
+      row[0] = left(n - y);
+      for (Index x = 1; x < last; ++x) row[x] = inside + x - 1;
+      row[last] = right(y);
+      inside += last - 1;
+      row += last + 1;
+    }
+    row[0] = mesh.origin(h + sides - 1);
+    if (triangles_) return;
+    for (Index x = 1; x < n; ++x) row[x] = top(n - x);
+    row[n] = mesh.origin(h + 2);
+  }
+
+  void swap(Rows& other) { numbers_.swap(other.numbers_); }
+
+  /// The corners of the patch's faces; returns past the last.
+  Index* write(Index* out) const { return triangles_ ? write_triangles(out) : write_quads(out); }
+
+ private:
+  Index* write_triangles(Index* out) const {
+    const Index* low = numbers_.data();
+    for (Index last = layout_.n(); last > 0; --last) {
+      const Index* high = low + last + 1;
+      out = write_pairs(low, high, last - 1, out);
+      // after one pair six more corners follow: the row's last face, and the patch's
+      out[0] = low[last - 1];
+      out[1] = low[last];
+      out[2] = high[last - 1];
+      out += 3;
+      low = high;
+    }
+    return out;
+  }
+
+  Index* write_quads(Index* out) const {
+    const Index n = layout_.n();
+    const Index* row = numbers_.data();
+    for (Index y = 0; y < n; ++y, row += n + 1) out = write_between(row, row + n + 1, n, out);
+    return out;
+  }
+
+  const GridLayout& layout_;
+  bool triangles_;
+  std::vector<Index> numbers_;  // and what the writers may read after them
+};
+
+/// The faces of a patch of triangles that have centres, row by row.
+class CentreFaces {
+ public:
+  explicit CentreFaces(const GridLayout& layout)
+      : layout_(layout), n_(layout.n()), rows_(2 * static_cast<std::size_t>(n_) + 2) {
+    for (std::vector<Index>& side : across_) side.resize(static_cast<std::size_t>(n_));
+    for (std::vector<Index>& side : sides_) side.resize(static_cast<std::size_t>(n_) + 1);
+  }
+
+  Index* patch(Index f, Index* out) {
+    look_round(f);
+    Index* low = rows_.data();
+    Index* high = low + n_ + 1;
+    std::copy(sides_[0].begin(), sides_[0].end(), low);
+    Index inner = layout_.face_begin(f);               // of the row above
+    Index own = layout_.centre_begin(f), below = own;  // of the row, of the row below
+    for (Index y = 0; y < n_; ++y) {
+      const Index ups = n_ - y, above = own + 2 * ups - 1;
+      high[0] = sides_[2][ups - 1];
+      for (Index x = 1; x < ups - 1; ++x) high[x] = inner++;
+      high[ups - 1] = sides_[1][y + 1];
+      out = row(y, low, high, {below, own, above}, out);
+      below = own;
+      own = above;
+      std::swap(low, high);
+    }
+    return out;
+  }
+
+ private:
+  /// Where the centres of three rows begin.
+  struct Begins {
+    Index below, own, above;
+  };
+
+  /// The vertices along the three sides, from the origin of each to its target, and the centres
+  /// beyond them, or at the boundary kNone.
+  void look_round(Index f) {
+    const Mesh& mesh = layout_.control();
+    for (std::size_t side = 0; side < 3; ++side) {
+      const Index h = 3 * f + static_cast<Index>(side), twin = mesh.twin(h);
+      Index* vertex = sides_[side].data();
+      vertex[0] = mesh.origin(h);
+      vertex[n_] = mesh.target(h);
+      const AlongEdge along(layout_, edge_code(mesh, h));
+      for (Index t = 1; t < n_; ++t) vertex[t] = along(t);
+      for (Index t = 0; t < n_; ++t)
+        across_[side][t] = twin == kNone ? kNone : layout_.point(twin, 3 * (n_ - 1 - t) + 1, 1);
+    }
+  }
+
+  /// The face at the half-edge from a to b.
+  static Index* add(Index a, Index b, Index across, Index own, Index* out) {
+    out[0] = a;
+    out[1] = across == kNone ? b : across;
+    out[2] = own;
+    return out + 3;
+  }
+
+  Index* row(Index y, const Index* low, const Index* high, const Begins& begins, Index* out) const {
+    const Index last = n_ - y - 1;  // the triangle that points up at the end of the row
+    for (Index x = 0; x <= last; ++x) {
+      const Index own = begins.own + 2 * x;
+      const Index under = y == 0 ? across_[0][x] : begins.below + 2 * x + 1;
+      if (x > 0 && x < last && y > 0) {
+        out = pair(low + x, high + x, own, under, begins.above + 2 * x, out);
+        continue;
+      }
+      out = add(low[x], low[x + 1], under, own, out);
+      out = add(low[x + 1], high[x], x < last ? own + 1 : across_[1][y], own, out);
+      out = add(high[x], low[x], x > 0 ? own - 1 : across_[2][last], own, out);
+      if (x < last) out = down(low + x, high + x, own, begins.above + 2 * x, out);
+    }
+    return out;
+  }
+
+  /// A triangle that points down, and is between inner ones always.
+  static Index* down(const Index* low, const Index* high, Index up, Index above, Index* out) {
+    out = add(low[1], high[1], up + 2, up + 1, out);
+    out = add(high[1], high[0], above, up + 1, out);
+    return add(high[0], low[1], up, up + 1, out);
+  }
+
+  /// One that points up and one that points down, all neighbours being in the patch.
+  static Index* pair(const Index* low, const Index* high, Index own, Index under, Index above,
+                     Index* out) {
+    out = add(low[0], low[1], under, own, out);
+    out = add(low[1], high[0], own + 1, own, out);
+    out = add(high[0], low[0], own - 1, own, out);
+    return down(low, high, own, above, out);
+  }
+
+  const GridLayout& layout_;
+  Index n_;
+  std::vector<Index> rows_;
+  std::array<std::vector<Index>, 3> sides_, across_;
+};
+
+}  // namespace
+
+void GridLayout::write_faces(Index first, Index last, Index* out) const {
+  if (centres_) {
+    CentreFaces faces(*this);
+    for (Index f = first; f < last; ++f) out = faces.patch(f, out);
+    return;
+  }
+  // vectors are read of what was written in single numbers: not at once
+  Rows patch(*this), next(*this);
+  patch.fill(first);
+  for (Index f = first; f < last; ++f) {
+    if (f + 1 < last) next.fill(f + 1);
+    out = patch.write(out);
+    patch.swap(next);
+  }
+}
+
+}  // namespace limn::fast

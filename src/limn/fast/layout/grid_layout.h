@@ -1,0 +1,114 @@
+#pragma once
+/// Numbers for the vertices of a regularly subdivided mesh of triangles or of quads, by arithmetic.
+///
+/// Every control edge is cut into n. Face f's *patch* is its triangle of points (x, y), x, y ≥ 0,
+/// x + y ≤ n, with the face's corners 0, 1, 2 at (0, 0), (n, 0), (0, n); or its square 0 ≤ x, y ≤
+/// n, with the corners at (0, 0), (n, 0), (n, n), (0, n). The *frame* of half-edge h is the same
+/// with the origin of h at (0, 0) and its target at (n, 0). Vertices are numbered in blocks: the
+/// control vertices, as they are; the n-1 inner points of each edge, from the origin of
+/// halfedge_of_edge(e); the inner points of each patch, row by row (y = 1, 2, …), x ascending; and,
+/// where the level has centres (lattice_step.h), those of each patch's n² cells in the order of the
+/// cells, which is that of the faces of a level without. Faces come patch by patch, row by row, x
+/// ascending. Of triangles: (x, y) (x+1, y) (x, y+1), and but for the last of a row (x+1, y) (x+1,
+/// y+1) (x, y+1), then the next x. Of quads: (x, y) (x+1, y) (x+1, y+1) (x, y+1). A triangle with a
+/// centre gives three faces, half-edge by half-edge: its origin, the centre across, the triangle's
+/// own; at a boundary edge: its origin, its target, the centre.
+
+#include <vector>
+
+#include "limn/fast/kernel/stencil.h"
+#include "limn/fast/layout/edge_points.h"
+#include "limn/mesh/split/dilation.h"
+
+namespace limn::fast {
+
+class GridLayout : public EdgePoints {
+ public:
+  /// All faces of `control` are triangles or quads, as `lattice` has it (or there are none); it
+  /// must outlive the layout. n ≥ 1, and all faces together have fewer than 2^31 corners.
+  ///
+  /// Places are given in steps of which `unit` make an edge of the grid: grid points have multiples
+  /// of it, and `unit` > 1 with centres.
+  GridLayout(const Mesh& control, Lattice lattice, Index n, Index unit = 1, bool centres = false);
+
+  [[nodiscard]] Lattice lattice() const { return lattice_; }
+  [[nodiscard]] Index sides() const { return sides_; }
+  [[nodiscard]] Index unit() const { return unit_; }
+  [[nodiscard]] bool has_centres() const { return centres_; }
+  /// The steps along a control edge.
+  [[nodiscard]] Index side() const { return n() * unit_; }
+  /// The grid alone, with places in its own steps.
+  [[nodiscard]] GridLayout grid() const { return {control(), lattice_, n()}; }
+
+  [[nodiscard]] Index vertex_count() const {
+    return centres_at_ + (centres_ ? control().face_count() * n() * n() : 0);
+  }
+  [[nodiscard]] Index face_count() const { return control().face_count() * patch_faces(); }
+  /// Of each patch.
+  [[nodiscard]] Index patch_faces() const { return (centres_ ? 3 : 1) * n() * n(); }
+
+  /// The inner points of face f's grid, and how many these are; its centres.
+  [[nodiscard]] Index face_begin(Index f) const { return faces_at_ + f * face_size_; }
+  [[nodiscard]] Index face_size() const { return face_size_; }
+  [[nodiscard]] Index centre_begin(Index f) const { return centres_at_ + f * n() * n(); }
+
+  /// Whether there is a point at a place of the patch.
+  [[nodiscard]] bool has_point(Index x, Index y) const {
+    return unit_ == 1 || (centres_ ? (x - y) % unit_ == 0 : x % unit_ == 0 && y % unit_ == 0);
+  }
+
+  /// Where a point of a patch lies: at a corner, on a side (the `at`-th point along it), or the
+  /// `at`-th of the patch's inner points or centres. Corners and sides are counted from those of
+  /// the half-edge in whose frame the point is given.
+  struct Spot {
+    enum On { corner, edge, inner, centre } on = corner;
+    Index side = 0;
+    Index at = 0;
+  };
+  /// Of point (x, y) in the frame of a face's half-edge number k.
+  [[nodiscard]] Spot spot(Index k, Index x, Index y) const;
+
+  /// The number of a point in the frame of h.
+  [[nodiscard]] Index point(Index h, Index x, Index y) const {
+    const Index f = control().face(h);
+    const Spot s = spot(h - sides_ * f, x, y);
+    if (s.on == Spot::inner) return face_begin(f) + s.at;
+    if (s.on == Spot::centre) return centre_begin(f) + s.at;
+    const Index g = turned(h, s.side);
+    return s.on == Spot::corner ? control().origin(g) : edge_point(g, s.at);
+  }
+  /// The same beyond the patch's sides, as far as its neighbours go; kNone where there is none.
+  /// Past the ends of a side on the boundary, along the boundary.
+  [[nodiscard]] Index point_beyond(Index h, Index x, Index y) const;
+
+  /// The half-edge k sides after h in its face, 0 ≤ k < sides.
+  [[nodiscard]] Index turned(Index h, Index k) const {
+    if (sides_ == 4) return (h & ~3) | ((h + k) & 3);
+    const Index end = 3 * control().face(h) + 3;
+    return h + k < end ? h + k : h + k - 3;
+  }
+
+  /// The corners of the faces of patches first … last-1 (grid_faces.cpp). With centres: of
+  /// triangles.
+  void write_faces(Index first, Index last, Index* out) const;
+
+ private:
+  [[nodiscard]] Spot grid_spot(Index k, Index x, Index y) const;
+
+  Lattice lattice_;
+  Index sides_, unit_;
+  bool centres_;
+  Index face_size_, faces_at_, centres_at_;
+};
+
+/// Where point (a, b) of the frame of side 0, 1, … lies in the patch.
+[[nodiscard]] Offset in_patch(Lattice lattice, Index n, Index side, Offset point);
+
+/// The inner points of a patch, row by row.
+[[nodiscard]] std::vector<Offset> inner_places(Lattice lattice, Index n);
+
+/// The centres of a patch of n edges a side, in the order of their numbers, in steps of a grid
+/// `unit` times as fine.
+[[nodiscard]] std::vector<Offset> centre_places(Lattice lattice, Index n, Index unit);
+
+}  // namespace limn::fast

@@ -1,0 +1,35 @@
+#pragma once
+/// Sums of the limit surface, as forms, stencils and rows.
+
+#include <span>
+
+#include "limn/fast/families/family.h"
+
+namespace limn::fast {
+
+/// At one vertex: position, then the vectors of LimitForms or LimitChain.
+using LimitSums = std::vector<LinearForm<double>>;
+
+/// Position and two tangents as sums over the lattice, by offsets from the vertex.
+using LimitStencils = std::array<Stencil, 3>;
+
+/// Leaves out what is only rounding of the eigenvectors that sums come from.
+void drop_rounding(LinearForm<double>& form);
+
+/// A stencil of these weights without the last digits of the eigenvectors that they come from: so
+/// those that symmetry makes equal are, and what should be zero is not there.
+[[nodiscard]] Stencil rounded_stencil(const std::vector<Offset>& places,
+                                      std::vector<double> weights);
+
+/// Whether two vertices have the same limit position and the same oriented tangent plane, by their
+/// sums, which are three each.
+[[nodiscard]] bool same_limit(std::span<const LinearForm<double>> a,
+                              std::span<const LinearForm<double>> b);
+
+/// Three rows over the places that the stencils take from, which are sorted.
+[[nodiscard]] std::pair<RowTable, std::vector<Offset>> limit_rows(const LimitStencils& stencils);
+
+/// The rows of an isolated vertex, which stays and has no tangents.
+[[nodiscard]] RowTable isolated_limit_rows();
+
+}  // namespace limn::fast

@@ -1,0 +1,128 @@
+#include "limn/fast/plain/plain_order.h"
+
+#include <algorithm>
+#include <cassert>
+
+#include "limn/fast/layout/grid_patches.h"
+
+namespace limn::fast {
+namespace {
+
+/// The half-edge between two neighbours; the faces round `to`, which should have few, are gone
+/// through.
+Index halfedge_between(const Mesh& mesh, Index from, Index to) {
+  const Index first = mesh.halfedge_of_vertex(to);
+  Index h = first;
+  do {
+    if (mesh.origin(mesh.prev(h)) == from) return mesh.prev(h);
+    h = mesh.rotate(h);
+  } while (h != kNone && h != first);
+  return kNone;
+}
+
+/// The vertex that lies next to the origin of h on its edge, once a cycle has cut that; `last` is
+/// what the cycle's last step bears. Of two steps, the first gives its face at the origin of h the
+/// number of h, and keeps the number of a boundary edge.
+Index next_along(const Mesh& coarse, const GridCycle& cycle, const Births& last, Index h) {
+  if (cycle.steps == 1) return last.from_vertices + coarse.edge(h);
+  const auto position = [](const std::vector<Index>& list, auto found) {
+    return static_cast<Index>(std::distance(list.begin(), found));
+  };
+  if (coarse.twin(h) == kNone) {
+    const std::vector<Index>& ends = last.edge_ends;
+    const auto found =
+        std::lower_bound(ends.begin(), ends.end(), coarse.edge(h),
+                         [&](Index end, Index e) { return coarse.edge(end / 6) < e; });
+    assert(found != ends.end() && *found == 6 * h);
+    return last.from_vertices + position(ends, found);
+  }
+  const Index first = last.from_vertices + last.from_edges;
+  if (last.faces.empty()) return first + h;
+  const auto found = std::lower_bound(last.faces.begin(), last.faces.end(), h);
+  assert(found != last.faces.end() && *found == h);
+  return first + position(last.faces, found);
+}
+
+/// Walks each control face of the last level without centres row by row.
+class Order {
+ public:
+  Order(const Mesh& control, const GridCycle& cycle, std::span<const SplitResult> steps)
+      : control_(control),
+        cycle_(cycle),
+        steps_(steps),
+        full_(static_cast<int>(steps.size()) / cycle.steps * cycle.steps),
+        grid_(mesh(full_)),
+        made_(control, cycle, static_cast<int>(steps.size())),
+        layout_(made_.old_points.grid()) {}
+
+  std::vector<Index> make() {
+    order_.assign(static_cast<std::size_t>(made_.old_points.vertex_count()), kNone);
+    for (Index v = 0; v < control_.vertex_count(); ++v) order_[v] = v;
+    for (Index f = 0; f < control_.face_count(); ++f) walk(f);
+    return std::move(order_);
+  }
+
+ private:
+  [[nodiscard]] const Mesh& mesh(int level) const {
+    return level == 0 ? control_ : steps_[static_cast<std::size_t>(level) - 1].mesh;
+  }
+
+  void walk(Index f) {
+    const Index n = layout_.n(), side = layout_.sides() * f;
+    const bool triangles = cycle_.lattice == Lattice::triangle;
+    Index row = side;  // the half-edge from (0, y) to (1, y)
+    for (int level = 0; level < full_; level += cycle_.steps) {
+      const SplitResult& last = steps_[static_cast<std::size_t>(level + cycle_.steps) - 1];
+      row = halfedge_between(last.mesh, mesh(level).origin(row),
+                             next_along(mesh(level), cycle_, last.births, row));
+    }
+    centre_ = made_.old_points.centre_begin(f);
+    for (Index y = 0; y < n; ++y) {
+      Index h = row;
+      for (Index x = 0, last = triangles ? n - 1 - y : n - 1; x <= last; ++x) {
+        see_cell(side, {x, y}, h);
+        if (x < last && triangles) see_centre(down(h));
+        if (x < last) h = grid_.next(grid_.twin(grid_.next(triangles ? down(h) : h)));
+      }
+      if (y + 1 == n) break;
+      // the triangle that points down beside (0, y) has the next row's first edge opposite
+      row = triangles ? grid_.twin(grid_.prev(grid_.twin(grid_.next(row))))
+                      : grid_.twin(grid_.next(grid_.next(row)));
+    }
+  }
+
+  /// The triangle that points down, over the side of the one that h is the lower edge of.
+  [[nodiscard]] Index down(Index h) const { return grid_.twin(grid_.next(h)); }
+
+  void see_cell(Index side, Offset at, Index h) {
+    const Index count = layout_.sides();
+    for (Index k = 0; k < count; ++k, h = grid_.next(h)) {
+      const Offset corner = in_patch(cycle_.lattice, 1, k, {0, 0});
+      order_[layout_.point(side, at.a + corner.a, at.b + corner.b)] = grid_.origin(h);
+    }
+    see_centre(h);
+  }
+
+  void see_centre(Index h) {
+    if (made_.old_points.has_centres()) order_[centre_++] = grid_.vertex_count() + grid_.face(h);
+  }
+
+  const Mesh& control_;
+  const GridCycle& cycle_;
+  std::span<const SplitResult> steps_;
+  int full_;  // steps of full cycles
+  const Mesh& grid_;
+  GridStep made_;
+  GridLayout layout_;
+  Index centre_ = 0;
+  std::vector<Index> order_;
+};
+
+}  // namespace
+
+std::vector<Index> grid_order(const Mesh& control, const GridCycle& cycle,
+                              std::span<const SplitResult> steps) {
+  return Order(control, cycle, steps).make();
+}
+
+}  // namespace limn::fast

@@ -1,0 +1,159 @@
+#include "limn/fast/sites/site.h"
+
+#include <cassert>
+
+#include "limn/mesh/lattice.h"
+
+namespace limn::fast {
+namespace {
+
+/// A place in the coordinates of a sector, in the one of it and the two beside it that holds it.
+SectorPoint in_sector(Lattice lattice, Index sector, Offset place) {
+  const auto [a, b] = place;
+  const bool triangle = lattice == Lattice::triangle;
+  if (b < 0) return {sector - 1, -b, triangle ? a + b : a};
+  if (a < 0) return {sector + 1, triangle ? a + b : b, -a};
+  return {sector, a, b};
+}
+
+/// The weighted sum of places that belong together, in whatever sectors near one another they are.
+class PlaceSum {
+ public:
+  /// `home`: the sector in whose coordinates the sum is taken.
+  PlaceSum(const StarShape& shape, Index home) : shape_(shape), home_(home) {}
+
+  void add(Index weight, const SectorPoint& p) {
+    const Offset place = at_home(p);
+    sum_ = {sum_.a + weight * place.a, sum_.b + weight * place.b};
+  }
+
+  /// A part of the sum, in the sector in which it lies.
+  [[nodiscard]] SectorPoint part(Index divisor) const {
+    assert(sum_.a % divisor == 0 && sum_.b % divisor == 0);
+    return in_sector(shape_.lattice, home_, {sum_.a / divisor, sum_.b / divisor});
+  }
+
+ private:
+  [[nodiscard]] Offset at_home(const SectorPoint& p) const {
+    if (p.x == 0 && p.y == 0) return {0, 0};
+    const bool triangle = shape_.lattice == Lattice::triangle;
+    Index turn = p.sector - home_;
+    if (!shape_.open && (turn > 1 || turn < -1))
+      turn += turn > 0 ? -shape_.sectors : shape_.sectors;
+    if (!shape_.open && shape_.sectors == 2 && turn != 0) turn = 1;  // a spoke ends the sector
+    assert(-1 <= turn && turn <= 1);
+    if (turn == 0) return {p.x, p.y};
+    if (turn > 0) return {-p.y, triangle ? p.x + p.y : p.x};
+    return {triangle ? p.x + p.y : p.y, -p.x};
+  }
+
+  const StarShape& shape_;
+  Index home_;
+  Offset sum_;
+};
+
+/// The old vertices that a birth lies between, with weights.
+std::vector<std::pair<Index, Index>> parents(const Mesh& mesh, const Birth& birth) {
+  const Index h = birth.halfedge;
+  switch (birth.kind) {
+    case Birth::vertex: return {{1, mesh.origin(h)}};
+    case Birth::edge: return {{1, mesh.origin(h)}, {1, mesh.target(h)}};
+    case Birth::edge_end:
+      return {{birth.at_target ? 1 : 2, mesh.origin(h)}, {birth.at_target ? 2 : 1, mesh.target(h)}};
+    default: break;
+  }
+  std::vector<std::pair<Index, Index>> corners;
+  const Index f = mesh.face(h);
+  for (Index k = mesh.face_begin(f); k < mesh.face_begin(f + 1); ++k)
+    corners.emplace_back(1, mesh.origin(k));
+  return corners;
+}
+
+}  // namespace
+
+Site::Site(const Split& split, const GridCycle& cycle, const StarShape& shape, Index rings)
+    : shape_(shape), extent_(cycle.cut * rings) {
+  const Index slots = shape.sectors * (extent_ + 1) * (extent_ + 1);
+  Step first;
+  first.mesh = shape.open ? fan(shape.lattice, shape.sectors, rings)
+                          : star(shape.lattice, shape.sectors, rings);
+  controls_.assign(at(slots), kNone);
+  for (Index v = 0; v < first.mesh.vertex_count(); ++v) {
+    const SectorPoint point = sector_point(shape, v);
+    first.places.push_back({point.sector, cycle.cut * point.x, cycle.cut * point.y});
+    controls_[slot(first.places.back())] = v;
+  }
+  steps_.push_back(std::move(first));
+  for (int i = 0; i < cycle.steps; ++i) {
+    Step& step = steps_.back();
+    SplitResult made;
+    if (cycle.steps == 1)  // nobody looks at the mesh that the last step makes
+      made.births = first_births(split, step.mesh);
+    else
+      made = split.apply(step.mesh, i);
+    step.births = std::move(made.births);
+    step.vertices.assign(at(slots), kNone);
+    place_new(step);
+    if (i + 1 < cycle.steps) steps_.push_back({std::move(made.mesh), {}, step.made, {}, {}});
+  }
+}
+
+void Site::place_new(Step& step) const {
+  const Births& births = step.births;
+  const Index count = births.from_vertices + births.from_edges + births.from_faces;
+  step.made.reserve(at(count));
+  for (Index v = 0; v < count; ++v) {
+    const auto from = parents(step.mesh, birth_of(step.mesh, births, v));
+    // one that is within a sector says in which all of them are
+    Index home = kNone, divisor = 0;
+    for (const auto& [weight, old] : from) {
+      const SectorPoint& p = step.places[at(old)];
+      if (p.x > 0 && p.y > 0)
+        home = p.sector;
+      else if (home == kNone && p.x + p.y > 0)
+        home = p.sector;
+      divisor += weight;
+    }
+    PlaceSum sum(shape_, home == kNone ? 0 : home);
+    for (const auto& [weight, old] : from) sum.add(weight, step.places[at(old)]);
+    step.made.push_back(normal(sum.part(divisor)));
+    step.vertices[slot(step.made.back())] = v;
+  }
+}
+
+std::optional<SectorPoint> Site::beside(Index sector, Offset place) const {
+  const SectorPoint point = in_sector(shape_.lattice, sector, place);
+  if (point.x < 0 || point.y < 0 || ring(point) > extent_) return std::nullopt;
+  if (shape_.open && (point.sector < 0 || point.sector >= shape_.sectors)) return std::nullopt;
+  return normal(point);
+}
+
+/// The same place in the sector that owns it: a spoke belongs to the sector that begins there.
+SectorPoint Site::normal(SectorPoint place) const {
+  if (place.x == 0 && place.y == 0) return {};
+  if (place.x == 0 && !(shape_.open && place.sector == shape_.sectors - 1))
+    place = {place.sector + 1, place.y, 0};
+  if (!shape_.open) place.sector = (place.sector + shape_.sectors) % shape_.sectors;
+  return place;
+}
+
+std::size_t Site::slot(const SectorPoint& place) const {
+  const SectorPoint p = normal(place);
+  assert(p.sector >= 0 && p.sector < shape_.sectors && p.x >= 0 && p.y >= 0);
+  assert(p.x <= extent_ && p.y <= extent_);
+  return at((p.sector * (extent_ + 1) + p.x) * (extent_ + 1) + p.y);
+}
+
+Index Site::new_vertex(int step, const SectorPoint& place) const {
+  const Index v = steps_[at(step)].vertices[slot(place)];
+  assert(v != kNone);
+  return v;
+}
+
+Index Site::old_vertex(int step, const SectorPoint& place) const {
+  const Index v = step == 0 ? controls_[slot(place)] : steps_[at(step) - 1].vertices[slot(place)];
+  assert(v != kNone);
+  return v;
+}
+
+}  // namespace limn::fast

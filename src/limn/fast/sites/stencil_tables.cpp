@@ -1,0 +1,189 @@
+#include "limn/fast/sites/stencil_tables.h"
+
+#include <algorithm>
+
+#include <fmt/core.h>
+
+#include "limn/refine/refine_values.h"
+
+namespace limn::fast {
+namespace {
+
+using Form = LinearForm<double>;
+using Places = std::vector<SectorPoint>;
+
+void sort(Stencil& stencil) {
+  std::sort(stencil.begin(), stencil.end(),
+            [](const Tap& p, const Tap& q) { return p.place < q.place; });
+}
+
+class TableMaker {
+ public:
+  TableMaker(const Scheme& scheme, const GridCycle& cycle, const std::vector<VertexKind>& kinds,
+             const BoundarySides& sides)
+      : scheme_(scheme),
+        cycle_(cycle),
+        kinds_(kinds),
+        sides_(sides),
+        closed_(scheme, Boundary::left_out),
+        open_(scheme, Boundary::refined),
+        tables_(static_cast<std::size_t>(cycle.steps)) {}
+
+  Result<std::vector<StencilTables>> make() {
+    for (int step = 0; step < cycle_.steps; ++step) {
+      const std::optional<Reach> reach = find_reach(scheme_, cycle_, step, sides_);
+      if (!reach) return Error{fmt::format("the rules of scheme '{}' look too far", scheme_.name)};
+      of(step).reach = *reach;
+    }
+    if (Status status = read_interior(); !status) return status.error();
+    if (std::find(sides_.begin() + 1, sides_.end(), true) != sides_.end())
+      if (Status status = read_strips(); !status) return status.error();
+    for (const VertexKind& kind : kinds_)
+      if (Status status = read_zones(kind); !status) return status.error();
+    return std::move(tables_);
+  }
+
+ private:
+  StencilTables& of(int step) { return tables_[static_cast<std::size_t>(step)]; }
+
+  /// Forms of new points over site.mesh(step).
+  Result<std::vector<Form>> read(const Site& site, int step, const Places& wanted) {
+    RuleTables<double>& rules = site.shape().open ? open_ : closed_;
+    const Mesh& mesh = site.mesh(step);
+    const Births& births = site.births(step);
+    if (Status status = rules.prepare(mesh, births); !status) return status.error();
+    std::vector<Index> vertices;
+    vertices.reserve(wanted.size());
+    for (const SectorPoint& point : wanted) vertices.push_back(site.new_vertex(step, point));
+    return refine_values_at(scheme_, mesh, births, rules, unit_forms<double>(mesh.vertex_count()),
+                            vertices);
+  }
+
+  /// A form's vertices as places on the plane, from one of them on.
+  Stencil on_lattice(const Form& form, const Site& site, int step, Offset from) const {
+    Stencil stencil;
+    for (const auto& [vertex, weight] : form.terms) {
+      if (weight == 0) continue;
+      const Offset place = on_plane(cycle_.lattice, site.place(step, vertex));
+      stencil.push_back({{place.a - from.a, place.b - from.b}, weight});
+    }
+    return stencil;
+  }
+
+  Status read_interior() {
+    const Site site = this->site(plane_sectors(cycle_.lattice), false, cycle_.cut);
+    for (int i = 0; i < cycle_.steps; ++i) {
+      const LatticeStep step(cycle_, i);
+      Places wanted;
+      for (Index y = 0; y < cycle_.cut; ++y)
+        for (Index x = 0; x < cycle_.cut; ++x)
+          if (step.is_new(x, y) && step.anchor_of(x, y) == Offset{}) wanted.push_back({0, x, y});
+      const Result<std::vector<Form>> forms = read(site, i, wanted);
+      if (!forms) return forms.error();
+      of(i).interior.resize(step.classes());
+      for (std::size_t c = 0; c < wanted.size(); ++c) {
+        Stencil& stencil = of(i).interior[step.class_of(wanted[c].x, wanted[c].y)];
+        stencil = on_lattice((*forms)[c], site, i, {});
+        for (Tap& tap : stencil) tap.place = step.to_local(tap.place);
+        sort(stencil);
+      }
+    }
+    return Done{};
+  }
+
+  Status read_strips() {
+    Index depth = 0;
+    for (const StencilTables& table : tables_) depth = std::max(depth, table.reach.strip_depth);
+    const Site site = this->site(half_plane_sectors(cycle_.lattice), true, depth + cycle_.cut);
+    for (int i = 0; i < cycle_.steps; ++i) {
+      const LatticeStep step(cycle_, i);
+      const Index rows = of(i).reach.strip_depth + 1;
+      Places wanted;
+      for (Index y = 0; y < rows; ++y)
+        for (Index x = 0; x < cycle_.cut; ++x)
+          if (step.is_new(x, y)) wanted.push_back({0, x, y});
+      const Result<std::vector<Form>> forms = read(site, i, wanted);
+      if (!forms) return forms.error();
+      of(i).strips.resize(static_cast<std::size_t>(cycle_.cut * rows));
+      for (std::size_t c = 0; c < wanted.size(); ++c) {
+        const auto& [sector, x, y] = wanted[c];
+        Stencil& stencil = of(i).strips[static_cast<std::size_t>(cycle_.cut * y + x)];
+        stencil = on_lattice((*forms)[c], site, i, {x, y});
+        sort(stencil);
+      }
+    }
+    return Done{};
+  }
+
+  Status read_zones(const VertexKind& kind) {
+    const bool open = kind.open;
+    const Index sectors = kind.faces;
+    if (sectors == 0) return Done{};
+    if (sectors > kLargestTable || (!open && sectors < fewest_sectors(cycle_.lattice)))
+      return Error{fmt::format("no table for vertex {} of {} faces", kind.vertices[0], sectors)};
+    const Site site = this->site(sectors, open, 0);
+    for (int i = 0; i < cycle_.steps; ++i) {
+      Places wanted = points_round(i, sectors, open);
+      const Result<std::vector<Form>> forms = read(site, i, wanted);
+      if (!forms) return forms.error();
+      (open ? of(i).fans : of(i).stars)
+          .emplace(sectors, zone_table(*forms, site, i, std::move(wanted)));
+    }
+    return Done{};
+  }
+
+  /// The new points of a zone, the centre first.
+  Places points_round(int i, Index sectors, bool open) {
+    const LatticeStep step(cycle_, i);
+    const Zone zone = of(i).reach.zone(sectors, open);
+    Places points{{0, 0, 0}};
+    for (Index s = 0; s < sectors; ++s)
+      for (Index x = 1; x <= zone.size; ++x)
+        for (Index y = 0; zone.has(x, y); ++y)
+          if (step.is_new(x, y)) points.push_back({s, x, y});
+    for (Index y = 1; open && y <= zone.size; ++y)  // the last spoke
+      if (step.is_new(0, y)) points.push_back({sectors - 1, 0, y});
+    return points;
+  }
+
+  /// On which zones, and points so many steps farther out, see as far as they look.
+  [[nodiscard]] Site site(Index sectors, bool open, Index more) const {
+    constexpr Index kMargin = 2;  // control edges, of which the rim is within
+    Index seen = 0;
+    for (const StencilTables& table : tables_) {
+      const Reach& reach = table.reach;
+      const Index corner = reach.corner_zone.size * (cycle_.lattice == Lattice::triangle ? 2 : 1);
+      seen = std::max({seen, reach.star_zone.size, reach.fan_zone.size, corner, reach.star_rings,
+                       reach.fan_rings, reach.corner_rings});
+    }
+    return {*scheme_.split,
+            cycle_,
+            {cycle_.lattice, sectors, open},
+            (seen + more) / cycle_.cut + kMargin};
+  }
+
+  const Scheme& scheme_;
+  const GridCycle& cycle_;
+  const std::vector<VertexKind>& kinds_;
+  BoundarySides sides_;
+  RuleTables<double> closed_, open_;
+  std::vector<StencilTables> tables_;  // by step
+};
+
+}  // namespace
+
+ZoneTable zone_table(std::span<const Form> forms, const Site& site, int step,
+                     std::vector<SectorPoint> targets) {
+  auto [rows, vertices] = to_rows(forms);
+  ZoneTable table{site.shape().sectors, {}, std::move(targets), std::move(rows)};
+  for (const Index v : vertices) table.sources.push_back(site.place(step, v));
+  return table;
+}
+
+Result<std::vector<StencilTables>> read_stencils(const Scheme& scheme, const GridCycle& cycle,
+                                                 const std::vector<VertexKind>& kinds,
+                                                 const BoundarySides& sides) {
+  return TableMaker(scheme, cycle, kinds, sides).make();
+}
+
+}  // namespace limn::fast

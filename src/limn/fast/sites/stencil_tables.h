@@ -1,0 +1,49 @@
+#pragma once
+/// All stencils of a scheme whose levels are grids, read by refining linear forms on sites with the
+/// plain engine (refine/refine_values.h): nothing here knows a rule.
+
+#include <map>
+#include <vector>
+
+#include "limn/fast/sites/reach.h"
+#include "limn/fast/sites/vertex_kinds.h"
+#include "limn/refine/linear_form.h"
+
+namespace limn::fast {
+
+/// New points round a vertex, as sums over the old ones round it.
+struct ZoneTable {
+  Index sectors = 0;
+  std::vector<SectorPoint> sources;  ///< old points, sector by sector
+  std::vector<SectorPoint> targets;  ///< new points, the centre first
+  RowTable rows;                     ///< of the targets over the sources
+};
+
+/// Forms over the old vertices of a site's step, as rows of the targets.
+[[nodiscard]] ZoneTable zone_table(std::span<const LinearForm<double>> forms, const Site& site,
+                                   int step, std::vector<SectorPoint> targets);
+
+/// Of one step.
+struct StencilTables {
+  Reach reach;
+  std::vector<Stencil> interior;  ///< by class (lattice_step.h), local, from the anchor
+  /// Of new points (X, Y) along a boundary side that runs along the first axis, the mesh lying
+  /// above: number cut · Y + X mod cut, for Y ≤ reach.strip_depth; from the point. Empty without a
+  /// boundary, and where there is no new point.
+  std::vector<Stencil> strips;
+  std::map<Index, ZoneTable> stars;  ///< by valence of an interior vertex
+  std::map<Index, ZoneTable> fans;   ///< by number of faces at a boundary vertex
+};
+
+inline constexpr Index kLargestTable = 1000;  ///< valence of a table
+
+/// The tables of each step of the cycle that refining a mesh with vertices and faces of these kinds
+/// needs. Fails where a rule is missing, or looks too far (find_reach), or a vertex has too few
+/// faces in a ring (fewest_sectors) or more than kLargestTable: then the plain engine is the one to
+/// ask, which may say more. Cost: some 0.1 ms a valence.
+[[nodiscard]] Result<std::vector<StencilTables>> read_stencils(const Scheme& scheme,
+                                                               const GridCycle& cycle,
+                                                               const std::vector<VertexKind>& kinds,
+                                                               const BoundarySides& sides);
+
+}  // namespace limn::fast

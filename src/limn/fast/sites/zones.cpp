@@ -1,0 +1,149 @@
+#include "limn/fast/sites/zones.h"
+
+#include <cassert>
+
+#include "limn/base/parallel.h"
+
+namespace limn::fast {
+namespace {
+
+constexpr Index kVertexGrain = 1024;
+
+ZoneGroup make_group(VertexKind kind, const Mesh& control) {
+  ZoneGroup group{std::move(kind), {}, {}, {}};
+  const auto sectors = static_cast<std::size_t>(group.kind.faces);
+  const std::size_t size = group.kind.vertices.size() * sectors;
+  group.sectors.resize(size);
+  group.codes.resize(size);
+  group.ends.resize(size);
+  parallel_for(
+      Index{0}, static_cast<Index>(group.kind.vertices.size()),
+      [&](Index first, Index last) {
+        std::size_t at = static_cast<std::size_t>(first) * sectors;
+        for (Index i = first; i < last; ++i) {
+          Index h = control.halfedge_of_vertex(group.kind.vertices[static_cast<std::size_t>(i)]);
+          for (std::size_t s = 0; s < sectors; ++s, ++at, h = control.rotate(h)) {
+            group.sectors[at] = h;
+            group.codes[at] = edge_code(control, h);
+            group.ends[at] = control.target(h);
+          }
+        }
+      },
+      kVertexGrain);
+  return group;
+}
+
+/// A point round any vertex of a group: where its number is found.
+struct Finder {
+  enum From { vertex, edge, end, patch } from = vertex;
+  std::size_t sector = 0;
+  Index x = 0, y = 0;
+};
+
+std::vector<Finder> finders(const GridLayout& layout, const std::vector<SectorPoint>& points) {
+  std::vector<Finder> finders;
+  for (const SectorPoint& p : points) {
+    const auto sector = static_cast<std::size_t>(p.sector);
+    if (p.x == 0 && p.y == 0)
+      finders.push_back({Finder::vertex});
+    else if (p.y == 0 && p.x == layout.side())
+      finders.push_back({Finder::end, sector});
+    else if (p.y == 0 && p.x < layout.side())
+      finders.push_back({Finder::edge, sector, p.x / layout.unit()});
+    else
+      finders.push_back({Finder::patch, sector, p.x, p.y});
+  }
+  return finders;
+}
+
+/// The numbers of the points round each of a group's vertices.
+HugeArray<Index> number_points(const ZoneGroup& group, GridLayout layout,
+                               std::vector<SectorPoint> points) {
+  if (layout.unit() > 1 && !layout.has_centres()) {
+    for (SectorPoint& p : points) p = {p.sector, p.x / layout.unit(), p.y / layout.unit()};
+    layout = layout.grid();
+  }
+  const std::vector<Finder> list = finders(layout, points);
+  HugeArray<Index> numbers(group.kind.vertices.size() * points.size());
+  parallel_for(
+      Index{0}, static_cast<Index>(group.kind.vertices.size()),
+      [&](Index first, Index last) {
+        Index* number = numbers.data() + first * std::ssize(list);
+        for (Index i = first; i < last; ++i) {
+          const auto at = static_cast<std::size_t>(i);
+          const auto sector = at * static_cast<std::size_t>(group.kind.faces);
+          for (const Finder& p : list) {
+            const std::size_t s = sector + p.sector;
+            switch (p.from) {
+              case Finder::vertex: *number++ = group.kind.vertices[at]; break;
+              case Finder::edge: *number++ = layout.point_along(group.codes[s], p.x); break;
+              case Finder::end: *number++ = group.ends[s]; break;
+              case Finder::patch: *number++ = layout.point_beyond(group.sectors[s], p.x, p.y);
+            }
+          }
+        }
+      },
+      kVertexGrain);
+  return numbers;
+}
+
+}  // namespace
+
+std::vector<ZoneGroup> group_vertices(std::vector<VertexKind> kinds, const Mesh& control) {
+  std::vector<ZoneGroup> groups;
+  groups.reserve(kinds.size());
+  for (VertexKind& kind : kinds) groups.push_back(make_group(std::move(kind), control));
+  return groups;
+}
+
+const ZoneTable& table_of(const StencilTables& tables, const VertexKind& kind) {
+  static const ZoneTable identity{0, {SectorPoint{}}, {SectorPoint{}}, {1, {0, 1}, {{0, 1.0}}}};
+  if (kind.faces == 0) return identity;
+  return (kind.open ? tables.fans : tables.stars).at(kind.faces);
+}
+
+RowPlan zone_rows(const ZoneTable& table, const ZoneGroup& group, const GridLayout& old_points,
+                  const GridLayout& new_points, bool overlap) {
+  return {table.rows, number_points(group, old_points, table.sources),
+          number_points(group, new_points, table.targets), overlap};
+}
+
+void add_side_rows(const std::vector<SideRow>& rows, const std::vector<Index>& sides,
+                   const ZoneOfFaces& zone_of, const GridLayout& old_points,
+                   const GridLayout& new_points, std::vector<RowPlan>& plans) {
+  const Mesh& mesh = new_points.control();
+  const Lattice lattice = new_points.lattice();
+  const Index side = new_points.side();
+  const auto zone_at = [&](Index v) { return zone_of(mesh.valence(v) - 1); };
+  for (const SideRow& row : rows) {
+    std::vector<Index> sources, targets;
+    for (const Index h : sides) {
+      const Zone left = zone_at(mesh.origin(h)), right = zone_at(mesh.target(h));
+      for (Index x = row.phase; mirrored(lattice, side, x, row.y) > 0; x += row.period) {
+        if (x == 0 || left.has(x, row.y) || right.has(row.y, mirrored(lattice, side, x, row.y)))
+          continue;
+        for (const Offset& place : row.sources) {
+          sources.push_back(old_points.point_beyond(h, x + place.a, row.y + place.b));
+          assert(sources.back() != kNone);
+        }
+        targets.push_back(new_points.point(h, x, row.y));
+      }
+    }
+    if (!targets.empty())
+      plans.push_back({row.table, HugeArray<Index>(sources), HugeArray<Index>(targets), false});
+  }
+}
+
+std::vector<SideRow> side_rows(const StencilTables& tables, const LatticeStep& step) {
+  std::vector<SideRow> rows;
+  for (Index c = 0; c < std::ssize(tables.strips); ++c) {
+    const Stencil& stencil = tables.strips[static_cast<std::size_t>(c)];
+    if (stencil.empty()) continue;
+    SideRow& row = rows.emplace_back(SideRow{c / step.cut, c % step.cut, step.cut, {}, {}});
+    row.table = to_rows(stencil);
+    for (const Tap& tap : stencil) row.sources.push_back(tap.place);
+  }
+  return rows;
+}
+
+}  // namespace limn::fast

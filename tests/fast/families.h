@@ -1,0 +1,285 @@
+#pragma once
+/// What the engine's tests need of each family: meshes of its lattice, where the refined meshes
+/// begin, rules that look far.
+
+#include "fast/fast_check.h"
+#include "refine/dual_meshes.h"
+#include "refine/dual_rules.h"
+
+namespace limn::test {
+
+/// The plain engine's meshes, and for each control face's first corner v the half-edge out of v on
+/// the face's first edge (at odd levels, towards the middle of the small triangle there).
+struct PlainLevels {
+  PlainLevels(const Mesh& control, int levels) : mesh(control) {
+    for (Index f = 0; f < control.face_count(); ++f) starts.push_back(3 * f);
+    for (int step = 0; step < levels; ++step) {
+      const SplitResult split = find_split("sqrt3")->apply(mesh, step);
+      for (Index& h : starts)
+        h = step % 2 == 0 ? turned_towards(split, mesh.face(h), mesh.origin(h)) : turned(split, h);
+      mesh = split.mesh;
+    }
+  }
+
+  /// The half-edge from v to the vertex born of face f.
+  static Index turned_towards(const SplitResult& split, Index f, Index v) {
+    const Births& births = split.births;
+    if (!births.faces.empty())
+      f = static_cast<Index>(std::find(births.faces.begin(), births.faces.end(), f) -
+                             births.faces.begin());
+    Index h = split.mesh.halfedge_of_vertex(v);
+    while (split.mesh.target(h) != births.from_vertices + births.from_edges + f)
+      h = split.mesh.rotate(h);
+    return h;
+  }
+
+  /// Of the face on the right of h, which lies on the old edge; or the boundary edge.
+  [[nodiscard]] Index turned(const SplitResult& split, Index h) const {
+    const Index v = mesh.origin(h), right = mesh.twin(h);
+    if (mesh.twin(mesh.next(right)) == kNone) return split.mesh.halfedge_of_vertex(v);
+    return turned_towards(split, mesh.face(right), v);
+  }
+
+  Mesh mesh;
+  std::vector<Index> starts;
+};
+
+/// The quick engine's faces of a control face begin at its first corner; at odd levels the first of
+/// them ends with the way back there from its centroid.
+inline Starts start_sqrt3(const Mesh& control, int levels, const Mesh& quick) {
+  const PlainLevels plain(control, levels);
+  const bool odd = levels % 2 != 0;
+  Starts starts;
+  for (Index f = 0; f < control.face_count(); ++f) {
+    const Index first = 3 * f * (quick.face_count() / control.face_count()), h = plain.starts[f];
+    starts.emplace_back(odd ? plain.mesh.twin(h) : h, odd ? first + 2 : first);
+  }
+  return starts;
+}
+
+/// The faces of the control faces are the first of both meshes.
+inline Starts start_dual(const Mesh& control, int /*levels*/, const Mesh& /*quick*/) {
+  Starts starts;
+  for (Index f = 0; f < control.face_count(); ++f)
+    starts.emplace_back(control.face_begin(f), control.face_begin(f));
+  return starts;
+}
+
+/// Where both refined meshes begin, for a split.
+inline StartMaker start_of(const Split& split) {
+  if (split.births.corners) return start_dual;
+  if (split.trisects_boundary) return start_sqrt3;
+  return start_each_face;
+}
+
+/// Any mesh that the split takes.
+inline Mesh random_control(const Split& split, unsigned seed) {
+  RandomMesh random(seed);
+  return split.any_polygons ? random.polygons() : random.triangles();
+}
+
+/// Quads only, with other numbers than a split gives where that is possible.
+inline Mesh random_quads(unsigned seed) {
+  const Mesh mesh = RandomMesh(seed).polygons();
+  return mesh.uniform_degree() == 4 ? mesh : find_split("quad-dyadic")->apply(mesh, 0).mesh;
+}
+
+/// Rules that look as far as two rings, at edges' ends too, and differ by valence.
+inline constexpr const char* kWideTriangles = R"toml(
+[roles.vertex]
+straight = "vefefev"
+
+[roles.edge]
+over = "evefefev"
+
+[[vertex]]
+when = "n == 5"
+self = "1/2"
+ring = "1/(4*n)"
+across = "1/(4*n)"
+
+[[vertex]]
+self = "5/8 - 1/16"
+ring = "3/(8*n)"
+straight = "1/(16*n)"
+
+[edge]
+end = "7/16"
+wing = "1/16"
+outer = "1/64"
+over = "-1/64"
+
+[[edge-end]]
+when = "n == 7 or n == 6"
+self = "5/8"
+ring = "(3/8)/n + cos(2*pi*k/n)/(2*n)"
+
+[[boundary.vertex]]
+when = "n < 4"
+self = "7/8"
+next = "1/16"
+
+[[boundary.vertex]]
+self = "3/4"
+next = "1/8"
+
+[boundary.edge]
+end = "9/16"
+beyond = "-1/16"
+)toml";
+
+inline constexpr const char* kWideQuads = R"toml(
+[roles.vertex]
+straight = "vefev"
+
+[face]
+corner = "9/(8*n)"
+beyond = "-1/(16*n)"
+
+[[vertex]]
+when = "n == 5"
+self = "1/2"
+ring = "1/(4*n)"
+diagonal = "1/(4*n)"
+
+[[vertex]]
+self = "5/8"
+ring = "1/(8*n)"
+straight = "1/(8*n)"
+face = "1/(8*n)"
+
+[edge]
+end = "7/16"
+wing = "1/64"
+opposite = "-1/32"
+face = "1/16"
+
+[[edge-end]]
+when = "n == 7 or n == 4"
+self = "5/8"
+ring = "(3/8)/n + cos(2*pi*k/n)/(2*n)"
+)toml";
+
+inline constexpr const char* kQuadBoundary = R"toml(
+[[boundary.vertex]]
+when = "n < 4"
+self = "7/8"
+next = "1/16"
+
+[[boundary.vertex]]
+self = "3/4"
+next = "1/8"
+
+[boundary.edge]
+end = "9/16"
+beyond = "-1/16"
+)toml";
+
+inline constexpr const char* kWideSqrt3 = R"toml(
+[roles.vertex]
+straight = "vefefev"
+
+[roles.face]
+outer = "fvev"
+
+[[vertex]]
+when = "n == 5"
+self = "1/2"
+ring = "1/(4*n)"
+across = "1/(4*n)"
+
+[[vertex]]
+self = "5/8 - 1/16"
+ring = "3/(8*n)"
+straight = "1/(16*n)"
+
+[face]
+corner = "3/8"
+beyond = "1/96"
+outer = "-5/96"
+
+[[boundary.vertex]]
+when = "n < 4"
+self = "7/8"
+next = "1/16"
+
+[[boundary.vertex]]
+self = "3/4"
+next = "1/8"
+
+[boundary.edge-end]
+near = "3/4"
+far = "3/8"
+beyond = "-1/8"
+)toml";
+
+/// The tensor product of the four-point scheme: of an edge's or face's two rings, not all.
+inline constexpr const char* kFourPoint = R"toml(
+[roles.face]
+far = "fefvev"
+
+[face]
+corner = "81/(64*n)"
+beyond = "-9/(64*n)"
+far = "1/(64*n)"
+
+[vertex]
+self = 1
+
+[edge]
+end = "9/16"
+opposite = "-1/16"
+)toml";
+
+/// New vertices of faces, with weights by position, that look beyond their faces.
+inline constexpr const char* kFaces = R"toml(
+[roles.vertex]
+around = "(ef)*F"
+
+[face]
+corner = "9/(8*n)"
+beyond = "-1/(16*n)"
+
+[vertex]
+self = "3/4"
+around = "1/(4*n)"
+
+[edge]
+end = "1/4"
+face = "1/4"
+)toml";
+
+/// A rule of the face alone whose weights differ by place and by number of corners.
+inline constexpr const char* kNear = R"toml(
+[[corner]]
+when = "n == 5"
+round = "((k == 0)*n/3 + 2/3 + cos(2*pi*k/n)/5 - cos(4*pi*k/n)/7)/n"
+
+[[corner]]
+when = "n == 4"
+self = "1/8"
+round = "((k == 0)*n/4 + 5/8 + cos(2*pi*k/n)/3 + cos(4*pi*k/n)/11)/n"
+
+[[corner]]
+round = "((k == 0)*n/2 + 1/2 + cos(2*pi*k/n)/9)/n"
+)toml";
+
+/// Rules that look beyond the face, one vertex or two.
+inline constexpr const char* kWideDual = R"toml(
+[roles.corner]
+beyond = "fev"
+
+[corner]
+round = "((k == 0)*n + 3 + 2*cos(2*pi*k/n))/(4*n) - (k == 0)/16"
+beyond = "1/32"
+)toml";
+inline constexpr const char* kFarther = R"toml(
+[roles.corner]
+straight = "vefevefev"
+
+[corner]
+round = "((k == 0)*n + 3 + 2*cos(2*pi*k/n))/(4*n) - (k == 0)/16"
+straight = "1/32"
+)toml";
+
+}  // namespace limn::test

@@ -1,0 +1,128 @@
+// The quick engine against the plain one: one suite over all families, each with every shipped
+// scheme of its split and with rules that look farther than these.
+
+#include "fast/families.h"
+#include "support/mutants.h"
+#include "support/shipped.h"
+
+namespace limn::test {
+namespace {
+
+/// A shipped scheme, or rules of a test on a split.
+struct Case {
+  std::string name;
+  const char* split = nullptr;
+  std::string rules;
+
+  [[nodiscard]] Scheme scheme() const {
+    return split == nullptr ? shipped(name) : rules_on(split, rules);
+  }
+};
+
+std::ostream& operator<<(std::ostream& out, const Case& c) { return out << c.name; }
+
+std::vector<Case> cases() {
+  std::vector<Case> cases;
+  for (const std::string& name : shipped_schemes())
+    if (has_fast_layout(*shipped(name).split)) cases.push_back({name, nullptr, {}});
+  const std::string boundary = kQuadBoundary;
+  cases.push_back({"wide-triangles", "triangle-dyadic", kWideTriangles});
+  cases.push_back({"wide-quads", "quad-dyadic", kWideQuads + boundary});
+  cases.push_back({"four-point", "quad-dyadic", kFourPoint + boundary});
+  cases.push_back({"faces", "quad-dyadic", kFaces + boundary});
+  cases.push_back({"wide-sqrt3", "sqrt3", kWideSqrt3});
+  cases.push_back({"near-dual", "quad-dual", kNear});
+  cases.push_back({"wide-dual", "quad-dual", kWideDual});
+  cases.push_back({"farther-dual", "quad-dual", kFarther});
+  return cases;
+}
+
+class FastFamily : public testing::TestWithParam<Case> {
+ protected:
+  const Scheme scheme_ = GetParam().scheme();
+
+  int check(const Mesh& mesh, int levels, unsigned seed) const {
+    SCOPED_TRACE(testing::Message() << levels << " levels, seed " << seed);
+    return expect_same(scheme_, mesh, levels, seed, start_of(*scheme_.split));
+  }
+  [[nodiscard]] Lattice lattice() const { return scheme_.split->lattice; }
+  [[nodiscard]] bool any_polygons() const { return scheme_.split->any_polygons; }
+};
+
+INSTANTIATE_TEST_SUITE_P(Schemes, FastFamily, testing::ValuesIn(cases()),
+                         [](const auto& info) { return test_name(info.param.name); });
+
+TEST_P(FastFamily, IsThePlainEngineOnBodies) {
+  std::vector<Mesh> meshes{tetrahedron(), icosahedron(), torus(Lattice::triangle, 3, 4)};
+  if (any_polygons()) meshes = bodies();
+  for (const Mesh& mesh : meshes)
+    for (int levels = 0; levels <= 4; ++levels) check(mesh, levels, 5);
+}
+
+TEST_P(FastFamily, IsThePlainEngineOnRandomMeshes) {
+  for (unsigned seed = 0; seed < 40; ++seed) {
+    check(random_control(*scheme_.split, seed), static_cast<int>(1 + seed % 4), seed);
+    if (any_polygons()) check(random_quads(seed), static_cast<int>(seed % 5), seed);
+  }
+}
+
+/// Every valence, in a disc whose boundary has corners and whose inner vertices touch it.
+TEST_P(FastFamily, IsThePlainEngineRoundEveryValence) {
+  for (const Index n : {3, 4, 5, 6, 7, 8, 9, 12, 30})
+    for (const Index rings : {1, 2}) {
+      check(star(lattice(), n, rings), 3, 3);
+      check(fan(lattice(), n, rings), 3, 4);
+      if (any_polygons()) check(face_star(n, rings), 3, 5);
+    }
+  for (const Index faces : {1, 2, 3}) check(fan(lattice(), faces, 1), 4, 6);
+}
+
+TEST_P(FastFamily, IsThePlainEngineOnOpenMeshes) {
+  if (!any_polygons()) GTEST_SKIP() << "only for splits that take polygons";
+  for (const Mesh& mesh : open_meshes())
+    for (int levels = 0; levels <= 3; ++levels) check(mesh, levels, 6);
+}
+
+/// Whatever the weights: each mutant moves some of them, or gives a rule a role that it had not.
+TEST_P(FastFamily, MayHaveAnyWeights) {
+  if (GetParam().name == "faces") GTEST_SKIP() << "k counts from any of a vertex's edges";
+  std::mt19937 random(7);
+  std::vector<RuleMutant> mutants = rule_mutants(scheme_);
+  std::shuffle(mutants.begin(), mutants.end(), random);
+  mutants.resize(std::min<std::size_t>(mutants.size(), 12));
+  for (const RuleMutant& mutant : mutants) {
+    SCOPED_TRACE(mutant.change);
+    const auto same = [&](const Mesh& mesh, int levels) {
+      expect_same(mutant.scheme, mesh, levels, 1, start_of(*scheme_.split));
+    };
+    same(random_control(*scheme_.split, static_cast<unsigned>(random())), 3);
+    same(fan(lattice(), 7, 2), 2);
+    same(fan(lattice(), 1, 2), 3);
+  }
+}
+
+/// Zones that overlap, too, are made in one order.
+TEST_P(FastFamily, GivesTheSameBitsOnOneThreadAndMany) {
+  for (const Mesh& mesh : {torus(lattice(), 30, 31), fan(lattice(), 9, 12)})
+    if (FastRefiner::make(scheme_, mesh, 3).ok()) expect_same_bits(scheme_, mesh, 3);
+}
+
+TEST_P(FastFamily, RefusesWhatThePlainEngineRefuses) {
+  check(cube(), -1, 1);
+  check(icosahedron(), 40, 1);
+  if (!any_polygons()) check(cube(), 2, 1);
+}
+
+TEST_P(FastFamily, TakesMeshesWithoutFaces) {
+  for (const Index vertices : {0, 3}) expect_to_stay(scheme_, vertices);
+}
+
+/// Beyond what has a table, the plain engine makes all steps.
+TEST_P(FastFamily, LeavesLargeValencesToThePlainEngine) {
+  const Mesh mesh = star(Lattice::triangle, 1001, 1);
+  if (!FastRefiner::make(scheme_, mesh, 1).ok()) GTEST_SKIP() << "no rule for such a mesh";
+  EXPECT_EQ(check(mesh, 1, 1), 1);
+}
+
+}  // namespace
+}  // namespace limn::test
