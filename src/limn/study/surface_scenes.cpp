@@ -4,6 +4,7 @@
 
 #include <fmt/core.h>
 
+#include "limn/base/memory.h"
 #include "limn/refine/refine_estimate.h"
 #include "limn/surface/refine_surface.h"
 #include "limn/surface/surface_estimate.h"
