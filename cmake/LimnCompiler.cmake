@@ -17,9 +17,10 @@ if(LIMN_CCACHE AND NOT DEFINED CMAKE_CXX_COMPILER_LAUNCHER)
       CCACHE_BASEDIR=${PROJECT_SOURCE_DIR} CCACHE_NOHASHDIR=1 ${LIMN_CCACHE})
 endif()
 
-# A linker that takes a sixth of the time, where it is; not for what is installed.
+# A linker that takes a sixth of the time, where it is; for development, not for what is installed.
 find_program(LIMN_LLD ld.lld)
-if(LIMN_LLD AND PROJECT_IS_TOP_LEVEL AND CMAKE_BUILD_TYPE STREQUAL Debug)
+if(LIMN_LLD AND PROJECT_IS_TOP_LEVEL AND CMAKE_BUILD_TYPE STREQUAL Debug
+   AND NOT LIMN_SANITIZE AND NOT LIMN_FUZZ)
   add_link_options(-fuse-ld=lld)
 endif()
 
@@ -33,7 +34,7 @@ endif()
 # limn_precompile(TARGET [HEADER…]): it reads the standard headers that most sources include, and
 # these HEADERs, compiled once. Not for clang-tidy, and not with clang, whose precompiled headers no
 # cache keeps; there, and where each header is compiled by itself, a missing #include is seen.
-option(LIMN_PRECOMPILE "Compile with precompiled headers (g++)" ON)
+option(LIMN_PRECOMPILE "Compile with precompiled headers (g++)" OFF)
 function(limn_precompile target)
   if(NOT LIMN_PRECOMPILE OR LIMN_LINT OR NOT CMAKE_CXX_COMPILER_ID STREQUAL GNU)
     return()
@@ -41,6 +42,8 @@ function(limn_precompile target)
   target_precompile_headers(${target} PRIVATE
     <algorithm> <array> <cmath> <complex> <functional> <limits> <map> <memory> <numeric> <optional>
     <random> <set> <span> <string> <string_view> <utility> <variant> <vector> ${ARGN})
+  # Inlined from a precompiled header, the standard library is no system header to these any more.
+  target_compile_options(${target} PRIVATE -Wno-array-bounds -Wno-restrict -Wno-stringop-overflow)
   # g++ refuses a precompiled header that was made with other options.
   get_target_property(sources ${target} SOURCES)
   foreach(source IN LISTS sources)
