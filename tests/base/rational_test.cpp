@@ -126,6 +126,7 @@ TEST(LongNumbers, KeepAllDigits) {
             std::numeric_limits<std::uint64_t>::max());
   EXPECT_DOUBLE_EQ(to_double(Rational(factorial * 2, factorial * 3)), 2.0 / 3);
   EXPECT_EQ(Rational(0.375), Rational(3, 8));
+  EXPECT_EQ(static_cast<double>(Rational(3, 8)), 0.375);
   EXPECT_EQ(Rational(0.1).str(), "3602879701896397/36028797018963968");
   // numerator and denominator beyond what a double holds
   EXPECT_DOUBLE_EQ(to_double(Rational(pow(Integer(10), 400), pow(Integer(10), 399) * 4)), 2.5);

@@ -65,6 +65,7 @@ Rational Rational::operator-() const {
 bool Rational::equals(const Rational& b) const { return in(*this) == in(b); }
 int Rational::compare(const Rational& b) const { return in(*this).compare(in(b)); }
 int Rational::compare(long long b) const { return in(*this).compare(b); }
+Rational::operator double() const { return in(*this).convert_to<double>(); }
 int Rational::sign() const { return in(*this).sign(); }
 std::string Rational::str() const { return in(*this).str(); }
 

@@ -55,6 +55,7 @@ class Rational {
     return a.compare(static_cast<long long>(b)) <=> 0;
   }
 
+  explicit operator double() const;       ///< the nearest, as by to_double, but slower
   [[nodiscard]] int sign() const;         ///< -1, 0 or 1
   [[nodiscard]] std::string str() const;  ///< "3", "-7/24"
 
