@@ -2,6 +2,8 @@
 
 file(GLOB_RECURSE limn_sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/limn/*.cpp)
 file(GLOB_RECURSE limn_headers CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/limn/*.h)
+# Boost is no business of those who use an installed limn.
+list(FILTER limn_headers EXCLUDE REGEX "/base/exact_access\\.h$")
 if(LIMN_FUZZ)
   # The fuzzers read files and refine meshes by the plain engine: no need to instrument the rest.
   list(FILTER limn_sources EXCLUDE REGEX
