@@ -19,6 +19,7 @@ elseif(command_sources)
   target_compile_definitions(limn_command PRIVATE LIMN_VERSION="${PROJECT_VERSION}")
   target_link_libraries(limn_command PRIVATE
     limn_papers CLI11::CLI11 FastFloat::fast_float fmt::fmt nlohmann_json::nlohmann_json)
+  limn_precompile(limn_command <CLI/CLI.hpp> <fmt/core.h> <nlohmann/json.hpp>)
 else()
   message(STATUS "apps/limn has no sources: the command is not built")
 endif()

@@ -36,14 +36,17 @@ target_sources(limn PUBLIC
 target_include_directories(limn PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/src>)
 # Libraries that only our sources use, as headers, are no business of those who use an installed limn.
 target_link_libraries(limn
-  PUBLIC Eigen3::Eigen Boost::headers
+  PUBLIC Eigen3::Eigen
   PRIVATE fmt::fmt Threads::Threads
+          $<BUILD_INTERFACE:Boost::headers>
           $<BUILD_INTERFACE:nlohmann_json::nlohmann_json>
           $<BUILD_INTERFACE:FastFloat::fast_float>)
 target_include_directories(limn SYSTEM PRIVATE ${LIMN_TOML_INCLUDE_DIR})
 # Square roots in vectors: they need not set errno.
 set_source_files_properties(${PROJECT_SOURCE_DIR}/src/limn/fast/kernel/patch_step.cpp
   PROPERTIES COMPILE_OPTIONS -fno-math-errno)
+
+limn_precompile(limn <Eigen/Dense> <fmt/core.h>)
 
 if(LIMN_SANITIZE STREQUAL thread)
   # It does not see how TBB's tasks synchronise.

@@ -4,6 +4,7 @@
 #include <stdexcept>
 #include <system_error>
 
+#include "bundled_fonts.h"
 #include "command.h"
 #include "limn/base/files/file_transaction.h"
 #include "limn/base/near_word.h"
@@ -88,6 +89,7 @@ int main(int argc, char** argv) {
   keep_standard_streams();
   handle_signals();
   try {
+    use_bundled_fonts();
     return run_whole(argc, argv);
   } catch (const std::bad_alloc&) {
     return report_out_of_memory();

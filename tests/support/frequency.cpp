@@ -85,10 +85,14 @@ std::vector<std::complex<double>> eigenvalues(const Eigen::MatrixXcd& block) {
   return sorted;
 }
 
+Eigen::VectorXd singular_values(const Eigen::MatrixXcd& matrix) {
+  return Eigen::JacobiSVD<Eigen::MatrixXcd>(matrix).singularValues();
+}
+
 double eigenvalue_defect(const Eigen::MatrixXcd& block, double lambda) {
   const Eigen::MatrixXcd shifted =
       block - lambda * Eigen::MatrixXcd::Identity(block.rows(), block.cols());
-  return Eigen::JacobiSVD<Eigen::MatrixXcd>(shifted).singularValues().minCoeff();
+  return singular_values(shifted).minCoeff();
 }
 
 int multiplicity(const Eigen::MatrixXcd& block, double lambda) {

@@ -34,6 +34,9 @@ namespace limn::test {
 /// Eigenvalues, largest modulus first. Multiple ones with Jordan blocks are off by up to 1e-5.
 [[nodiscard]] std::vector<std::complex<double>> eigenvalues(const Eigen::MatrixXcd& block);
 
+/// Singular values, the largest first.
+[[nodiscard]] Eigen::VectorXd singular_values(const Eigen::MatrixXcd& matrix);
+
 /// Smallest singular value of block - λ: 0 if and only if λ is an eigenvalue, and as exact as the
 /// arithmetic even where λ is defective.
 [[nodiscard]] double eigenvalue_defect(const Eigen::MatrixXcd& block, double lambda);

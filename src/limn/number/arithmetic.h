@@ -76,7 +76,7 @@ struct Arithmetic<Exact> {
     if (!a.is_rational() || !limn::is_integer(a.rational()) ||
         abs(a.rational()) > Rational(1'000'000'000'000'000LL))
       return Error{"an integer is needed here"};
-    return boost::multiprecision::numerator(a.rational()).convert_to<long long>();
+    return numerator(a.rational()).convert_to<long long>();
   }
   static double approx(const Exact& a) { return a.approx(); }
 };

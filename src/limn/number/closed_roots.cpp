@@ -62,7 +62,7 @@ struct Surd {
 
 /// The largest square that divides the product goes outside.
 void take_squares_out(Surd& surd) {
-  Integer above = boost::multiprecision::numerator(surd.inside.content);
+  Integer above = numerator(surd.inside.content);
   Rational root = 1;
   for (int p = 2; p < 1000 && p * p <= abs(above); ++p)
     while (above % (p * p) == 0) {
@@ -100,8 +100,8 @@ void scale(Surd& surd) {
   Integer numerators = 0;
   Integer denominators = 1;
   for (const Rational& part : parts) {
-    numerators = gcd(numerators, Integer(boost::multiprecision::numerator(part)));
-    denominators = lcm(denominators, Integer(boost::multiprecision::denominator(part)));
+    numerators = gcd(numerators, numerator(part));
+    denominators = lcm(denominators, denominator(part));
   }
   const Rational factor = Rational(denominators, numerators) *
                           (sum_text(surd.below, Notation::text).starts_with("-") ? -1 : 1);

@@ -57,12 +57,10 @@ struct Fractions {
 
 Fractions over_common_denominator(const Polynomial& p) {
   Fractions result;
-  for (const Rational& q : p)
-    result.denominator = lcm(result.denominator, boost::multiprecision::denominator(q));
+  for (const Rational& q : p) result.denominator = lcm(result.denominator, denominator(q));
   result.numerators.reserve(p.size());
   for (const Rational& q : p)
-    result.numerators.push_back(boost::multiprecision::numerator(q) *
-                                (result.denominator / boost::multiprecision::denominator(q)));
+    result.numerators.push_back(numerator(q) * (result.denominator / denominator(q)));
   return result;
 }
 

@@ -106,8 +106,8 @@ Exact::Size Exact::size() const {
   const auto measure = [&size](const Rational& q) {
     if (q == 0) return;
     const auto bits = [](const Integer& i) { return static_cast<double>(msb(abs(i)) + 1); };
-    const double top = bits(boost::multiprecision::numerator(q));
-    const double bottom = bits(boost::multiprecision::denominator(q));
+    const double top = bits(numerator(q));
+    const double bottom = bits(denominator(q));
     size.bits = std::max({size.bits, top, bottom});
     size.huge = size.huge || top - bottom > kLargestExponent;
   };
@@ -272,11 +272,11 @@ Result<Exact> Exact::cos(const Exact& angle) {
     return failure("the argument of cos or sin is not a rational multiple of pi",
                    "write it as in cos(2*pi*k/n)");
   const Rational turns = angle.pi_ / 2;
-  const Integer q = boost::multiprecision::denominator(turns);
+  const Integer q = denominator(turns);
   if (q > kLargestOrder)
     return failure("cos or sin of a fraction of pi below 1/" + std::to_string(kLargestOrder / 2) +
                    " is not exact here");
-  const Integer p = boost::multiprecision::numerator(turns) % q;
+  const Integer p = numerator(turns) % q;
   return Exact(Cyclotomic::cos_turn(p.convert_to<long long>(), q.convert_to<long long>()));
 }
 
@@ -292,9 +292,8 @@ Result<Exact> Exact::sqrt(const Exact& square) {
   if (square.approx() < 0) return failure("square root of a negative number");
   if (square.is_rational()) {
     const Rational q = square.rational();
-    const Integer top = boost::multiprecision::sqrt(Integer(boost::multiprecision::numerator(q)));
-    const Integer bottom =
-        boost::multiprecision::sqrt(Integer(boost::multiprecision::denominator(q)));
+    const Integer top = limn::sqrt(numerator(q));
+    const Integer bottom = limn::sqrt(denominator(q));
     const Rational root(top, bottom);
     if (root * root == q) return Exact(root);
   }

@@ -14,8 +14,8 @@ Rational content(const Polynomial& a) {
   Integer numerators = 0;
   Integer denominators = 1;
   for (const auto& [monomial, value] : a.terms()) {
-    numerators = gcd(numerators, Integer(boost::multiprecision::numerator(value)));
-    denominators = lcm(denominators, Integer(boost::multiprecision::denominator(value)));
+    numerators = gcd(numerators, numerator(value));
+    denominators = lcm(denominators, denominator(value));
   }
   const Rational size(abs(numerators), denominators);
   return a.terms().rbegin()->second < 0 ? Rational(-size) : size;
@@ -30,12 +30,12 @@ Status check_size(const Polynomial& a) {
   constexpr std::size_t kMostBits = 10'000;  // of one coefficient; shipped schemes have some 20
   constexpr std::size_t kMostBitsOfAll = 4'000'000;
   if (a.is_zero()) return Done{};
-  const auto bits = [](const Integer& of) { return std::size_t{msb(Integer(abs(of)))} + 1; };
+  const auto bits = [](const Integer& of) { return std::size_t{msb(abs(of))} + 1; };
   const Rational scale = content(a);
-  std::size_t longest = bits(boost::multiprecision::denominator(scale));
+  std::size_t longest = bits(denominator(scale));
   std::size_t sum = 0;
   for (auto term = a.terms().begin(); term != a.terms().end() && longest <= kMostBits; ++term) {
-    const std::size_t here = bits(boost::multiprecision::numerator(Rational(term->second / scale)));
+    const std::size_t here = bits(numerator(Rational(term->second / scale)));
     longest = std::max(longest, here);
     sum += here;
   }

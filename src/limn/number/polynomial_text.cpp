@@ -11,9 +11,6 @@
 namespace limn {
 namespace {
 
-Integer numerator_of(const Rational& q) { return boost::multiprecision::numerator(q); }
-Integer denominator_of(const Rational& q) { return boost::multiprecision::denominator(q); }
-
 std::string with_exponent(const std::string& base, int exponent, Notation notation) {
   if (exponent == 1) return base;
   if (notation == Notation::text) return fmt::format("{}^{}", base, exponent);
@@ -48,8 +45,8 @@ struct Parts {
 
 /// coefficient > 0 times what the parts hold; a lone coefficient where they hold nothing.
 std::string with_coefficient(const Rational& coefficient, Parts parts, Notation notation) {
-  const std::string above = numerator_of(coefficient).str();
-  const std::string below = denominator_of(coefficient).str();
+  const std::string above = numerator(coefficient).str();
+  const std::string below = denominator(coefficient).str();
   const bool apart = parts.below.empty() && !parts.above.empty() && below != "1";
   if (apart && (above != "1" || notation == Notation::latex))  // 2/3*x
     return joined({fraction(above, {below}, notation), joined(parts.above, notation)}, notation);
@@ -119,10 +116,10 @@ std::optional<Rational> rational_root(const Rational& q, int e) {
     if (power != of) return std::nullopt;
     return near;
   };
-  if (abs(q) > Rational(1'000'000'000'000LL) || denominator_of(q) > 1'000'000'000'000LL)
+  if (abs(q) > Rational(1'000'000'000'000LL) || denominator(q) > 1'000'000'000'000LL)
     return std::nullopt;
-  const std::optional<Integer> above = root(abs(numerator_of(q)));
-  const std::optional<Integer> below = root(denominator_of(q));
+  const std::optional<Integer> above = root(abs(numerator(q)));
+  const std::optional<Integer> below = root(denominator(q));
   if (!above || !below) return std::nullopt;
   return Rational(q < 0 ? Integer(-*above) : *above, *below);
 }
@@ -140,17 +137,17 @@ std::string over_one_denominator(const Rational& q, const Polynomial& f, int e, 
   const std::string sum = sum_text(turned ? -f : f, notation, TermOrder::falling);
   const Rational size = abs(q);
   const bool bare =
-      e == 1 && (size == 1 || (notation == Notation::latex && size < 1 && numerator_of(size) == 1));
+      e == 1 && (size == 1 || (notation == Notation::latex && size < 1 && numerator(size) == 1));
   const std::string base = bare ? sum : with_exponent(in_parentheses(sum, notation), e, notation);
   const std::string sign = q < 0 && !turned ? "-" : "";
-  if (bare && size != 1) return sign + fraction(base, {denominator_of(size).str()}, notation);
+  if (bare && size != 1) return sign + fraction(base, {denominator(size).str()}, notation);
   return sign + with_coefficient(size, {{base}, {}}, notation);
 }
 
 /// q·f^e for a sum f. Both notations are written alike.
 std::string power_text(const Rational& q, const Polynomial& f, int e, Notation notation) {
   const std::optional<Rational> root = rational_root(q, e);
-  if (!root || denominator_of(q) == 1) return over_one_denominator(q, f, e, notation);
+  if (!root || denominator(q) == 1) return over_one_denominator(q, f, e, notation);
   const auto apart = [&](Notation in) {
     const std::string sum = distributed(*root, f, in);
     return e == 1 ? sum : with_exponent(in_parentheses(sum, in), e, in);
@@ -177,9 +174,9 @@ std::string latex_name(const std::string& name) {
 Symbol cosine_symbol(const Rational& q, const Monomial& monomial) {
   const auto angle = [&](Notation notation) {
     Parts parts;
-    if (numerator_of(q) != 1) parts.above.push_back(numerator_of(q).str());
+    if (numerator(q) != 1) parts.above.push_back(numerator(q).str());
     parts.above.emplace_back(notation == Notation::text ? "pi" : "\\pi");
-    if (denominator_of(q) != 1) parts.below.push_back(denominator_of(q).str());
+    if (denominator(q) != 1) parts.below.push_back(denominator(q).str());
     for (const auto& [symbol, exponent] : monomial) append(parts, symbol, exponent, notation);
     return fraction(joined(parts.above, notation), parts.below, notation);
   };

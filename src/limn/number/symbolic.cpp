@@ -23,8 +23,7 @@ Status bounded(const Polynomial& a) {
   const auto bits = [](const Integer& of) { return of == 0 ? 0 : msb(abs(of)); };
   if (a.terms().size() > kMostTerms) return fault("a formula has too many terms");
   for (const auto& [monomial, value] : a.terms()) {
-    if (bits(boost::multiprecision::numerator(value)) > kMostBits ||
-        bits(boost::multiprecision::denominator(value)) > kMostBits)
+    if (bits(numerator(value)) > kMostBits || bits(denominator(value)) > kMostBits)
       return fault("the number is too large");
     for (const auto& [symbol, exponent] : monomial)
       if (std::abs(exponent) > kLargestExponent) return fault("a formula's degree is too high");
@@ -88,7 +87,7 @@ Result<Polynomial> product_without_squares(const Polynomial& a, const Polynomial
 Rational square_part(const Rational& q) {
   const auto part = [](Integer left) {
     Integer root = 1;
-    if (Integer whole = boost::multiprecision::sqrt(left); whole * whole == left) return whole;
+    if (Integer whole = sqrt(left); whole * whole == left) return whole;
     for (int p = 2; p < 1000 && p * p <= left; ++p)
       while (left % (p * p) == 0) {
         left /= p * p;
@@ -96,9 +95,9 @@ Rational square_part(const Rational& q) {
       }
     return root;
   };
-  const Integer below = boost::multiprecision::denominator(q);
+  const Integer below = denominator(q);
   // a/b = ab/b²
-  return Rational(part(boost::multiprecision::numerator(q) * below), below);
+  return Rational(part(numerator(q) * below), below);
 }
 
 /// The sum of the moduli of the terms.
@@ -323,7 +322,7 @@ Result<long long> Arithmetic<Symbolic>::integer(const Symbolic& a) {
   if (!a.is_rational() || !limn::is_integer(a.numerator().rational()) ||
       abs(a.numerator().rational()) > Rational(1'000'000'000'000'000LL))
     return fault("an integer is needed here");
-  return boost::multiprecision::numerator(a.numerator().rational()).convert_to<long long>();
+  return numerator(a.numerator().rational()).convert_to<long long>();
 }
 
 }  // namespace limn

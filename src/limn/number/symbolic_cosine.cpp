@@ -53,8 +53,8 @@ Result<Symbolic> cosine_of_fraction(const Integer& d) {
 }
 
 Result<CosineAndSine> of_one_angle(const Rational& q, const Monomial& monomial) {
-  const Integer d = boost::multiprecision::denominator(q);
-  Integer turns = boost::multiprecision::numerator(q);
+  const Integer d = denominator(q);
+  Integer turns = numerator(q);
   int cosine_sign = 1;
   int sine_sign = 1;
   if (monomial.empty()) {  // to the first quadrant, so that equal cosines are written alike

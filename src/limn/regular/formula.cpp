@@ -205,8 +205,8 @@ Rational content(Lattice lattice, const Laurent& base) {
   Integer denominators = 1;
   const auto terms = cosine_terms(lattice, base);
   for (const auto& [k, value] : terms) {
-    numerators = gcd(numerators, Integer(boost::multiprecision::numerator(value)));
-    denominators = lcm(denominators, Integer(boost::multiprecision::denominator(value)));
+    numerators = gcd(numerators, numerator(value));
+    denominators = lcm(denominators, denominator(value));
   }
   const Rational size(abs(numerators), denominators);
   return terms.front().second < 0 ? Rational(-size) : size;
@@ -260,19 +260,17 @@ std::string formula(const Mask& mask, const std::vector<Power>& powers, LatticeV
   }
   std::string text;
   for (const std::string& factor : factors) text += (text.empty() ? "" : writer.times()) + factor;
-  const Integer numerator = boost::multiprecision::numerator(scale);
-  const Integer denominator = boost::multiprecision::denominator(scale);
-  if (text.empty() || numerator != 1)
-    text = numerator == -1 && !text.empty()
-               ? "-" + text
-               : numerator.str() + (text.empty() ? "" : writer.times()) + text;
-  if (denominator == 1) return text;
-  if (notation == Notation::latex)
-    return fmt::format("\\frac{{{}}}{{{}}}", text, denominator.str());
+  const Integer above = numerator(scale);
+  const Integer below = denominator(scale);
+  if (text.empty() || above != 1)
+    text = above == -1 && !text.empty() ? "-" + text
+                                        : above.str() + (text.empty() ? "" : writer.times()) + text;
+  if (below == 1) return text;
+  if (notation == Notation::latex) return fmt::format("\\frac{{{}}}{{{}}}", text, below.str());
   if (factors.size() == 1 && factors.front().find(' ') != std::string::npos &&
       factors.front().front() != '(')
     text = "(" + text + ")";
-  return text + "/" + denominator.str();
+  return text + "/" + below.str();
 }
 
 std::vector<std::string> formulas(const Mask& mask, const std::vector<Power>& powers,

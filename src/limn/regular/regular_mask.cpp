@@ -51,17 +51,17 @@ Result<Mask> regular_mask(const Scheme& scheme) {
 }
 
 std::string to_string(const Mask& mask) {
-  Integer denominator = 1;
+  Integer common = 1;
   int reach = 0;
   for (const auto& [offset, value] : mask.coefficients) {
-    denominator = lcm(denominator, Integer(boost::multiprecision::denominator(value)));
+    common = lcm(common, denominator(value));
     reach = std::max({reach, std::abs(offset[0]), std::abs(offset[1]),
                       mask.lattice == Lattice::triangle ? std::abs(offset[0] - offset[1]) : 0});
   }
   const auto entry = [&](int a, int b) {
     const auto found = mask.coefficients.find({a, b});
     const Rational value = found == mask.coefficients.end() ? Rational(0) : found->second;
-    return to_string(Rational(value * Rational(denominator)));
+    return to_string(Rational(value * Rational(common)));
   };
   std::size_t width = 1;
   for (const auto& [offset, value] : mask.coefficients)
@@ -76,7 +76,7 @@ std::string to_string(const Mask& mask) {
     for (int a = first; a <= last; a += 2) line += fmt::format("{:>{}}", entry(a, b), width);
     text += line + '\n';
   }
-  if (denominator != 1) text = fmt::format("1/{} ×\n", denominator.str()) + text;
+  if (common != 1) text = fmt::format("1/{} ×\n", common.str()) + text;
   return text;
 }
 

@@ -30,7 +30,7 @@ Result<int> count_value(const Scheme& scheme, const Formula& formula) {
   if (!is_integer(*value) || *value < 0 || *value > kMostFactors)
     return at(formula.place, fmt::format("a count must be an integer from 0 to {}, found {}",
                                          kMostFactors, to_string(*value)));
-  return value->convert_to<int>();
+  return numerator(*value).convert_to<int>();
 }
 
 Error too_far(const Place& place) {

@@ -20,8 +20,8 @@ Error no_sum(const NamedWeight& name, const std::string& why) {
 
 /// The largest integer that is not above q.
 int floor_of(const Rational& q) {
-  const Integer above = boost::multiprecision::numerator(q);
-  const Integer below = boost::multiprecision::denominator(q);
+  const Integer above = numerator(q);
+  const Integer below = denominator(q);
   Integer quotient = above / below;
   if (quotient * below > above) --quotient;
   return quotient.convert_to<int>();

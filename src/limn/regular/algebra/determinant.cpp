@@ -117,13 +117,12 @@ std::uint64_t determinant_modulo(const IntegerMatrix& a, std::uint64_t p) {
 
 Integer common_denominator(const std::vector<Rational>& row) {
   Integer common = 1;
-  for (const Rational& entry : row)
-    common = lcm(common, Integer(boost::multiprecision::denominator(entry)));
+  for (const Rational& entry : row) common = lcm(common, denominator(entry));
   return common;
 }
 
 Integer scaled_entry(const Rational& entry, const Integer& by) {
-  return boost::multiprecision::numerator(entry) * (by / boost::multiprecision::denominator(entry));
+  return numerator(entry) * (by / denominator(entry));
 }
 
 /// Each row times the least number that makes it whole: the determinant keeps its sign.

@@ -11,9 +11,9 @@ std::optional<Modular> modular(const Rational& q) {
     if (rest < 0) rest += prime;
     return Modular(rest.convert_to<std::uint64_t>());
   };
-  const Modular below = residue(boost::multiprecision::denominator(q));
+  const Modular below = residue(denominator(q));
   if (below == Modular(0)) return std::nullopt;
-  return residue(boost::multiprecision::numerator(q)) / below;
+  return residue(numerator(q)) / below;
 }
 
 std::optional<Rational> reconstructed(Modular a) {

@@ -1,0 +1,89 @@
+#pragma once
+/// Exact integers of any size. Their digits are kept by Boost's cpp_int, which integer.cpp and
+/// rational.cpp alone see: it costs every source that reads it two seconds to compile.
+
+#include <compare>
+#include <concepts>
+#include <cstddef>
+#include <iosfwd>
+#include <string>
+
+namespace limn {
+
+class Integer {
+ public:
+  Integer() noexcept;  ///< 0
+  template <std::integral T>
+  Integer(T value) noexcept {
+    if constexpr (std::signed_integral<T>)
+      set(static_cast<long long>(value));
+    else
+      set(static_cast<unsigned long long>(value));
+  }
+  /// Cut off towards 0. Precondition: finite.
+  explicit Integer(double value);
+  /// From digits, with a sign or not; as in C++, 0… is octal and 0x… hexadecimal. Throws
+  /// std::runtime_error where it is something else.
+  explicit Integer(const std::string& digits);
+  Integer(const Integer& other);
+  Integer(Integer&& other) noexcept;
+  Integer& operator=(const Integer& other);
+  Integer& operator=(Integer&& other) noexcept;
+  ~Integer();
+
+  Integer& operator+=(const Integer& b);
+  Integer& operator-=(const Integer& b);
+  Integer& operator*=(const Integer& b);
+  /// Cut off towards 0; the remainder has the sign of the dividend. Precondition: b is not 0.
+  Integer& operator/=(const Integer& b);
+  Integer& operator%=(const Integer& b);
+  Integer& operator<<=(unsigned bits);  ///< times 2 to this power
+  Integer& operator++() { return *this += 1; }
+  Integer& operator--() { return *this -= 1; }
+  Integer operator-() const;
+
+  friend Integer operator+(Integer a, const Integer& b) { return a += b; }
+  friend Integer operator-(Integer a, const Integer& b) { return a -= b; }
+  friend Integer operator*(Integer a, const Integer& b) { return a *= b; }
+  friend Integer operator/(Integer a, const Integer& b) { return a /= b; }
+  friend Integer operator%(Integer a, const Integer& b) { return a %= b; }
+  friend Integer operator<<(Integer a, unsigned bits) { return a <<= bits; }
+  friend bool operator==(const Integer& a, const Integer& b) { return a.compare(b) == 0; }
+  friend std::strong_ordering operator<=>(const Integer& a, const Integer& b) {
+    return a.compare(b) <=> 0;
+  }
+
+  [[nodiscard]] int sign() const;  ///< -1, 0 or 1
+  [[nodiscard]] std::string str() const;
+  /// The nearest double, or the number as an int, long long, unsigned long or unsigned long long;
+  /// one too large for these becomes the largest (or least) of them, unsigned: its last bits.
+  template <class T>
+  [[nodiscard]] T convert_to() const;
+
+  friend Integer abs(const Integer& a) { return a.sign() < 0 ? -a : a; }
+  friend Integer gcd(const Integer& a, const Integer& b);  ///< not negative
+  friend Integer lcm(const Integer& a, const Integer& b);  ///< not negative
+  friend Integer pow(const Integer& a, unsigned exponent);
+  /// The largest whose square is no more than a. Precondition: a ≥ 0.
+  friend Integer sqrt(const Integer& a);
+  /// The position of the highest bit set, counted from 0. Precondition: a > 0.
+  friend std::size_t msb(const Integer& a);
+  friend std::ostream& operator<<(std::ostream& out, const Integer& a);
+
+ private:
+  friend struct ExactAccess;
+  void set(long long value) noexcept;
+  void set(unsigned long long value) noexcept;
+  [[nodiscard]] int compare(const Integer& b) const;  // negative, 0, positive
+
+  alignas(16) std::byte digits_[32];  // a cpp_int lives here
+};
+
+Integer gcd(const Integer& a, const Integer& b);
+Integer lcm(const Integer& a, const Integer& b);
+Integer pow(const Integer& a, unsigned exponent);
+Integer sqrt(const Integer& a);
+std::size_t msb(const Integer& a);
+std::ostream& operator<<(std::ostream& out, const Integer& a);
+
+}  // namespace limn
