@@ -7,8 +7,12 @@
 
 namespace limn {
 
+/// An integer of any size.
 using Integer = boost::multiprecision::number<boost::multiprecision::cpp_int_backend<>,
                                               boost::multiprecision::et_off>;
+/// An exact fraction, in lowest terms. Cost of an operation: grows with the digits, a microsecond
+/// or less for short ones. Its arithmetic is Boost.Multiprecision's (operators, numerator,
+/// denominator).
 using Rational = boost::multiprecision::number<
     boost::multiprecision::rational_adaptor<boost::multiprecision::cpp_int_backend<>>,
     boost::multiprecision::et_off>;
@@ -27,6 +31,7 @@ using Rational = boost::multiprecision::number<
 /// "3", "-7/24".
 [[nodiscard]] inline std::string to_string(const Rational& q) { return q.str(); }
 
+/// Whether the denominator is 1.
 [[nodiscard]] inline bool is_integer(const Rational& q) {
   return boost::multiprecision::denominator(q) == 1;
 }

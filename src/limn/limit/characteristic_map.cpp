@@ -1,5 +1,6 @@
 #include "limn/limit/characteristic_map.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 

@@ -16,11 +16,13 @@ namespace limn {
 struct LimitStencil {
   int rings = 0;                 ///< of the star or fan
   std::vector<double> position;  ///< sums to 1
-  /// The derivatives along two directions of the characteristic map, the second counterclockwise
-  /// from the first, so that their cross product points outward; sum to 0. Empty where no two
+  /// The derivative along one direction of the characteristic map; sums to 0. Empty where no two
   /// eigenvectors lead all others but the position's and turn once round the vertex: there is no
   /// tangent plane then.
-  std::vector<double> first_tangent, second_tangent;
+  std::vector<double> first_tangent;
+  /// The same along a direction counterclockwise from the first, so that the cross product of the
+  /// two points outward.
+  std::vector<double> second_tangent;
   /// False where refinement does not flatten the faces round the vertex either: at valence 2, where
   /// frequency 1 is real and has no pair.
   bool has_plane = true;

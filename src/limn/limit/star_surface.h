@@ -9,9 +9,11 @@
 
 namespace limn {
 
+/// A piece of the limit surface as a mesh.
 struct StarSurface {
-  Mesh mesh;                               ///< what became of the faces round the centre
-  std::vector<Point3> positions, normals;  ///< limit points, one per vertex
+  Mesh mesh;                      ///< what became of the faces round the centre
+  std::vector<Point3> positions;  ///< limit points, one per vertex
+  std::vector<Point3> normals;    ///< unit normals there, zero where there is none
 };
 
 /// The surface whose control points are `values` on the star of n ≥ 3 sectors and `rings` rings

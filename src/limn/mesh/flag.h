@@ -17,15 +17,25 @@
 
 namespace limn {
 
+/// A vertex, an edge at it and a face at that edge.
 struct Flag {
   Index halfedge = kNone;  ///< names the face and the edge
   bool at_target = false;  ///< which end of the edge is the vertex
+  /// The same vertex, edge and face.
   friend bool operator==(const Flag&, const Flag&) = default;
 };
 
-enum class Move : std::uint8_t { vertex, edge, face, boundary };
+/// One of the four moves between flags.
+enum class Move : std::uint8_t {
+  vertex,   ///< v: to the other end of the edge
+  edge,     ///< e: to the face's other edge at the vertex
+  face,     ///< f: to the other face at the edge
+  boundary  ///< b: to the other boundary edge of a boundary vertex
+};
+/// A walk: moves from left to right.
 using Moves = std::vector<Move>;
 
+/// The flag's vertex. Cost O(1).
 [[nodiscard]] inline Index vertex_of(const Mesh& mesh, Flag flag) {
   return flag.at_target ? mesh.target(flag.halfedge) : mesh.origin(flag.halfedge);
 }
@@ -61,6 +71,8 @@ using Moves = std::vector<Move>;
   return false;
 }
 
+/// Makes the moves; false where one would leave the mesh, with the flag as it was before that one.
+/// Cost O(moves), O(valence) for a move along the boundary.
 [[nodiscard]] inline bool apply(const Mesh& mesh, const Moves& moves, Flag& flag) {
   for (const Move move : moves)
     if (!apply(mesh, move, flag)) return false;

@@ -12,9 +12,11 @@ namespace limn {
 
 /// What refining will come to, from counts alone. Cost O(levels).
 struct RefineEstimate {
-  double vertices = 0, faces = 0;  ///< of the result
-  double peak_bytes = 0;           ///< at most, while the last step is being made
+  double vertices = 0;    ///< of the result
+  double faces = 0;       ///< of the result
+  double peak_bytes = 0;  ///< at most, while the last step is being made
 };
+/// The estimate for the plain engine, `levels` ≥ 0 steps, values of so many bytes at each vertex.
 [[nodiscard]] RefineEstimate estimate_refinement(const Split& split, const Mesh& mesh, int levels,
                                                  std::size_t bytes_per_value);
 

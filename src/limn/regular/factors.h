@@ -10,7 +10,7 @@ namespace limn {
 /// dyadic split and (1 + … + z^{(p-1) step})/p with p = arity(M) for others; a stage is the product
 /// over the lattice's edge directions. No further direction divides the kernel.
 struct Factorization {
-  int stages = 0;
+  int stages = 0;                                         ///< whole smoothing stages
   std::vector<std::pair<LatticeVector, int>> directions;  ///< those that are no whole stage
   Laurent kernel;                                         ///< by twice the offset
 };

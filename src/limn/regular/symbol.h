@@ -13,7 +13,9 @@
 
 namespace limn {
 
+/// A wave's frequency, Cartesian, in cycles per control edge.
 using Frequency = std::array<double, 2>;
+/// A wave's phases in radians, one per basis vector of a lattice.
 using Phase = std::array<double, 2>;
 
 /// The Cartesian vector with these coordinates in the lattice's basis.
@@ -35,17 +37,20 @@ using Phase = std::array<double, 2>;
 /// A real trigonometric polynomial Σ a(k) e^{-iθ·k} of a point-symmetric a: Σ a(k) cos(θ·k).
 class Symbol {
  public:
+  /// One term a(k) cos(θ·k).
   struct Term {
-    std::array<double, 2> k;
-    double weight;
+    std::array<double, 2> k;  ///< the offset in the lattice's basis; halves for dual splits
+    double weight;            ///< a(k)
   };
 
+  /// 0
   Symbol() = default;
   /// From coefficients by twice the offset, multiplied by `scale`. Precondition: a(-k) = a(k).
   explicit Symbol(const Laurent& doubled, double scale = 1);
   /// From coefficients by offset. Precondition: a(-k) = a(k).
   explicit Symbol(const std::vector<Term>& all);
 
+  /// The value at the phases θ, in radians. Cost: one cosine per term.
   [[nodiscard]] double operator()(Phase theta) const;
   /// One of each pair k, -k, with the weight of both.
   [[nodiscard]] const std::vector<Term>& terms() const { return terms_; }
@@ -54,6 +59,7 @@ class Symbol {
   std::vector<Term> terms_;
 };
 
+/// a·b. Cost: the product of the numbers of terms.
 [[nodiscard]] Symbol product(const Symbol& a, const Symbol& b);
 
 /// True where a(-k) = a(k) for every k.

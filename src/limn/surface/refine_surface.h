@@ -27,7 +27,8 @@ struct SurfaceOptions {
   bool connectivity = false;  ///< RefinedSurface::mesh, too
   /// quick: the quick engine (fast/fast_refiner.h) where it can, else the plain one; plain: the
   /// plain one. The same surface to rounding, its vertices and faces in another order.
-  enum class Engine { quick, plain } engine = Engine::quick;
+  enum class Engine { quick, plain };
+  Engine engine = Engine::quick;  ///< which one
   /// Called now and then with what is being done.
   std::function<void(const std::string& what)> progress = {};
 
@@ -35,16 +36,17 @@ struct SurfaceOptions {
   [[nodiscard]] bool of_limit() const { return limit || normals || curvatures; }
 };
 
+/// What `refine_surface` makes.
 struct RefinedSurface {
-  Polygons polygons;             ///< the refined mesh; positions as the options ask
-  std::optional<Mesh> mesh;      ///< of `polygons`, where connectivity is wanted
-  std::vector<Point3> normals;   ///< one per vertex, zero where there is none; empty unless wanted
+  Polygons polygons;            ///< the refined mesh; positions as the options ask
+  std::optional<Mesh> mesh;     ///< of `polygons`, where connectivity is wanted
+  std::vector<Point3> normals;  ///< one per vertex, zero where there is none; empty unless wanted
   /// One per vertex, NaN where there is none; empty unless wanted.
   std::vector<LimitPoints::Curvatures> curvatures;
   /// What the regular lattice lets curvatures be; where that is unbounded there are none at all.
   RegularPart regular_part;
-  LimitGaps gaps;                ///< what is missing, and at which vertices
-  double refinement_seconds = 0; ///< without what was found of the limit after it
+  LimitGaps gaps;                 ///< what is missing, and at which vertices
+  double refinement_seconds = 0;  ///< without what was found of the limit after it
 };
 
 /// In double precision. Fails, with an error that says so, where the scheme needs triangles and the

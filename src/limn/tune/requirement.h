@@ -15,16 +15,18 @@ namespace limn {
 /// Values of kComponents, in that order; nothing where there is no such (real) eigenvalue.
 using ComponentValues = std::array<std::optional<double>, kComponents.size()>;
 
+/// An equation, an inequality between left and right, or a verdict.
 enum class Relation { equal, above, at_least, convergent, c1, bounded_curvature };
 
 /// "cup = tangent^2", "saddle < tangent^2", "c1", … Sides are expressions (scheme/expression.h) in
 /// the names of kComponents, n and the scheme's own names; where both have a name, the component
 /// has it. `==` and `=` are the same.
 struct Requirement {
-  std::string text;
-  Relation relation = Relation::equal;
-  std::optional<Expression> left, right;  ///< left - right has the relation to 0
-  std::vector<std::size_t> used;          ///< which of kComponents
+  std::string text;                     ///< as it was given
+  Relation relation = Relation::equal;  ///< what is asked
+  std::optional<Expression> left;       ///< nothing for verdicts
+  std::optional<Expression> right;      ///< left - right has the relation to 0
+  std::vector<std::size_t> used;        ///< which of kComponents, in the order of first use
 
   /// Whether its truth holds on intervals rather than at single values.
   [[nodiscard]] bool has_range() const { return relation != Relation::equal; }
@@ -57,6 +59,7 @@ struct Requirement {
 /// Whether a margin of 0 will do.
 [[nodiscard]] bool is_closed(Relation relation);
 
+/// The labelled eigenvalues, in the order of kComponents.
 [[nodiscard]] ComponentValues component_values(const Eigencomponents& found);
 
 }  // namespace limn

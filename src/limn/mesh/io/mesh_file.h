@@ -27,12 +27,12 @@ struct LeftOut {
   std::size_t count = 0;  ///< how often it was met
   std::string unit;       ///< of what: "lines", "vertices"
   int line = 0;           ///< of the first; 0: binary
-  int column = 0;
+  int column = 0;         ///< of the first; 0: unknown
 };
 
 /// What a file gives: the mesh, and what there is to say about it.
 struct MeshFile {
-  Polygons polygons;
+  Polygons polygons;              ///< as the file has it
   MeshSource source;              ///< for messages about the mesh
   Warnings warnings;              ///< faults of the file that did not keep it from being read
   std::vector<LeftOut> left_out;  ///< in the order in which they were met
@@ -62,9 +62,11 @@ struct MeshFile {
 
 /// The mesh alone; `warnings` gets the warnings, then the notes, one for each kind.
 [[nodiscard]] Result<Polygons> read_mesh(const std::string& path, Warnings* warnings = nullptr);
+/// The same from memory; `extension` and `path` as for `parse_mesh_file`.
 [[nodiscard]] Result<Polygons> parse_mesh(std::string_view content, std::string_view extension,
                                           const std::string& path, Warnings* warnings = nullptr);
 
+/// What is written beside positions and faces.
 struct WriteOptions {
   /// Limit or vertex normals, one per vertex, or empty: written where the format has them.
   std::vector<Point3> normals;
@@ -84,9 +86,10 @@ struct WriteOptions {
 [[nodiscard]] Result<std::string> format_mesh(std::string_view extension, const Polygons& mesh,
                                               const WriteOptions& options = {});
 
-/// Whether `write_mesh` / `read_mesh` know the extension of `path`, so that a wrong one is
-/// refused before an hour of work; the error lists the known ones.
+/// Whether `read_mesh` knows the extension of `path`; the error lists the known ones. The file is
+/// not touched.
 [[nodiscard]] Status check_readable(const std::string& path);
+/// The same of `write_mesh`, so that a wrong extension is refused before an hour of work.
 [[nodiscard]] Status check_writable(const std::string& path);
 
 /// What follows the last dot of a path's name, as it is; empty where there is none.
