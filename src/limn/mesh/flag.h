@@ -1,8 +1,10 @@
 #pragma once
 /// Flags and walks. A *flag* is a vertex, an edge at it and a face at that edge. Three moves
 /// change one of the three and keep the other two:
-///   v  to the other end of the edge,      e  to the face's other edge at the vertex,
-///   f  to the other face at the edge,
+///
+///     v  to the other end of the edge,      e  to the face's other edge at the vertex,
+///     f  to the other face at the edge,
+///
 /// and a fourth, for boundary vertices, b, goes to the vertex's other boundary edge.
 /// A *walk* is a word of moves: from an edge of a triangle mesh, "ev" is the third vertex of the
 /// face (the wing) and "efev" the vertex beyond the next edge. Because a rotation or a

@@ -1,16 +1,17 @@
 #pragma once
-/// Weight expressions of scheme files: exact rationals, names (n, k, parameters, lets),
-/// + - * / % ^, cos, sin, sqrt, pi, comparisons (1 where true, 0 where false), and, or, not.
+/// Weight expressions of scheme files. They are made of exact rationals, names (n, k, parameters,
+/// lets), the operators + - * / % ^, cos, sin, sqrt, pi, comparisons (1 where true, 0 where false),
+/// and, or, not.
 ///
-///   expression := conjunction { "or" conjunction }
-///   conjunction := negation { "and" negation }
-///   negation   := "not" negation | comparison
-///   comparison := sum [ ("==" | "!=" | "<" | "<=" | ">" | ">=") sum ]
-///   sum        := product { ("+" | "-") product }
-///   product    := signed { ("*" | "/" | "%") signed }
-///   signed     := "-" signed | power
-///   power      := primary [ "^" signed ]          (the exponent must come out an integer)
-///   primary    := integer | name | function "(" expression ")" | "(" expression ")"
+///     expression := conjunction { "or" conjunction }
+///     conjunction := negation { "and" negation }
+///     negation   := "not" negation | comparison
+///     comparison := sum [ ("==" | "!=" | "<" | "<=" | ">" | ">=") sum ]
+///     sum        := product { ("+" | "-") product }
+///     product    := signed { ("*" | "/" | "%") signed }
+///     signed     := "-" signed | power
+///     power      := primary [ "^" signed ]          (the exponent must come out an integer)
+///     primary    := integer | name | function "(" expression ")" | "(" expression ")"
 ///
 /// A decimal is refused: it would stand for a fraction. Parsing yields a short postfix program,
 /// which the library runs in any type of number that it needs (scheme/evaluate.h).

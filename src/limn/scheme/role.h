@@ -5,9 +5,11 @@
 /// file adds its own under [roles], so that a stencil of a new shape needs no C++.
 ///
 /// As text a role is "MOVES", "MOVES(STEP)*MOVES" or either followed by "F":
-///   ""        the anchor's own vertex            "v"    the other end of the edge
-///   "(ef)*v"  the k-th neighbour round a vertex   "(ve)*" the k-th corner round a face
-///   "F"       the *new* vertex of the face (so Catmull–Clark's face points are one role)
+///
+///     ""        the anchor's own vertex            "v"    the other end of the edge
+///     "(ef)*v"  the k-th neighbour round a vertex   "(ve)*" the k-th corner round a face
+///     "F"       the *new* vertex of the face (so Catmull–Clark's face points are one role)
+///
 /// A starred step is repeated k = 0 … n-1 times, and the weight may depend on k.
 
 #include <array>
