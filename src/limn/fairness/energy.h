@@ -33,13 +33,6 @@ struct SurfaceEnergies {
   Rounding rounding = {};  ///< of the three energies above
 };
 
-/// Units of rounding, of the largest coordinate, that limit points may be wrong by.
-inline constexpr double kPositionUnits = 8;
-
-/// What an error may change a sum of squares by, at most, where the squares of the errors alone sum
-/// to `noise`: |(x + e)² − x²| summed, by Cauchy and Schwarz.
-[[nodiscard]] double rounding_of_squares(double sum, double noise);
-
 /// The integrals by second fundamental forms at the vertices (second_form.h): over each face the
 /// area of triangles (of polygons, those round the mean of the corners), the mean of ‖II‖² at the
 /// corners, and the derivative of the linear interpolant. On a surface with smooth curvature all

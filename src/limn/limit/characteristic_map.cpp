@@ -6,6 +6,7 @@
 
 #include <fmt/core.h>
 
+#include "limn/limit/judge_characteristic_map.h"
 #include "limn/refine/star_step.h"
 #include "limn/spectrum/eigenvectors.h"
 

@@ -32,11 +32,9 @@ struct CharacteristicMap {
   std::string reason;  ///< what `regular` rests on, one sentence
 };
 
-/// Sets all but the net, the image and the eigenvalue, from these; turns back what is turned over.
-void judge_characteristic_map(CharacteristicMap& map);
-
-/// At valence n, after so many steps (4: 16 faces along each edge). Fails where the scheme has no
-/// real tangent pair at n, and as `FrequencyAnalysis::blocks` does.
+/// At valence n ≥ 3, after `steps` ≥ 0 steps (4: 16 faces along each edge, √3: 9). In double
+/// precision. Cost: that of the frequency blocks, then O(n |det M|^steps). Fails where the scheme
+/// has no real tangent pair at n, and as `FrequencyAnalysis::blocks` does.
 [[nodiscard]] Result<CharacteristicMap> approx_characteristic_map(const Scheme& scheme, int n,
                                                                   int steps = 4);
 

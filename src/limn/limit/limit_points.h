@@ -40,7 +40,8 @@ struct LimitPoints {
 
 /// What is asked of `approx_limit_points`.
 struct LimitOptions {
-  int steps_made = 0;  ///< that led to the mesh: the boundary of sqrt3 moves in every second one
+  int steps_made =
+      0;  ///< at least 0, that led to the mesh: the boundary of sqrt3 moves in every second one
   bool curvatures = false;   ///< fill LimitPoints::curvatures
   RegularPart regular = {};  ///< of the scheme; where its curvature is unbounded none is given
   std::vector<Index> vertices = {};  ///< only these; empty: all. The results of others are zero

@@ -28,15 +28,15 @@ struct LimitStencil {
   bool has_plane = true;
 };
 
-/// At an interior vertex of valence n (dual splits: a face of n corners), from least_valence
-/// (least_valence.h) on. In double precision.
+/// At an interior vertex of valence n (dual splits: a face of n corners), n ≥ 3, on quads n ≥ 2. In
+/// double precision. Cost: that of `analysis.blocks(n)` and of the eigenvectors of two blocks.
 /// Fails as `FrequencyAnalysis::blocks` does, and where the scheme does not converge there (the
 /// reason is the verdict's).
 [[nodiscard]] Result<LimitStencil> approx_limit_stencil(FrequencyAnalysis& analysis, int n);
 
-/// At a boundary vertex of so many faces, from the dense matrix of its fan. Fails where the scheme
-/// has no boundary rules or does not converge there, and where more than 1000 vertices control the
-/// surface. For splits that keep the old vertices. Cost: the cube of their number.
+/// At a boundary vertex of `faces` ≥ 1 faces, from the dense matrix of its fan. Fails where the
+/// scheme has no boundary rules or does not converge there, and where more than 1000 vertices
+/// control the surface. For splits that keep the old vertices. Cost: the cube of their number.
 [[nodiscard]] Result<LimitStencil> approx_boundary_limit_stencil(const Scheme& scheme, int faces);
 
 }  // namespace limn

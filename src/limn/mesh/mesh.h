@@ -103,7 +103,7 @@ class Mesh {
   /// The largest number of corners of a face; 0 without faces. Cost O(F).
   [[nodiscard]] Index max_degree() const;
 
-  /// Faces and corners as polygons, with the given positions (one per vertex).
+  /// Faces and corners as polygons, with the given positions (V of them). Cost O(H).
   [[nodiscard]] Polygons polygons(std::vector<Point3> positions) const;
 
   /// The arrays of a mesh whose arithmetic is known; for splits and generators. What can be
@@ -117,10 +117,11 @@ class Mesh {
     std::vector<Index> twin;        ///< kNone on the boundary
     std::vector<Index> edge;        ///< edge of each half-edge
   };
-  /// Precondition: the arrays obey the laws above (asserted by `check`, in tests).
+  /// Precondition: the arrays obey the laws above (asserted by `check`, in tests). Cost O(V + H).
   static Mesh from_arrays(Arrays arrays);
 
-  /// The first law that the arrays break, in words; empty where they keep them all. For tests.
+  /// The first law that the arrays break, in words; empty where they keep them all. For tests. Cost
+  /// O(V + H).
   [[nodiscard]] std::string check() const;
 
  private:

@@ -23,7 +23,8 @@ struct RefineEstimate {
 /// In words: "5 levels make about 3e+06 vertices and 6e+06 faces, in about 0.2 GiB of memory".
 [[nodiscard]] std::string text_of(const RefineEstimate& estimate, int levels);
 
-/// That an estimate for so many levels is within `memory_limit` bytes; the error names it.
+/// That the memory of an estimate for so many levels is within `memory_limit` bytes; the error
+/// names it.
 [[nodiscard]] Status check_memory(const RefineEstimate& estimate, int levels, double memory_limit);
 
 /// Whether `levels` steps can be taken: triangles for a scheme that needs them, fewer than

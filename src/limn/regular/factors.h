@@ -20,7 +20,8 @@ struct Factorization {
 /// tried.
 [[nodiscard]] Factorization factor(const Mask& mask);
 
-/// The product again: a mask's coefficients by twice the offset.
+/// The product again: a mask's coefficients by twice the offset; lattice and dilation are
+/// `shape`'s.
 [[nodiscard]] Laurent expand(const Factorization& factors, const Mask& shape);
 
 /// One smoothing stage, by twice the offset; sum 1.

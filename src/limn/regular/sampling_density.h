@@ -33,6 +33,7 @@ inline constexpr double kLeastTolerance = 1e-6;
 /// In each direction the |f| where the measure first exceeds the tolerance, to 1e-12 once it is
 /// enclosed by steps of 1/256 of the way to the rim. Fails on a tolerance outside
 /// [kLeastTolerance, 100] percent, and where the limit does not exist.
+/// Cost: in each of 180 directions up to 256 evaluations of the measure and some forty more.
 [[nodiscard]] Result<SamplingDensity> sampling_density(const ArtifactAnalysis& analysis,
                                                        double tolerance, ArtifactMeasure measure);
 

@@ -23,7 +23,7 @@ using Phase = std::array<double, 2>;
 
 /// t: 2π f·e1 and 2π f·e2.
 [[nodiscard]] Phase control_phase(Lattice lattice, Frequency f);
-/// The frequency with that phase.
+/// The frequency with that phase per control basis vector, in radians.
 [[nodiscard]] Frequency frequency_of_phase(Lattice lattice, Phase t);
 
 /// The corners, counterclockwise, of the region of frequencies nearer to 0 than to any other
@@ -62,7 +62,7 @@ class Symbol {
 /// a·b. Cost: the product of the numbers of terms.
 [[nodiscard]] Symbol product(const Symbol& a, const Symbol& b);
 
-/// True where a(-k) = a(k) for every k.
+/// True where a(-k) = a(k) for every k, exactly.
 [[nodiscard]] bool is_point_symmetric(const Laurent& a);
 
 }  // namespace limn

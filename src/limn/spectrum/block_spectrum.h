@@ -40,7 +40,8 @@ inline constexpr double kUndecidedBelow = 1e-8;
 /// exact if they are several.
 enum class Near { joined, apart };
 
-/// The spectrum of one block, 0 ≤ ω ≤ ⌊n/2⌋, in double precision.
+/// The spectrum of one block, 0 ≤ ω ≤ ⌊n/2⌋, in double precision. Cost: one eigenvalue problem for
+/// each part of the block whose rows reach each other, most of one or two rows.
 [[nodiscard]] BlockSpectrum approx_spectrum(const FrequencyBlocks& blocks, int omega,
                                             Near near = Near::joined);
 

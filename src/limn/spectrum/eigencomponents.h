@@ -20,7 +20,8 @@ struct Component {
   int frequency;          ///< ω of the block
   std::size_t index;      ///< from 0, counted with multiplicity
 
-  /// At n = 3 frequency 2 is the conjugate of frequency 1 and has no label of its own.
+  /// Whether it is a label at that valence: at n = 3 frequency 2 is the conjugate of frequency 1
+  /// and has no label of its own.
   [[nodiscard]] bool exists_at(int valence) const { return frequency <= valence / 2; }
 };
 /// The labels, in the order in which tables list them.

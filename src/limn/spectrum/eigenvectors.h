@@ -25,7 +25,7 @@ struct Eigenvectors {
 /// amplitude of the innermost ring that it does not vanish on (the centre left out) is 1; for ω =
 /// 0, less the centre's. For ω = n/2 that one has modulus 1, and they are the amplitudes of real
 /// values, unless a step turns the star (√3): it then maps real to imaginary ones. In double
-/// precision.
+/// precision. Cost: the cube of the block's rows.
 [[nodiscard]] Eigenvectors approx_eigenvectors(const FrequencyBlocks& blocks,
                                                const Eigenvalue& eigenvalue);
 

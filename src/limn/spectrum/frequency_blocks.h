@@ -52,9 +52,10 @@ class FrequencyAnalysis {
   /// As the constructor.
   FrequencyAnalysis& operator=(FrequencyAnalysis&& other) noexcept;
 
-  /// At valence n ≥ 3. In double precision. Not from two threads at once: stars are kept. Fails
-  /// where a rule is missing at n or its weights do not sum to 1 (to 1e-9), and where the rings are
-  /// not invariant.
+  /// At valence n ≥ 3 (on quads n ≥ 2). In double precision. Not from two threads at once: stars
+  /// are kept. Cost: a star is refined for each new set of rule cases at its centre; else numbers
+  /// are put into ⌊n/2⌋ + 1 blocks. Fails where a rule is missing at n or its weights do not sum to
+  /// 1 (to 1e-9), and where the rings are not invariant.
   [[nodiscard]] Result<FrequencyBlocks> blocks(int n);
 
  private:

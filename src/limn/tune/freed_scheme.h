@@ -49,7 +49,8 @@ enum class Reach {
 /// A scheme with a freed name. It keeps what it worked out: not for two threads at once.
 class FreedScheme {
  public:
-  /// `name`: one of freeable_names; else the error lists those. The scheme is copied.
+  /// `name`: one of freeable_names; else the error lists those. The scheme is copied, and may end
+  /// before this.
   [[nodiscard]] static Result<FreedScheme> make(const Scheme& scheme, const std::string& name,
                                                 Reach reach = Reach::automatic);
   ~FreedScheme();

@@ -8,6 +8,7 @@
 #include "limn/base/error.h"
 #include "limn/base/rational.h"
 #include "limn/base/time_budget.h"
+#include "limn/tune/freed_scheme.h"
 #include "limn/tune/requirement.h"
 
 namespace limn {
@@ -50,7 +51,8 @@ struct ValenceRange {
                                             int n, const SearchRange* range = nullptr,
                                             const Stop& stop = {});
 
-/// Where it holds at every one of these valences at the same time.
+/// Where it holds at every one of these valences at the same time: intervals, ascending and apart;
+/// none where there is no such x, or `ranges` is empty.
 [[nodiscard]] std::vector<Interval> common_range(const std::vector<ValenceRange>& ranges);
 
 }  // namespace limn

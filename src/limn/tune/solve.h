@@ -18,6 +18,8 @@
 #include "limn/base/error.h"
 #include "limn/base/rational.h"
 #include "limn/base/truth.h"
+#include "limn/spectrum/eigencomponents.h"
+#include "limn/tune/freed_scheme.h"
 #include "limn/tune/requirement.h"
 
 namespace limn {

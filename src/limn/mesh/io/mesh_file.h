@@ -37,7 +37,7 @@ struct MeshFile {
   Warnings warnings;              ///< faults of the file that did not keep it from being read
   std::vector<LeftOut> left_out;  ///< in the order in which they were met
 
-  /// `left_out` in words, with file and line.
+  /// `left_out` in words, with file and line: one remark for each kind.
   [[nodiscard]] Warnings notes() const;
 };
 
@@ -45,6 +45,7 @@ struct MeshFile {
 /// wrong count, an unknown extension, UTF-16, an empty mesh, 2^31 - 1 corners or more…) are
 /// reported with file:line:column (binary: with the byte offset in the message), what was found
 /// and what was expected. Nothing is allocated for a count that the file cannot hold.
+/// Cost O(size), and memory of the file's size beside the mesh.
 [[nodiscard]] Result<MeshFile> read_mesh_file(const std::string& path);
 
 /// The same from a stream, standard input say, to its end; its content tells the format
@@ -74,7 +75,8 @@ struct WriteOptions {
 
 /// Writes a mesh, whole or not at all (`write_file`). Fails where the format cannot hold a
 /// coordinate: the error names the vertex, the value and a remedy, and no file where the value is
-/// not finite, which is no fault of the file.
+/// not finite, which is no fault of the file. Fails as well where the file cannot be written. Cost
+/// O(size).
 [[nodiscard]] Status write_mesh(const std::string& path, const Polygons& mesh,
                                 const WriteOptions& options = {});
 
@@ -82,7 +84,7 @@ struct WriteOptions {
 [[nodiscard]] Status write_mesh(const std::string& path, std::string_view extension,
                                 const Polygons& mesh, const WriteOptions& options);
 
-/// The same into memory.
+/// The same into memory, in the format of that extension ("obj").
 [[nodiscard]] Result<std::string> format_mesh(std::string_view extension, const Polygons& mesh,
                                               const WriteOptions& options = {});
 

@@ -54,13 +54,13 @@ struct Split {
   LatticeMatrix dilation;
   /// One step. `step` counts from 0: sqrt3 refines the boundary in every second step only.
   /// Preconditions: all faces are triangles unless any_polygons; dilation.growth() *
-  /// halfedge_count() is below 2^31 (no split gives more half-edges than that).
+  /// halfedge_count() is below 2^31 (no split gives more half-edges than that). Cost O(V + H).
   SplitResult (*apply)(const Mesh& mesh, int step);
 };
 
 /// All splits, in the order in which the documentation lists them.
 [[nodiscard]] const std::vector<Split>& splits();
-/// The split of that name, or nullptr.
+/// The split of that name, or nullptr. It lives as long as the program.
 [[nodiscard]] const Split* find_split(std::string_view name);
 
 }  // namespace limn
