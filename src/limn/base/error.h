@@ -18,6 +18,16 @@ struct Error {
   int line = 0;         ///< 1-based; 0: unknown or not applicable (binary file)
   int column = 0;       ///< 1-based, in bytes; 0: unknown
 
+  Error() = default;  ///< nothing is known
+  /// What is known; the rest may be left out.
+  Error(std::string what, std::string remedy = {}, std::string where = {}, int at_line = 0,
+        int at_column = 0)
+      : message(std::move(what)),
+        hint(std::move(remedy)),
+        file(std::move(where)),
+        line(at_line),
+        column(at_column) {}
+
   /// "file:line:column: message (hint)", with the parts that are known.
   [[nodiscard]] std::string text() const;
 };
@@ -37,8 +47,8 @@ class [[nodiscard]] Result {
   explicit operator bool() const { return ok(); }
 
   ///@{
-  /// The value. Precondition: ok(); else std::bad_variant_access is thrown. Of a temporary the value is
-  /// moved out, so that `for (x : f().value())` does not outlive what it runs over.
+  /// The value. Precondition: ok(); else std::bad_variant_access is thrown. Of a temporary the
+  /// value is moved out, so that `for (x : f().value())` does not outlive what it runs over.
   [[nodiscard]] T& value() & { return std::get<0>(state_); }
   [[nodiscard]] const T& value() const& { return std::get<0>(state_); }
   [[nodiscard]] T value() && { return std::get<0>(std::move(state_)); }

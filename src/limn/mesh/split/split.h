@@ -43,13 +43,16 @@ struct Split {
   std::string_view name;         ///< as scheme files write it: "triangle-dyadic", …
   std::string_view description;  ///< one line for listings
   Lattice lattice;               ///< what a regular mesh looks like
-  bool any_polygons;             ///< the first step takes any polygons; else only triangles
-  bool births_vertices;          ///< old vertices have a child
-  bool births_edges;             ///< edges have a child
-  bool births_faces;             ///< faces have a child
-  bool births_corners;           ///< corners have a child (dual splits)
+  bool any_polygons = false;     ///< the first step takes any polygons; else only triangles
+  /// Which old elements have a child.
+  struct BirthPlaces {
+    bool vertices = false;  ///< old vertices
+    bool edges = false;     ///< edges
+    bool faces = false;     ///< faces
+    bool corners = false;   ///< corners (dual splits)
+  } births;                 ///< which old elements have a child
   /// The boundary is left alone in even steps and each of its edges cut in three in odd ones.
-  bool trisects_boundary;
+  bool trisects_boundary = false;
   /// Coordinates of old vertices in the refined lattice; the lattice may turn (sqrt3: by 30°).
   LatticeMatrix dilation;
   /// One step. `step` counts from 0: sqrt3 refines the boundary in every second step only.
