@@ -111,6 +111,11 @@ if(Python3_FOUND)
     COMMAND Python3::Interpreter ${PROJECT_SOURCE_DIR}/tools/check_public_headers)
   add_test(NAME tools:citations
     COMMAND Python3::Interpreter ${PROJECT_SOURCE_DIR}/tests/tools/citations_test.py)
+  add_test(NAME tools:api_reference
+    COMMAND Python3::Interpreter ${PROJECT_SOURCE_DIR}/tools/api_reference ${PROJECT_BINARY_DIR}/docs)
+  add_test(NAME tools:api_reference_maker
+    COMMAND Python3::Interpreter ${PROJECT_SOURCE_DIR}/tests/tools/api_reference_test.py)
+  set_tests_properties(tools:api_reference tools:api_reference_maker PROPERTIES SKIP_RETURN_CODE 77)
   set_tests_properties(tools:floors_hold tools:check_floors tools:public_headers tools:citations
-    PROPERTIES TIMEOUT 60 LABELS tools)
+    tools:api_reference tools:api_reference_maker PROPERTIES TIMEOUT 60 LABELS tools)
 endif()

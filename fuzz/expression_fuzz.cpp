@@ -8,6 +8,7 @@
 #include <cstdlib>
 #include <string>
 
+#include "limn/scheme/evaluate.h"
 #include "limn/scheme/expression.h"
 
 namespace {
@@ -26,7 +27,7 @@ void check(bool holds, const char* what) {
 
 template <class Number>
 Result<Number> evaluate(const Expression& expression, int n, int k) {
-  return expression.evaluate<Number>([&](const std::string& name) -> Result<Number> {
+  return limn::evaluate<Number>(expression, [&](const std::string& name) -> Result<Number> {
     if (name == "n") return Arithmetic<Number>::from(Rational(n));
     if (name == "k") return Arithmetic<Number>::from(Rational(k));
     if (name == "w") return Arithmetic<Number>::from(Rational(1, 16));

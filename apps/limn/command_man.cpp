@@ -1,5 +1,7 @@
 #include <fmt/core.h>
+
 #include <fmt/ranges.h>
+#include <algorithm>
 
 #include "command.h"
 #include "command_tree.h"

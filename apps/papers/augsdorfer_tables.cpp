@@ -7,6 +7,7 @@
 #include "limn/regular/formula.h"
 #include "limn/regular/regular_mask.h"
 #include "limn/regular/sampling_density.h"
+#include "limn/scheme/evaluate.h"
 #include "limn/scheme/expression.h"
 #include "papers/augsdorfer_parts.h"
 
@@ -29,7 +30,7 @@ constexpr std::array<std::array<const char*, 4>, 3> kPrinted{
 Result<double> value_of(const Expression& expression, Frequency f) {
   const Phase t = control_phase(Lattice::triangle, f);
   const std::array<double, 3> theta{t[0] / 2, t[1] / 2, -(t[0] + t[1]) / 2};
-  return expression.evaluate<double>([&](const std::string& name) -> Result<double> {
+  return limn::evaluate<double>(expression, [&](const std::string& name) -> Result<double> {
     const auto angle = [&](std::size_t i) {
       return theta[static_cast<std::size_t>(name[i] - '1')];
     };

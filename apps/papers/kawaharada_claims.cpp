@@ -5,6 +5,7 @@
 
 #include "limn/fairness/spectrum.h"
 #include "limn/refine/subdivision_matrix.h"
+#include "limn/scheme/scope.h"
 #include "papers/kawaharada_evidence.h"
 
 namespace limn::ks {

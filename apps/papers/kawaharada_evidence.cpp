@@ -9,6 +9,7 @@
 
 #include "limn/regular/regular_mask.h"
 #include "limn/regular/smoothness/second_differences.h"
+#include "limn/scheme/scope.h"
 
 namespace limn::ks {
 namespace {

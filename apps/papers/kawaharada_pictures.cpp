@@ -5,6 +5,7 @@
 #include <fmt/core.h>
 
 #include "limn/refine/refine.h"
+#include "limn/scheme/scope.h"
 #include "limn/spectrum/eigencomponents.h"
 #include "limn/study/surface_scenes.h"
 #include "papers/kawaharada_parts.h"

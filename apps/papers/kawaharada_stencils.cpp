@@ -9,6 +9,7 @@
 #include "limn/number/exact.h"
 #include "limn/refine/refine.h"
 #include "limn/refine/subdivision_matrix.h"
+#include "limn/scheme/scope.h"
 #include "papers/kawaharada_parts.h"
 
 namespace limn::ks {

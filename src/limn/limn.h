@@ -14,10 +14,9 @@
 /// `approx_` is double precision, `enclose_` a bracket that is proved. Functions may be called from
 /// several threads at once unless their comments say otherwise.
 
-// Errors, truth values, threads, time.
+// Errors, truth values, threads.
 #include "limn/base/error.h"
-#include "limn/base/parallel.h"
-#include "limn/base/time_budget.h"
+#include "limn/base/thread_limit.h"
 #include "limn/base/truth.h"
 // Meshes and their files.
 #include "limn/mesh/io/mesh_file.h"
@@ -30,6 +29,8 @@
 // Refined meshes, limit surfaces.
 #include "limn/fast/fast_limit.h"
 #include "limn/fast/fast_refiner.h"
+#include "limn/limit/limit_points.h"
+#include "limn/limit/limit_stencil.h"
 #include "limn/surface/refine_surface.h"
 // The regular lattice: masks, factors, artifacts, smoothness.
 #include "limn/regular/artifacts.h"
@@ -47,5 +48,7 @@
 // How fair surfaces are.
 #include "limn/fairness/energy.h"
 // Parameters solved for.
+#include "limn/tune/freed_scheme.h"
 #include "limn/tune/range.h"
+#include "limn/tune/requirement.h"
 #include "limn/tune/solve.h"

@@ -6,6 +6,7 @@
 
 #include <cmath>
 
+#include "limn/limit/judge_characteristic_map.h"
 #include "limn/limit/star_surface.h"
 #include "limn/spectrum/eigenvectors.h"
 #include "limn/tune/prescribe.h"

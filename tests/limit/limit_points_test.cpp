@@ -8,6 +8,7 @@
 #include <cmath>
 #include <random>
 
+#include "limn/limit/limit_stencil.h"
 #include "limn/refine/refine.h"
 #include "limn/refine/refine_values.h"
 #include "mesh/random_mesh.h"

@@ -1,6 +1,7 @@
 // Subdivision matrices against closed forms from the literature, and their symmetry.
 
 #include "limn/refine/subdivision_matrix.h"
+#include "limn/number/exact.h"
 
 #include <gtest/gtest.h>
 

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "limn/regular/regular_mask.h"
+#include "limn/scheme/mask_rules.h"
 #include "regular/wave_oracle.h"
 
 namespace limn::test {

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "limn/scheme/mask_rules.h"
+
 namespace limn {
 namespace {
 

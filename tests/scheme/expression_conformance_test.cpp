@@ -7,6 +7,7 @@
 #include <map>
 
 #include "limn/number/symbolic.h"
+#include "limn/scheme/evaluate.h"
 #include "limn/scheme/expression.h"
 
 namespace limn {
@@ -66,7 +67,7 @@ template <class Number>
 Result<Number> evaluate(const std::string& text) {
   const Result<Expression> expression = Expression::parse(text);
   if (!expression) return expression.error();
-  return expression->template evaluate<Number>([](const std::string& name) -> Result<Number> {
+  return limn::evaluate<Number>(*expression, [](const std::string& name) -> Result<Number> {
     const std::map<std::string, Rational> values{{"n", kN}, {"k", kK}, {"w", Rational(1, 16)}};
     const auto found = values.find(name);
     if (found == values.end()) return Error{"unknown name"};

@@ -1,6 +1,7 @@
 /// The grammar of weight expressions, by values that another reading would not give.
 
 #include "limn/scheme/expression.h"
+#include "limn/number/exact.h"
 
 #include <gtest/gtest.h>
 

@@ -11,6 +11,8 @@
 #include "support/scheme_oracle.h"
 #include "support/shipped.h"
 
+#include "limn/number/exact.h"
+
 namespace limn::test {
 namespace {
 

@@ -12,6 +12,7 @@
 #include <fmt/core.h>
 
 #include "limn/number/polynomial_factors.h"
+#include "limn/scheme/scope.h"
 #include "limn/spectrum/eigencomponents.h"
 #include "support/shipped.h"
 

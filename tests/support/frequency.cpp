@@ -1,6 +1,7 @@
 #include "support/frequency.h"
 
 #include <algorithm>
+#include <cmath>
 #include <numbers>
 #include <stdexcept>
 

@@ -6,6 +6,8 @@
 #include <vector>
 
 #include "limn/refine/refine_values.h"
+#include "limn/scheme/mask_rules.h"
+#include "limn/scheme/scope.h"
 #include "mesh/random_mesh.h"
 #include "support/frequency.h"
 #include "support/reference_step.h"

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "limn/mesh/lattice.h"
+#include "limn/number/exact.h"
 #include "limn/refine/linear_form.h"
 #include "limn/refine/refine_values.h"
 

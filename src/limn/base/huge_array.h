@@ -23,14 +23,19 @@ class HugeArray {
   static_assert(std::is_trivially_copyable_v<T> && std::is_trivially_destructible_v<T>);
 
  public:
+  /// No elements, no memory.
   HugeArray() = default;
+  /// Memory for `size` elements, not written yet. Throws std::bad_alloc.
   explicit HugeArray(std::size_t size)
       : data_(static_cast<T*>(detail::allocate_huge(size * sizeof(T)))), size_(size) {}
+  /// A copy of `values`.
   explicit HugeArray(std::span<const T> values) : HugeArray(values.size()) {
     std::copy(values.begin(), values.end(), data_);
   }
+  /// Takes the memory; `other` is empty afterwards.
   HugeArray(HugeArray&& other) noexcept
       : data_(std::exchange(other.data_, nullptr)), size_(std::exchange(other.size_, 0)) {}
+  /// Exchanges the memory of the two.
   HugeArray& operator=(HugeArray&& other) noexcept {
     std::swap(data_, other.data_);
     std::swap(size_, other.size_);
@@ -40,6 +45,8 @@ class HugeArray {
   HugeArray& operator=(const HugeArray&) = delete;
   ~HugeArray() { detail::free_huge(data_); }
 
+  ///@{
+  /// As of std::vector; an index is not checked.
   [[nodiscard]] T* data() { return data_; }
   [[nodiscard]] const T* data() const { return data_; }
   [[nodiscard]] std::size_t size() const { return size_; }
@@ -51,6 +58,7 @@ class HugeArray {
   [[nodiscard]] const T* end() const { return data_ + size_; }
   [[nodiscard]] operator std::span<T>() { return {data_, size_}; }
   [[nodiscard]] operator std::span<const T>() const { return {data_, size_}; }
+  ///@}
 
  private:
   T* data_ = nullptr;

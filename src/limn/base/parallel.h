@@ -8,12 +8,9 @@
 #include <memory>
 #include <type_traits>
 
-namespace limn {
+#include "limn/base/thread_limit.h"
 
-/// At most `threads` threads for every loop that starts later; 0: as many as the machine has (the
-/// default). Safe while loops run in other threads: those keep the limit they started with.
-void set_thread_limit(int threads);
-[[nodiscard]] int thread_limit();
+namespace limn {
 
 inline constexpr std::ptrdiff_t kDefaultGrain = 4096;
 

@@ -83,6 +83,7 @@ std::ostream& operator<<(std::ostream& out, const Rational& q);
 /// "3", "-7/24".
 [[nodiscard]] inline std::string to_string(const Rational& q) { return q.str(); }
 
+/// Whether the denominator is 1.
 [[nodiscard]] bool is_integer(const Rational& q);
 
 }  // namespace limn

@@ -9,11 +9,12 @@ namespace limn {
 /// Whether long work should end with what it has. Asked often, by several threads at once; no
 /// function at all: never.
 using Stop = std::function<bool()>;
+/// Whether `stop` asks for the end; false where it is empty.
 [[nodiscard]] inline bool asked(const Stop& stop) { return stop && stop(); }
 
 [[nodiscard]] double steady_seconds();  ///< since some moment
 
-/// Copies share the start.
+/// A number of seconds from a start. Copies share the start.
 class TimeBudget {
  public:
   using Clock = std::function<double()>;  ///< seconds since some moment; never falls
@@ -23,6 +24,7 @@ class TimeBudget {
   /// Begins now. Infinite seconds: without end.
   explicit TimeBudget(double seconds, Clock clock = steady_seconds);
 
+  /// Whether it ever ends.
   [[nodiscard]] bool is_limited() const { return clock_ != nullptr; }
   /// Whether that share of it has passed.
   [[nodiscard]] bool ended(double share = 1) const;

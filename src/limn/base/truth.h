@@ -5,8 +5,10 @@
 
 namespace limn {
 
+/// The answer to a question of mathematics. `undecided` comes with a reason, in a field beside it.
 enum class Truth { no, yes, undecided };
 
+/// "yes", "no" or "undecided"; zero-terminated.
 [[nodiscard]] constexpr std::string_view to_string(Truth truth) {
   return truth == Truth::yes ? "yes" : truth == Truth::no ? "no" : "undecided";
 }

@@ -9,6 +9,7 @@
 #include <Eigen/Geometry>
 
 #include "limn/base/parallel.h"
+#include "limn/fairness/rounding.h"
 #include "limn/fairness/second_form.h"
 #include "limn/mesh/unit_normal.h"
 

@@ -11,8 +11,9 @@
 
 namespace limn {
 
+/// What `approx_energies` finds. Lengths are in the unit of the positions.
 struct SurfaceEnergies {
-  double area = 0;
+  double area = 0;  ///< ∫ dA, length²
   /// ∫ κ1² + κ2² dA. It has no unit: larger and smaller copies of a shape have the same.
   double thin_plate = 0;
   /// ∫ ‖∇II‖² dA of the covariant derivative of the second fundamental form, 1/length². Along the
@@ -25,16 +26,12 @@ struct SurfaceEnergies {
   Index left_out = 0;
   /// What rounding of the positions may change each by, at most by the order of magnitude.
   struct Rounding {
-    double area = 0, thin_plate = 0, curvature_variation = 0;
-  } rounding = {};
+    double area = 0;                 ///< length²
+    double thin_plate = 0;           ///< no unit
+    double curvature_variation = 0;  ///< 1/length²
+  };
+  Rounding rounding = {};  ///< of the three energies above
 };
-
-/// Units of rounding, of the largest coordinate, that limit points may be wrong by.
-inline constexpr double kPositionUnits = 8;
-
-/// What an error may change a sum of squares by, at most, where the squares of the errors alone sum
-/// to `noise`: |(x + e)² − x²| summed, by Cauchy and Schwarz.
-[[nodiscard]] double rounding_of_squares(double sum, double noise);
 
 /// The integrals by second fundamental forms at the vertices (second_form.h): over each face the
 /// area of triangles (of polygons, those round the mean of the corners), the mean of ‖II‖² at the

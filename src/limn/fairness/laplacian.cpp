@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "limn/fairness/energy.h"
+#include "limn/fairness/rounding.h"
 #include "limn/mesh/unit_normal.h"
 
 namespace limn {

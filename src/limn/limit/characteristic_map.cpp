@@ -1,10 +1,12 @@
 #include "limn/limit/characteristic_map.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
 #include <fmt/core.h>
 
+#include "limn/limit/judge_characteristic_map.h"
 #include "limn/refine/star_step.h"
 #include "limn/spectrum/eigenvectors.h"
 

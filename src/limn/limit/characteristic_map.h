@@ -10,13 +10,14 @@
 
 namespace limn {
 
+/// The map at one valence, and what samples of it say.
 struct CharacteristicMap {
-  int valence = 0;
+  int valence = 0;        ///< n ≥ 3; of dual splits: corners of the face
   double eigenvalue = 0;  ///< the tangent's
   Mesh net;               ///< the star of the rings that control the surface
-  std::vector<Point3>
-      net_points;     ///< (u, v, 0); the first spoke's neighbour of the centre is (1, 0)
-  StarSurface image;  ///< of the faces round the vertex
+  /// (u, v, 0), one per vertex of `net`; the first spoke's neighbour of the centre is (1, 0).
+  std::vector<Point3> net_points;
+  StarSurface image;  ///< of the faces round the vertex, in the plane z = 0
   /// Whether the eigenvectors gave the map turned over: most Jacobians were negative. An
   /// eigenvector has no sign, so this is no fault; the second coordinate was negated, and all that
   /// is here is of the map that keeps the orientation.
@@ -28,14 +29,12 @@ struct CharacteristicMap {
   /// the areas of faces, and the image goes round the centre once; no: it is not so; undecided:
   /// rounding could be it, also where the Jacobian vanishes at all points.
   Truth regular = Truth::undecided;
-  std::string reason;
+  std::string reason;  ///< what `regular` rests on, one sentence
 };
 
-/// Sets all but the net, the image and the eigenvalue, from these; turns back what is turned over.
-void judge_characteristic_map(CharacteristicMap& map);
-
-/// At valence n, after so many steps (4: 16 faces along each edge). Fails where the scheme has no
-/// real tangent pair at n, and as `FrequencyAnalysis::blocks` does.
+/// At valence n ≥ 3, after `steps` ≥ 0 steps (4: 16 faces along each edge, √3: 9). In double
+/// precision. Cost: that of the frequency blocks, then O(n |det M|^steps). Fails where the scheme
+/// has no real tangent pair at n, and as `FrequencyAnalysis::blocks` does.
 [[nodiscard]] Result<CharacteristicMap> approx_characteristic_map(const Scheme& scheme, int n,
                                                                   int steps = 4);
 

@@ -5,12 +5,16 @@
 #include <string>
 #include <vector>
 
+#include "limn/base/error.h"
 #include "limn/limit/limit_curvature.h"
 #include "limn/limit/limit_stencil.h"
 #include "limn/mesh/mesh.h"
+#include "limn/scheme/regular_part.h"
+#include "limn/scheme/scheme.h"
 
 namespace limn {
 
+/// What `approx_limit_points` finds: arrays with an entry for each vertex of the mesh.
 struct LimitPoints {
   std::vector<Point3> positions;  ///< one per vertex
   /// Unit normals, by the faces' orientation; they do not depend on the size of the model. Zero
@@ -18,26 +22,28 @@ struct LimitPoints {
   /// tangents vanish or are parallel, to rounding. Where no tangent plane follows from the
   /// eigenvectors, that of the faces round the vertex some steps on.
   std::vector<Point3> normals;
-  /// Principal curvatures, the larger first, of the quadratic surface that the tangents, the cup
+  /// Principal curvatures of the quadratic surface that the tangents, the cup
   /// and the saddles make (limit_curvature.h); positive where the surface bends towards its normal.
   /// NaN where there is none, for which `no_curvature` has the reason.
   struct Curvatures {
-    double largest, smallest;
+    double largest;   ///< 1/length
+    double smallest;  ///< 1/length, at most `largest`
   };
   std::vector<Curvatures> curvatures;     ///< empty unless asked for
-  std::vector<NoCurvature> no_curvature;  ///< as many
-  /// Vertices without a limit, which stay where they are, without normals; ascending. Empty
-  /// unless LimitOptions::partial.
+  std::vector<NoCurvature> no_curvature;  ///< why a vertex has none; as many as `curvatures`
+  /// A vertex without a limit. It stays where it is and has no normal.
   struct Refused {
-    Index vertex;
-    std::string reason;
+    Index vertex;        ///< of the mesh
+    std::string reason;  ///< one sentence
   };
-  std::vector<Refused> refused;
+  std::vector<Refused> refused;  ///< by ascending vertex; empty unless LimitOptions::partial
 };
 
+/// What is asked of `approx_limit_points`.
 struct LimitOptions {
-  int steps_made = 0;  ///< that led to the mesh: the boundary of sqrt3 moves in every second one
-  bool curvatures = false;
+  int steps_made =
+      0;  ///< at least 0, that led to the mesh: the boundary of sqrt3 moves in every second one
+  bool curvatures = false;   ///< fill LimitPoints::curvatures
   RegularPart regular = {};  ///< of the scheme; where its curvature is unbounded none is given
   std::vector<Index> vertices = {};  ///< only these; empty: all. The results of others are zero
   /// False where the mesh was cut out of a larger one: what hangs on its boundary then has no

@@ -16,25 +16,27 @@ namespace limn {
 struct LimitStencil {
   int rings = 0;                 ///< of the star or fan
   std::vector<double> position;  ///< sums to 1
-  /// The derivatives along two directions of the characteristic map, the second counterclockwise
-  /// from the first, so that their cross product points outward; sum to 0. Empty where no two
+  /// The derivative along one direction of the characteristic map; sums to 0. Empty where no two
   /// eigenvectors lead all others but the position's and turn once round the vertex: there is no
   /// tangent plane then.
-  std::vector<double> first_tangent, second_tangent;
+  std::vector<double> first_tangent;
+  /// The same along a direction counterclockwise from the first, so that the cross product of the
+  /// two points outward.
+  std::vector<double> second_tangent;
   /// False where refinement does not flatten the faces round the vertex either: at valence 2, where
   /// frequency 1 is real and has no pair.
   bool has_plane = true;
 };
 
-/// At an interior vertex of valence n (dual splits: a face of n corners), from least_valence
-/// (least_valence.h) on. In double precision.
+/// At an interior vertex of valence n (dual splits: a face of n corners), n ≥ 3, on quads n ≥ 2. In
+/// double precision. Cost: that of `analysis.blocks(n)` and of the eigenvectors of two blocks.
 /// Fails as `FrequencyAnalysis::blocks` does, and where the scheme does not converge there (the
 /// reason is the verdict's).
 [[nodiscard]] Result<LimitStencil> approx_limit_stencil(FrequencyAnalysis& analysis, int n);
 
-/// At a boundary vertex of so many faces, from the dense matrix of its fan. Fails where the scheme
-/// has no boundary rules or does not converge there, and where more than 1000 vertices control the
-/// surface. For splits that keep the old vertices. Cost: the cube of their number.
+/// At a boundary vertex of `faces` ≥ 1 faces, from the dense matrix of its fan. Fails where the
+/// scheme has no boundary rules or does not converge there, and where more than 1000 vertices
+/// control the surface. For splits that keep the old vertices. Cost: the cube of their number.
 [[nodiscard]] Result<LimitStencil> approx_boundary_limit_stencil(const Scheme& scheme, int faces);
 
 }  // namespace limn

@@ -1,8 +1,10 @@
 #pragma once
 /// Flags and walks. A *flag* is a vertex, an edge at it and a face at that edge. Three moves
 /// change one of the three and keep the other two:
-///   v  to the other end of the edge,      e  to the face's other edge at the vertex,
-///   f  to the other face at the edge,
+///
+///     v  to the other end of the edge,      e  to the face's other edge at the vertex,
+///     f  to the other face at the edge,
+///
 /// and a fourth, for boundary vertices, b, goes to the vertex's other boundary edge.
 /// A *walk* is a word of moves: from an edge of a triangle mesh, "ev" is the third vertex of the
 /// face (the wing) and "efev" the vertex beyond the next edge. Because a rotation or a
@@ -17,15 +19,25 @@
 
 namespace limn {
 
+/// A vertex, an edge at it and a face at that edge.
 struct Flag {
   Index halfedge = kNone;  ///< names the face and the edge
   bool at_target = false;  ///< which end of the edge is the vertex
+  /// The same vertex, edge and face.
   friend bool operator==(const Flag&, const Flag&) = default;
 };
 
-enum class Move : std::uint8_t { vertex, edge, face, boundary };
+/// One of the four moves between flags.
+enum class Move : std::uint8_t {
+  vertex,   ///< v: to the other end of the edge
+  edge,     ///< e: to the face's other edge at the vertex
+  face,     ///< f: to the other face at the edge
+  boundary  ///< b: to the other boundary edge of a boundary vertex
+};
+/// A walk: moves from left to right.
 using Moves = std::vector<Move>;
 
+/// The flag's vertex. Cost O(1).
 [[nodiscard]] inline Index vertex_of(const Mesh& mesh, Flag flag) {
   return flag.at_target ? mesh.target(flag.halfedge) : mesh.origin(flag.halfedge);
 }
@@ -42,7 +54,8 @@ using Moves = std::vector<Move>;
 }
 
 /// Makes the move; false, and the flag unchanged, where f would leave the mesh.
-/// Precondition of Move::boundary: the flag's edge lies on the boundary.
+/// Precondition of Move::boundary: the flag's edge lies on the boundary. Cost O(1), of that one
+/// O(valence).
 [[nodiscard]] inline bool apply(const Mesh& mesh, Move move, Flag& flag) {
   switch (move) {
     case Move::vertex: flag.at_target = !flag.at_target; return true;
@@ -61,6 +74,8 @@ using Moves = std::vector<Move>;
   return false;
 }
 
+/// Makes the moves; false where one would leave the mesh, with the flag as it was before that one.
+/// Cost O(moves), O(valence) for a move along the boundary.
 [[nodiscard]] inline bool apply(const Mesh& mesh, const Moves& moves, Flag& flag) {
   for (const Move move : moves)
     if (!apply(mesh, move, flag)) return false;

@@ -19,6 +19,8 @@
 
 namespace limn {
 
+/// Half-edge connectivity. Vertices, edges, faces and half-edges are numbers from 0; indices that
+/// are passed must be in range (not checked). Cost of a question O(1) unless stated.
 class Mesh {
  public:
   /// Connectivity of `polygons`. Refused, with the vertices named (0-based; a caller who knows
@@ -28,32 +30,45 @@ class Mesh {
   /// (bow-tie). Isolated vertices are kept, with one warning. Cost O(V + corners).
   static Result<Mesh> build(const Polygons& polygons, Warnings* warnings = nullptr);
 
+  /// V, isolated vertices included.
   [[nodiscard]] Index vertex_count() const { return static_cast<Index>(vertex_halfedge_.size()); }
+  /// E; an edge between two faces counts once.
   [[nodiscard]] Index edge_count() const { return static_cast<Index>(edge_halfedge_.size()); }
+  /// F.
   [[nodiscard]] Index face_count() const { return face_count_; }
+  /// H, the corners of all faces together: 2 E less the boundary edges.
   [[nodiscard]] Index halfedge_count() const { return static_cast<Index>(origin_.size()); }
 
   /// The common degree of all faces, or 0 where they differ (or there are none).
   [[nodiscard]] Index uniform_degree() const { return degree_; }
+  /// The first half-edge of face f; f = F is allowed and gives H.
   [[nodiscard]] Index face_begin(Index f) const {
     return degree_ > 0 ? f * degree_ : face_begin_[f];
   }
+  /// The number of corners of face f, at least 3.
   [[nodiscard]] Index degree(Index f) const { return face_begin(f + 1) - face_begin(f); }
 
+  /// The vertex that h starts from.
   [[nodiscard]] Index origin(Index h) const { return origin_[h]; }
+  /// The vertex that h ends at.
   [[nodiscard]] Index target(Index h) const { return origin_[next(h)]; }
-  [[nodiscard]] Index twin(Index h) const { return twin_[h]; }  ///< kNone on the boundary
+  /// The half-edge of the neighbouring face that runs the other way; kNone on the boundary.
+  [[nodiscard]] Index twin(Index h) const { return twin_[h]; }
+  /// The edge that h lies on.
   [[nodiscard]] Index edge(Index h) const { return edge_[h]; }
+  /// The face that h is a corner of.
   [[nodiscard]] Index face(Index h) const {
     // dividing by a constant is a multiplication; these two are nearly every mesh
     if (degree_ == 3) return static_cast<Index>(static_cast<std::uint32_t>(h) / 3U);
     if (degree_ == 4) return static_cast<Index>(static_cast<std::uint32_t>(h) / 4U);
     return degree_ > 0 ? h / degree_ : face_[h];
   }
+  /// The half-edge after h in its face, counterclockwise.
   [[nodiscard]] Index next(Index h) const {
     const Index f = face(h);
     return h + 1 == face_begin(f + 1) ? face_begin(f) : h + 1;
   }
+  /// The half-edge before h in its face.
   [[nodiscard]] Index prev(Index h) const {
     const Index f = face(h);
     return h == face_begin(f) ? face_begin(f + 1) - 1 : h - 1;
@@ -68,39 +83,45 @@ class Mesh {
   /// The next half-edge out of origin(h), counterclockwise; kNone past the last face of a fan.
   [[nodiscard]] Index rotate(Index h) const { return twin_[prev(h)]; }
 
+  /// Whether no face has the vertex.
   [[nodiscard]] bool is_isolated(Index v) const { return vertex_halfedge_[v] == kNone; }
+  /// Whether the faces round v leave a gap; false for an isolated vertex.
   [[nodiscard]] bool is_boundary_vertex(Index v) const {
     const Index h = vertex_halfedge_[v];
     return h != kNone && twin_[h] == kNone;
   }
+  /// Whether the edge belongs to one face only.
   [[nodiscard]] bool is_boundary_edge(Index e) const { return twin_[edge_halfedge_[e]] == kNone; }
+  /// Whether there is a boundary edge. Cost O(H).
   [[nodiscard]] bool has_boundary() const;
 
   /// Number of edges at v (0 for an isolated vertex). Cost O(valence).
   [[nodiscard]] Index valence(Index v) const;
 
-  /// The largest vertex valence and the largest face degree. Cost O(V + corners) and O(F).
+  /// The largest number of edges at a vertex; 0 without faces. Cost O(V + H).
   [[nodiscard]] Index max_valence() const;
+  /// The largest number of corners of a face; 0 without faces. Cost O(F).
   [[nodiscard]] Index max_degree() const;
 
-  /// Faces and corners as polygons, with the given positions (one per vertex).
+  /// Faces and corners as polygons, with the given positions (V of them). Cost O(H).
   [[nodiscard]] Polygons polygons(std::vector<Point3> positions) const;
 
   /// The arrays of a mesh whose arithmetic is known; for splits and generators. What can be
   /// derived from them (edge_halfedge, vertex_halfedge, face of half-edge) is derived here.
   struct Arrays {
-    Index vertex_count = 0;
-    Index edge_count = 0;
+    Index vertex_count = 0;         ///< V
+    Index edge_count = 0;           ///< E
     Index degree = 0;               ///< common face degree; 0: see face_begin
     std::vector<Index> face_begin;  ///< F+1 offsets; empty where degree > 0
     std::vector<Index> origin;      ///< vertex of each half-edge
     std::vector<Index> twin;        ///< kNone on the boundary
     std::vector<Index> edge;        ///< edge of each half-edge
   };
-  /// Precondition: the arrays obey the laws above (asserted by `check`, in tests).
+  /// Precondition: the arrays obey the laws above (asserted by `check`, in tests). Cost O(V + H).
   static Mesh from_arrays(Arrays arrays);
 
-  /// The first law that the arrays break, in words; empty where they keep them all. For tests.
+  /// The first law that the arrays break, in words; empty where they keep them all. For tests. Cost
+  /// O(V + H).
   [[nodiscard]] std::string check() const;
 
  private:

@@ -9,6 +9,7 @@
 
 namespace limn {
 
+/// The file of a mesh, and which of its lines and numbers the vertices and faces come from.
 struct MeshSource {
   std::string file;               ///< as the user named it; empty: no file
   Index first = 0;                ///< the number of the first vertex and face: 1 in OBJ, else 0
@@ -18,6 +19,7 @@ struct MeshSource {
   /// index: facets were dropped, or polygons cut into triangles. Empty: its own index.
   std::vector<Index> file_faces;
 
+  /// The number among the file's faces, from 0, of a face of the mesh.
   [[nodiscard]] Index file_face(Index face) const {
     return file_faces.empty() ? face : file_faces[static_cast<std::size_t>(face)];
   }

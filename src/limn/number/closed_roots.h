@@ -1,19 +1,13 @@
 #pragma once
 /// The roots of a polynomial whose coefficients are polynomials in symbols, as formulas.
 
-#include <string>
 #include <vector>
 
 #include "limn/base/error.h"
+#include "limn/number/closed_root.h"
 #include "limn/number/polynomial.h"
 
 namespace limn {
-
-/// A formula and how often it counts. `text` can be read by scheme/expression.h.
-struct ClosedRoot {
-  std::string text, latex;
-  int multiplicity = 1;
-};
 
 struct ClosedRoots {
   std::vector<ClosedRoot> roots;  ///< of the factors of degree 1 and 2; both roots of each of these

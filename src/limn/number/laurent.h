@@ -12,9 +12,12 @@ namespace limn {
 /// Coefficients by exponents, none of them 0. Masks write *twice* the exponent, so that dual
 /// ones, with exponents ½, 3/2, …, are polynomials too; the functions below do not care.
 using Exponents = std::array<int, 2>;
+/// A Laurent polynomial: its coefficients by exponents, in lexicographic order; none is 0.
 using Laurent = std::map<Exponents, Rational>;
 
+/// a·b. Cost: the product of the numbers of terms.
 [[nodiscard]] Laurent product(const Laurent& a, const Laurent& b);
+/// a^exponent, exponent ≥ 0. Cost: that of so many products.
 [[nodiscard]] Laurent power(const Laurent& a, int exponent);
 /// a scaled by a number other than 0.
 [[nodiscard]] Laurent scaled(const Laurent& a, const Rational& factor);

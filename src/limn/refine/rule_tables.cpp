@@ -8,6 +8,7 @@
 
 #include "limn/mesh/rings.h"
 #include "limn/refine/weight_form.h"
+#include "limn/scheme/scope.h"
 
 namespace limn {
 namespace {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "limn/base/parallel.h"
+#include "limn/number/arithmetic.h"
 #include "limn/refine/big_rings.h"
 #include "limn/refine/rule_tables.h"
 

@@ -2,6 +2,7 @@
 
 #include <fmt/core.h>
 
+#include "limn/number/arithmetic.h"
 #include "limn/refine/refine_values.h"
 #include "limn/refine/star_step.h"
 

@@ -2,6 +2,7 @@
 /// The subdivision matrix round one extraordinary vertex (or face, for dual splits): refinement
 /// of linear forms on a star, read off at the same star in the refined mesh.
 
+#include "limn/number/exact.h"
 #include "limn/refine/linear_form.h"
 #include "limn/scheme/scheme.h"
 

@@ -22,10 +22,10 @@ namespace limn {
 
 /// Magnitudes of the signal and of the artifacts, in the order of dual_cosets.
 struct Components {
-  double signal = 0;
-  std::vector<double> artifacts;
+  double signal = 0;              ///< signed, relative to the wave's amplitude
+  std::vector<double> artifacts;  ///< |det M| - 1 of them, signed
 
-  /// Of the artifacts.
+  /// The sum of the artifacts.
   [[nodiscard]] double sum() const;
   /// sqrt(mean of their squares)
   [[nodiscard]] double mean_energy() const;
@@ -33,6 +33,8 @@ struct Components {
   [[nodiscard]] double percent_of_signal() const;
 };
 
+/// What a mask makes of waves of any frequency. It does not change once it is made: any number of
+/// threads may ask. Cost of a question: the number of the mask's coefficients, times that of steps.
 class ArtifactAnalysis {
  public:
   /// Fails where the mask is not point-symmetric: its components would not be real. Cost:
@@ -40,7 +42,9 @@ class ArtifactAnalysis {
   /// symmetries that the mask lacks (seconds at 1000 coefficients).
   [[nodiscard]] static Result<ArtifactAnalysis> of(const Mask& mask);
 
+  /// The mask that is analysed.
   [[nodiscard]] const Mask& mask() const { return mask_; }
+  /// Its factors.
   [[nodiscard]] const Factorization& factors() const { return factors_; }
   /// |det M| - 1
   [[nodiscard]] int artifact_count() const { return mask_.dilation.growth() - 1; }
@@ -102,6 +106,7 @@ class StepsEnergy {
  public:
   /// Keeps a reference to the analysis. steps ≥ 1.
   StepsEnergy(const ArtifactAnalysis& analysis, int steps);
+  /// At the frequency f, in units of the wave's squared amplitude.
   [[nodiscard]] double operator()(Frequency f) const;
   /// 100 · sqrt(energy) / |signal|
   [[nodiscard]] double percent(Frequency f) const;

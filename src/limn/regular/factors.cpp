@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <numeric>
 
+#include "limn/scheme/mask_rules.h"
+
 namespace limn {
 namespace {
 

@@ -10,7 +10,7 @@ namespace limn {
 /// dyadic split and (1 + … + z^{(p-1) step})/p with p = arity(M) for others; a stage is the product
 /// over the lattice's edge directions. No further direction divides the kernel.
 struct Factorization {
-  int stages = 0;
+  int stages = 0;                                         ///< whole smoothing stages
   std::vector<std::pair<LatticeVector, int>> directions;  ///< those that are no whole stage
   Laurent kernel;                                         ///< by twice the offset
 };
@@ -20,7 +20,8 @@ struct Factorization {
 /// tried.
 [[nodiscard]] Factorization factor(const Mask& mask);
 
-/// The product again: a mask's coefficients by twice the offset.
+/// The product again: a mask's coefficients by twice the offset; lattice and dilation are
+/// `shape`'s.
 [[nodiscard]] Laurent expand(const Factorization& factors, const Mask& shape);
 
 /// One smoothing stage, by twice the offset; sum 1.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdlib>
 #include <numeric>
 #include <optional>
@@ -10,6 +11,7 @@
 
 #include "limn/regular/factors.h"
 #include "limn/regular/limit_values.h"
+#include "limn/scheme/mask_rules.h"
 
 namespace limn {
 namespace {

@@ -5,8 +5,10 @@
 #include <fmt/core.h>
 
 #include "limn/mesh/lattice.h"
+#include "limn/number/exact.h"
 #include "limn/refine/linear_form.h"
 #include "limn/refine/refine_values.h"
+#include "limn/scheme/mask_rules.h"
 
 namespace limn {
 namespace {

@@ -11,6 +11,7 @@ enum class ArtifactMeasure {
   mean_energy    ///< [ADS]'s: mean energy of the artifacts on the first refined lattice
 };
 
+/// The density that one direction of waves asks for.
 struct DirectionalDensity {
   double direction = 0;             ///< of f, in degrees from the x axis, 0 ≤ direction < 180
   double frequency = 0;             ///< the largest |f| up to which the tolerance is kept
@@ -18,9 +19,11 @@ struct DirectionalDensity {
   bool reached = true;              ///< false: kept in the whole Nyquist region, |f| is its rim
 };
 
+/// The densities over all directions.
 struct SamplingDensity {
-  double tolerance = 0;  ///< percent
-  DirectionalDensity worst, best;
+  double tolerance = 0;      ///< percent
+  DirectionalDensity worst;  ///< the direction that needs the most edges per wavelength
+  DirectionalDensity best;   ///< the one that needs the fewest
   std::vector<DirectionalDensity> directions;  ///< one a degree
 };
 
@@ -30,6 +33,7 @@ inline constexpr double kLeastTolerance = 1e-6;
 /// In each direction the |f| where the measure first exceeds the tolerance, to 1e-12 once it is
 /// enclosed by steps of 1/256 of the way to the rim. Fails on a tolerance outside
 /// [kLeastTolerance, 100] percent, and where the limit does not exist.
+/// Cost: in each of 180 directions up to 256 evaluations of the measure and some forty more.
 [[nodiscard]] Result<SamplingDensity> sampling_density(const ArtifactAnalysis& analysis,
                                                        double tolerance, ArtifactMeasure measure);
 

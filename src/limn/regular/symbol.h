@@ -13,7 +13,9 @@
 
 namespace limn {
 
+/// A wave's frequency, Cartesian, in cycles per control edge.
 using Frequency = std::array<double, 2>;
+/// A wave's phases in radians, one per basis vector of a lattice.
 using Phase = std::array<double, 2>;
 
 /// The Cartesian vector with these coordinates in the lattice's basis.
@@ -21,7 +23,7 @@ using Phase = std::array<double, 2>;
 
 /// t: 2π f·e1 and 2π f·e2.
 [[nodiscard]] Phase control_phase(Lattice lattice, Frequency f);
-/// The frequency with that phase.
+/// The frequency with that phase per control basis vector, in radians.
 [[nodiscard]] Frequency frequency_of_phase(Lattice lattice, Phase t);
 
 /// The corners, counterclockwise, of the region of frequencies nearer to 0 than to any other
@@ -35,17 +37,20 @@ using Phase = std::array<double, 2>;
 /// A real trigonometric polynomial Σ a(k) e^{-iθ·k} of a point-symmetric a: Σ a(k) cos(θ·k).
 class Symbol {
  public:
+  /// One term a(k) cos(θ·k).
   struct Term {
-    std::array<double, 2> k;
-    double weight;
+    std::array<double, 2> k;  ///< the offset in the lattice's basis; halves for dual splits
+    double weight;            ///< a(k)
   };
 
+  /// 0
   Symbol() = default;
   /// From coefficients by twice the offset, multiplied by `scale`. Precondition: a(-k) = a(k).
   explicit Symbol(const Laurent& doubled, double scale = 1);
   /// From coefficients by offset. Precondition: a(-k) = a(k).
   explicit Symbol(const std::vector<Term>& all);
 
+  /// The value at the phases θ, in radians. Cost: one cosine per term.
   [[nodiscard]] double operator()(Phase theta) const;
   /// One of each pair k, -k, with the weight of both.
   [[nodiscard]] const std::vector<Term>& terms() const { return terms_; }
@@ -54,9 +59,10 @@ class Symbol {
   std::vector<Term> terms_;
 };
 
+/// a·b. Cost: the product of the numbers of terms.
 [[nodiscard]] Symbol product(const Symbol& a, const Symbol& b);
 
-/// True where a(-k) = a(k) for every k.
+/// True where a(-k) = a(k) for every k, exactly.
 [[nodiscard]] bool is_point_symmetric(const Laurent& a);
 
 }  // namespace limn

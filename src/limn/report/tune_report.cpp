@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "limn/report/eigen/eigen_report.h"
+#include "limn/tune/near_rational.h"
 
 namespace limn {
 namespace {

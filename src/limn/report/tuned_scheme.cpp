@@ -8,6 +8,7 @@
 
 #include "limn/base/printable.h"
 #include "limn/scheme/file/scheme_text.h"
+#include "limn/scheme/scope.h"
 
 namespace limn {
 namespace {

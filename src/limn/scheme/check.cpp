@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "limn/scheme/placement.h"
+#include "limn/scheme/scope.h"
 
 namespace limn {
 namespace {

@@ -5,6 +5,9 @@
 #include <algorithm>
 #include <cstdlib>
 
+#include "limn/scheme/mask_rules.h"
+#include "limn/scheme/scope.h"
+
 namespace limn {
 namespace {
 

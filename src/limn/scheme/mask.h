@@ -3,7 +3,6 @@
 /// refined lattice. A scheme can be given by it, or by its factors; rules for regular meshes
 /// then follow from it.
 
-#include "limn/mesh/lattice.h"
 #include "limn/mesh/split/dilation.h"
 #include "limn/number/laurent.h"
 #include "limn/scheme/scheme.h"
@@ -14,34 +13,12 @@ namespace limn {
 /// lattice (mesh/split/dilation.h, mesh/lattice.h): even pairs for primal splits, odd pairs for
 /// dual ones. They sum to |det M|, and to 1 over each coset of M Z².
 struct Mask {
-  Lattice lattice = Lattice::triangle;
-  LatticeMatrix dilation;
-  Laurent coefficients;  ///< none of them 0
+  Lattice lattice = Lattice::triangle;  ///< control and refined lattice alike
+  LatticeMatrix dilation;               ///< M
+  Laurent coefficients;                 ///< none of them 0
 };
-
-/// Twice the offset, in the refined lattice, of a new vertex that lies `way` from an old one.
-[[nodiscard]] inline LatticeVector mask_offset(const LatticeMatrix& dilation, Twelfths way) {
-  const LatticeVector offset = dilation.apply(way);
-  return {offset[0] / 6, offset[1] / 6};
-}
 
 /// Whether old points stay where they are: on their coset the mask holds its centre alone, 1.
 [[nodiscard]] bool interpolates(const Mask& mask);
-
-/// What smooths along one step of the refined lattice: the box of arity(M) equal coefficients, by
-/// twice the offset; sum 1.
-[[nodiscard]] Laurent smoothing_direction(LatticeVector step, const LatticeMatrix& dilation);
-
-/// The mask that rows or factors denote, at the scheme's present parameters. Fails, with the
-/// place, on rows that form no hexagon or rectangle, on a mask whose centre does not fit the split,
-/// on a count that is no integer in 0 … 64, on more than 24 refined edges from centre to rim, on
-/// cosets that do not sum to 1.
-[[nodiscard]] Result<Mask> mask_from_rows(const Scheme& scheme, const Rows& rows);
-[[nodiscard]] Result<Mask> mask_from_factors(const Scheme& scheme, const Factors& factors);
-
-/// Gives a scheme that has a mask or factors alone its rules at regular vertices and faces.
-/// A mask without the lattice's full symmetry has no rules: nothing is added, and refining
-/// says so.
-[[nodiscard]] Status add_rules_from_mask(Scheme& scheme);
 
 }  // namespace limn

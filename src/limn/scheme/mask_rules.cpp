@@ -1,3 +1,5 @@
+#include "limn/scheme/mask_rules.h"
+
 /// Rules from a mask: every old vertex that a new one weighs is reached by a walk from the new
 /// vertex's anchor; vertices that the anchor's symmetries exchange form one role.
 
@@ -8,8 +10,6 @@
 #include <fmt/core.h>
 
 #include "limn/mesh/lattice.h"
-#include "limn/scheme/mask.h"
-
 #include "limn/scheme/placement.h"
 
 namespace limn {

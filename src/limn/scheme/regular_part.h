@@ -9,11 +9,13 @@
 
 namespace limn {
 
+/// What is known of curvature on the regular lattice.
 struct RegularPart {
   /// Whether curvature is bounded wherever the mesh is regular: yes: second differences over h² of
   /// every control net stay bounded, the limit surfaces are C^{1,1}; no: those of φ are not. Both
   /// proved. Undecided also where nobody looked.
   Truth bounded = Truth::undecided;
+  /// What the answer rests on, or why there is none; one sentence without a full stop.
   std::string reason = "the regular lattice was not looked at";
 };
 

@@ -5,9 +5,11 @@
 /// file adds its own under [roles], so that a stencil of a new shape needs no C++.
 ///
 /// As text a role is "MOVES", "MOVES(STEP)*MOVES" or either followed by "F":
-///   ""        the anchor's own vertex            "v"    the other end of the edge
-///   "(ef)*v"  the k-th neighbour round a vertex   "(ve)*" the k-th corner round a face
-///   "F"       the *new* vertex of the face (so Catmull–Clark's face points are one role)
+///
+///     ""        the anchor's own vertex            "v"    the other end of the edge
+///     "(ef)*v"  the k-th neighbour round a vertex   "(ve)*" the k-th corner round a face
+///     "F"       the *new* vertex of the face (so Catmull–Clark's face points are one role)
+///
 /// A starred step is repeated k = 0 … n-1 times, and the weight may depend on k.
 
 #include <array>
@@ -33,10 +35,12 @@ enum class RuleKind : unsigned char {
   boundary_edge,      ///< a boundary edge; 2 ends
   boundary_edge_end,  ///< a boundary edge that is trisected, seen from one end; 1 flag
 };
+/// How many kinds there are.
 inline constexpr int kRuleKinds = 8;
 
 /// "vertex", "edge-end", "boundary.vertex", …: as scheme files write it.
 [[nodiscard]] std::string_view rule_name(RuleKind kind);
+/// The kind of that name; nothing where there is none.
 [[nodiscard]] std::optional<RuleKind> find_rule(std::string_view name);
 /// Whether the rule belongs to a single vertex or face, so that n is defined in its weights: the
 /// number of edges at the vertex (edge_end: at that end), or of the face's corners.
@@ -45,24 +49,28 @@ inline constexpr int kRuleKinds = 8;
 /// vertices 4 or 3).
 [[nodiscard]] int regular_valence(RuleKind kind, Lattice lattice);
 
+/// A role as moves between flags.
 struct Walk {
-  Moves before;
-  Moves step;  ///< repeated k times; empty where `repeated` is false
-  Moves after;
-  bool repeated = false;
+  Moves before;             ///< made first
+  Moves step;               ///< repeated k times; empty where `repeated` is false
+  Moves after;              ///< made last
+  bool repeated = false;    ///< whether there is a starred step
   bool reads_face = false;  ///< the new vertex of the face reached, instead of the old vertex
 
+  /// The same moves.
   friend bool operator==(const Walk&, const Walk&) = default;
 };
 
-/// Fails with the 1-based column of the fault.
+/// Reads a role's text. Fails with the 1-based column of the fault.
 [[nodiscard]] Result<Walk> parse_walk(std::string_view text);
+/// The text that `parse_walk` reads.
 [[nodiscard]] std::string to_string(const Walk& walk);
 
+/// A usual role.
 struct NamedRole {
-  std::string_view name;
-  std::string_view walk;
-  std::string_view meaning;
+  std::string_view name;     ///< as scheme files write it: "wing"
+  std::string_view walk;     ///< text that `parse_walk` reads: "ev"
+  std::string_view meaning;  ///< in words, for listings
 };
 /// The roles with a name of their own in a rule of this kind on this lattice.
 [[nodiscard]] std::vector<NamedRole> named_roles(RuleKind kind, Lattice lattice);

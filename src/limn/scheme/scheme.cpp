@@ -8,12 +8,14 @@
 #include "limn/base/files/file.h"
 #include "limn/base/near_word.h"
 #include "limn/base/printable.h"
+#include "limn/number/exact.h"
 #include "limn/scheme/check.h"
 #include "limn/scheme/file/names.h"
 #include "limn/scheme/file/scheme_files.h"
 #include "limn/scheme/file/scheme_reader.h"
 #include "limn/scheme/file/shipped_files.h"
 #include "limn/scheme/mask.h"
+#include "limn/scheme/mask_rules.h"
 #include "limn/scheme/scheme_size.h"
 
 namespace limn {

@@ -5,6 +5,8 @@
 
 #include <fmt/core.h>
 
+#include "limn/number/closed_roots.h"
+
 namespace limn {
 namespace {
 

@@ -10,9 +10,10 @@
 
 namespace limn {
 
+/// An eigenvalue of one block of the subdivision matrix.
 struct Eigenvalue {
-  std::complex<double> value;
-  int frequency = 0;
+  std::complex<double> value;  ///< taken for real where |Im| ≤ kEqualBelow
+  int frequency = 0;           ///< ω of the block, 0 … ⌊n/2⌋
   /// The least number of rings that are invariant by themselves and have it.
   int ring = 0;
   int multiplicity = 1;  ///< algebraic, within its frequency's block
@@ -26,12 +27,13 @@ struct Eigenvalue {
 
 /// The eigenvalues of one block, largest modulus first, repeated by multiplicity.
 struct BlockSpectrum {
-  int frequency = 0;
-  std::vector<Eigenvalue> eigenvalues;
+  int frequency = 0;                    ///< ω, 0 … ⌊n/2⌋
+  std::vector<Eigenvalue> eigenvalues;  ///< as many as the block has rows
 };
 
-/// Eigenvalues closer than this are called equal; between it and kUndecidedBelow nothing is said.
+/// Eigenvalues closer than this are called equal.
 inline constexpr double kEqualBelow = 1e-10;
+/// From kEqualBelow up to this distance nothing is said of two eigenvalues: undecided.
 inline constexpr double kUndecidedBelow = 1e-8;
 
 /// What becomes of eigenvalues closer than about 1e-6, which may be one defective eigenvalue that
@@ -39,7 +41,8 @@ inline constexpr double kUndecidedBelow = 1e-8;
 /// exact if they are several.
 enum class Near { joined, apart };
 
-/// The spectrum of one block, 0 ≤ ω ≤ ⌊n/2⌋, in double precision.
+/// The spectrum of one block, 0 ≤ ω ≤ ⌊n/2⌋, in double precision. Cost: one eigenvalue problem for
+/// each part of the block whose rows reach each other, most of one or two rows.
 [[nodiscard]] BlockSpectrum approx_spectrum(const FrequencyBlocks& blocks, int omega,
                                             Near near = Near::joined);
 

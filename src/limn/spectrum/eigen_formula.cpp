@@ -5,6 +5,7 @@
 #include <map>
 
 #include "limn/scheme/check.h"
+#include "limn/scheme/scope.h"
 #include "limn/spectrum/block_formulas.h"
 
 namespace limn {

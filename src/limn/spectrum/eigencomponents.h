@@ -16,13 +16,15 @@ namespace limn {
 
 /// A label: eigenvalue number `index` (largest first) of a frequency's block.
 struct Component {
-  std::string_view name;
-  int frequency;
-  std::size_t index;
+  std::string_view name;  ///< "tangent"
+  int frequency;          ///< ω of the block
+  std::size_t index;      ///< from 0, counted with multiplicity
 
-  /// At n = 3 frequency 2 is the conjugate of frequency 1 and has no label of its own.
+  /// Whether it is a label at that valence: at n = 3 frequency 2 is the conjugate of frequency 1
+  /// and has no label of its own.
   [[nodiscard]] bool exists_at(int valence) const { return frequency <= valence / 2; }
 };
+/// The labels, in the order in which tables list them.
 inline constexpr std::array<Component, 4> kComponents{
     {{"position", 0, 0}, {"cup", 0, 1}, {"tangent", 1, 0}, {"saddle", 2, 0}}};
 
@@ -31,9 +33,10 @@ inline constexpr std::array<Component, 4> kComponents{
                                              const BlockSpectrum& spectrum);
 
 /// A shape's eigenvalue (the cup's or the saddle's) against the square of the tangent's: less,
-/// equal, greater. A comparison of two numbers: curvature is what `Verdict::bounded_curvature`
-/// says.
+/// equal, greater. A comparison of two numbers: whether curvature is bounded is
+/// Verdict::bounded_curvature.
 enum class Curvature { flat, bounded, unbounded, undecided };
+/// "flat", "bounded", "unbounded" or "undecided".
 [[nodiscard]] std::string_view to_string(Curvature curvature);
 
 /// What the eigenvalues say, and the regular surface round the vertex. `convergent`: of the vertex
@@ -53,18 +56,23 @@ struct Verdict {
   /// curvature_necessary and regular_part together: whether curvature is bounded at the vertex, if
   /// the surface is C1 there.
   Truth bounded_curvature = Truth::undecided;
-  std::optional<Curvature> cup, saddle;  ///< nothing where the valence has no such shape
-  std::vector<std::string> reasons;
+  std::optional<Curvature> cup;      ///< nothing where no positive eigenvalue leads frequency 1
+  std::optional<Curvature> saddle;   ///< the same, and nothing at n = 3
+  std::vector<std::string> reasons;  ///< of each no and undecided, and of flat shapes
 };
 
+/// The spectra at one valence, the labelled eigenvalues and the verdict.
 struct Eigencomponents {
-  int valence = 0;
-  int rings = 0;
+  int valence = 0;                     ///< n
+  int rings = 0;                       ///< of the star that was refined
   std::vector<BlockSpectrum> spectra;  ///< ω = 0 … ⌊n/2⌋
-  /// Dominant of ω = 0 and of ω = 1, subdominant of ω = 0, dominant of ω = 2 (none at n = 3, where
-  /// that is the conjugate of ω = 1; none where it is not real).
-  std::optional<double> position, tangent, cup, saddle;
-  Verdict verdict;
+  std::optional<double> position;      ///< dominant of ω = 0; nothing where it is not real
+  std::optional<double> tangent;       ///< dominant of ω = 1; nothing where it is not real
+  std::optional<double> cup;           ///< subdominant of ω = 0; nothing where it is not real
+  /// Dominant of ω = 2; nothing where it is not real and at n = 3, where that is the conjugate of
+  /// ω = 1.
+  std::optional<double> saddle;
+  Verdict verdict;  ///< what they say
 };
 
 /// In double precision: an "approximate" reading; certificates are another matter. `regular`: of

@@ -12,9 +12,9 @@ namespace limn {
 /// block (the orbits of FrequencyBlocks; for ω = 0 the centre first, where there is one). As many
 /// as λ has Jordan blocks.
 struct Eigenvectors {
-  int frequency = 0;
-  std::complex<double> value;
-  Eigen::MatrixXcd right;  ///< columns: S·x = λ·x
+  int frequency = 0;           ///< ω of the block
+  std::complex<double> value;  ///< λ
+  Eigen::MatrixXcd right;      ///< columns: S·x = λ·x
   /// Rows: y·S = λ·y, zero beyond the eigenvalue's ring. Where Jordan blocks are of size 1, left ·
   /// right is the identity.
   Eigen::MatrixXcd left;
@@ -25,16 +25,17 @@ struct Eigenvectors {
 /// amplitude of the innermost ring that it does not vanish on (the centre left out) is 1; for ω =
 /// 0, less the centre's. For ω = n/2 that one has modulus 1, and they are the amplitudes of real
 /// values, unless a step turns the star (√3): it then maps real to imaginary ones. In double
-/// precision.
+/// precision. Cost: the cube of the block's rows.
 [[nodiscard]] Eigenvectors approx_eigenvectors(const FrequencyBlocks& blocks,
                                                const Eigenvalue& eigenvalue);
 
-/// Which vertex of the star (of `blocks.rings` rings, numbered as in mesh/lattice.h) is where: the
-/// row of its orbit in the block of ω = 0, and its angle in sectors.
+/// Where a vertex of the star is.
 struct StarPlace {
-  int row = 0;
-  double angle = 0;
+  int row = 0;       ///< of its orbit in the block of ω = 0
+  double angle = 0;  ///< in sectors from the spoke of sector 0, counterclockwise
 };
+/// Of the star of `blocks.rings` rings, vertex by vertex: the centre, where there is one, then ring
+/// after ring, each counterclockwise from the spoke of sector 0.
 [[nodiscard]] std::vector<StarPlace> star_places(const FrequencyBlocks& blocks);
 
 /// Real eigenvectors of the whole subdivision matrix: the values Re and Im of X e^{2πiω·angle/n} at

@@ -8,6 +8,7 @@
 
 #include <fmt/core.h>
 
+#include "limn/scheme/scope.h"
 #include "limn/spectrum/least_valence.h"
 #include "limn/spectrum/ring_transform.h"
 #include "limn/spectrum/sector_pattern.h"

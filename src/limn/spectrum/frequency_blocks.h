@@ -22,14 +22,16 @@
 
 namespace limn {
 
+/// The n points that rotations by a sector exchange.
 struct Orbit {
-  int ring = 0;
+  int ring = 0;      ///< from 1 on
   double angle = 0;  ///< in sectors from that of sector 0's spoke (dual: corner), in (-1, 1)
 };
 
+/// The subdivision matrix at one valence, block by block.
 struct FrequencyBlocks {
-  int valence = 0;
-  int rings = 0;
+  int valence = 0;            ///< n; of dual splits: corners of the face
+  int rings = 0;              ///< that the star has
   bool has_center = false;    ///< false for dual splits
   std::vector<Orbit> orbits;  ///< without the centre; ring after ring, counterclockwise
   /// The blocks of ω = 0 … ⌊n/2⌋; that of n-ω is the conjugate of ω's. One row and column for each
@@ -48,13 +50,16 @@ class FrequencyAnalysis {
   /// faces round the vertex (at each valence: 2 for Loop and Catmull-Clark, 3 for the butterfly).
   explicit FrequencyAnalysis(const Scheme& scheme, int rings = 0);
   ~FrequencyAnalysis();
-  FrequencyAnalysis(FrequencyAnalysis&&) noexcept;
-  FrequencyAnalysis& operator=(FrequencyAnalysis&&) noexcept;
+  /// A move leaves `other` good for nothing but assignment and destruction.
+  FrequencyAnalysis(FrequencyAnalysis&& other) noexcept;
+  /// As the constructor.
+  FrequencyAnalysis& operator=(FrequencyAnalysis&& other) noexcept;
 
-  /// At a valence n from least_valence (least_valence.h) on. In double precision. Fails where a
-  /// rule is missing at n or its weights do not sum to 1 (to 1e-9), and where the rings are not
-  /// invariant. `frequencies`: so many blocks, ω = 0, 1, …, suffice; at least 1. Cost: O(n log n),
-  /// and of each block that of its entries.
+  /// At a valence n from least_valence (least_valence.h) on. In double precision. Not from two
+  /// threads at once: stars are kept. Fails where a rule is missing at n or its weights do not sum
+  /// to 1 (to 1e-9), and where the rings are not invariant. `frequencies`: so many blocks, ω = 0,
+  /// 1, …, suffice; at least 1. Cost: a star is refined for each new set of rule cases at its
+  /// centre; else O(n log n), and of each block that of its entries.
   [[nodiscard]] Result<FrequencyBlocks> blocks(int n, int frequencies = kAllFrequencies);
   /// Those of 0 and of these frequencies alone, the same to the last bit; the other blocks have no
   /// rows. `frequencies`: ascending, of 0 … ⌊n/2⌋.

@@ -6,6 +6,7 @@
 
 #include "limn/number/polynomial_text.h"
 #include "limn/scheme/check.h"
+#include "limn/scheme/scope.h"
 
 namespace limn {
 namespace {

@@ -28,7 +28,8 @@ struct SurfaceOptions {
   bool connectivity = false;  ///< RefinedSurface::mesh, too
   /// quick: the quick engine (fast/fast_refiner.h) where it can, else the plain one; plain: the
   /// plain one. The same surface to rounding, its vertices and faces in another order.
-  enum class Engine { quick, plain } engine = Engine::quick;
+  enum class Engine { quick, plain };
+  Engine engine = Engine::quick;  ///< which one
   /// Called now and then with what is being done.
   std::function<void(const std::string& what)> progress = {};
 
@@ -36,13 +37,16 @@ struct SurfaceOptions {
   [[nodiscard]] bool of_limit() const { return limit || normals || curvatures; }
 };
 
+/// What `refine_surface` makes.
 struct RefinedSurface {
   Polygons polygons;         ///< the refined mesh, with the points where refinement puts them
-  std::optional<Mesh> mesh;  ///< its connectivity
-  // The next three hold one for each vertex; what is not wanted is empty.
-  std::vector<Point3> limit;    ///< where the vertices are on the limit surface; see `gaps`
-  std::vector<Point3> normals;  ///< the limit surface's, of length 1; zero where there is none
-  std::vector<LimitPoints::Curvatures> curvatures;  ///< its principal ones; NaN where none are
+  std::optional<Mesh> mesh;  ///< its connectivity, where that is wanted
+  /// Where the vertices are on the limit surface: one for each, or empty where not wanted.
+  std::vector<Point3> limit;
+  /// The limit surface's, of length 1; zero where there is none. One for each vertex, or empty.
+  std::vector<Point3> normals;
+  /// The limit surface's principal ones; NaN where there are none. One for each vertex, or empty.
+  std::vector<LimitPoints::Curvatures> curvatures;
   /// What the regular lattice lets curvatures be; where that is unbounded there are none at all.
   RegularPart regular_part;
   LimitGaps gaps;                 ///< what is missing, and at which vertices

@@ -5,6 +5,8 @@
 #include <map>
 #include <tuple>
 
+#include "limn/tune/margin.h"
+
 namespace limn {
 namespace {
 

@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "limn/spectrum/block_spectrum.h"
 #include "limn/tune/block_curve.h"
 #include "limn/tune/requirement.h"
 

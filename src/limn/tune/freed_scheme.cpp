@@ -11,6 +11,7 @@
 #include "limn/regular/smoothness/polynomial_orders.h"
 #include "limn/regular/smoothness/second_differences.h"
 #include "limn/scheme/check.h"
+#include "limn/scheme/scope.h"
 
 namespace limn {
 namespace {
@@ -248,7 +249,7 @@ Result<double> FreedScheme::evaluate(
   const Result<Instance*> instance = named_at(n, x);
   if (!instance) return instance.error();
   Scope<double> scope((*instance)->scheme, n, std::nullopt);
-  return expression.evaluate<double>([&](const std::string& name) -> Result<double> {
+  return limn::evaluate<double>(expression, [&](const std::string& name) -> Result<double> {
     for (const auto& [known, value] : beside)
       if (known == name) return value;
     return scope({Expression::parse(name).value(), {}});

@@ -24,12 +24,14 @@ namespace limn {
 
 /// A closed interval of the real line, low ≤ high.
 struct Interval {
-  double low = 0, high = 0;
+  double low = 0;   ///< lower end
+  double high = 0;  ///< upper end
 };
 
 /// Where a search looks, as expressions in n and the scheme's names.
 struct SearchRange {
-  Expression low, high;
+  Expression low;   ///< lower end
+  Expression high;  ///< upper end
   /// "LOW,HIGH". Fails with the fault and its column in the message.
   [[nodiscard]] static Result<SearchRange> parse(std::string_view text);
 };
@@ -38,18 +40,28 @@ struct SearchRange {
 /// no guard and no index k hangs on.
 [[nodiscard]] std::vector<std::string> freeable_names(const Scheme& scheme);
 
-enum class Reach { automatic, everywhere };
+/// Where the freed name takes the number x.
+enum class Reach {
+  automatic,  ///< at the valence analysed alone, if that can be told apart (see above)
+  everywhere  ///< in every rule, one number for all valences
+};
 
+/// A scheme with a freed name. It keeps what it worked out: not for two threads at once.
 class FreedScheme {
  public:
-  /// `name`: one of freeable_names; else the error lists those. The scheme is copied.
+  /// `name`: one of freeable_names; else the error lists those. The scheme is copied, and may end
+  /// before this.
   [[nodiscard]] static Result<FreedScheme> make(const Scheme& scheme, const std::string& name,
                                                 Reach reach = Reach::automatic);
   ~FreedScheme();
-  FreedScheme(FreedScheme&&) noexcept;
-  FreedScheme& operator=(FreedScheme&&) noexcept;
+  /// A move leaves `other` good for nothing but assignment and destruction.
+  FreedScheme(FreedScheme&& other) noexcept;
+  /// As the constructor.
+  FreedScheme& operator=(FreedScheme&& other) noexcept;
 
+  /// The freed let or parameter.
   [[nodiscard]] const std::string& name() const { return name_; }
+  /// The scheme that was given, the name with its own value.
   [[nodiscard]] const Scheme& original() const { return *original_; }
   /// Whether x is one number everywhere, not one for each valence.
   [[nodiscard]] bool is_one_number() const { return everywhere_; }

@@ -7,6 +7,8 @@
 
 #include "limn/tune/block_curve.h"
 #include "limn/tune/line_search.h"
+#include "limn/tune/margin.h"
+#include "limn/tune/near_rational.h"
 #include "limn/tune/running_components.h"
 
 namespace limn {

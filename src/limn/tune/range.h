@@ -5,28 +5,33 @@
 #include <string>
 #include <vector>
 
+#include "limn/base/error.h"
+#include "limn/base/rational.h"
 #include "limn/base/time_budget.h"
-#include "limn/tune/near_rational.h"
+#include "limn/tune/freed_scheme.h"
 #include "limn/tune/requirement.h"
 
 namespace limn {
 
 /// One end of a part: a value, and what stops the requirement there.
 struct RangeEnd {
-  double value = 0;
+  double value = 0;                  ///< x
   std::optional<Rational> rational;  ///< that `value` stands for; recognised, not proved
   bool of_search = false;  ///< the searched range ends here, the requirement may hold beyond
   std::string reason;      ///< what fails just beyond; empty where `of_search`
 };
 
+/// An interval on which the requirement holds.
 struct RangePart {
-  RangeEnd low, high;  ///< low.value ≤ high.value
+  RangeEnd low;   ///< lower end
+  RangeEnd high;  ///< upper end, low.value ≤ high.value
 };
 
+/// What `range_at` finds at one valence.
 struct ValenceRange {
-  int valence = 0;
-  Interval searched;
-  int samples = 0;
+  int valence = 0;               ///< n
+  Interval searched;             ///< where was looked
+  int samples = 0;               ///< even ones; 0: the regular lattice decides for every x
   bool closed = false;           ///< ends belong to it; those of the search always do
   std::vector<RangePart> parts;  ///< ascending, apart
   /// Whether some of it is undecided: what the regular lattice allows is not known at two samples
@@ -47,7 +52,8 @@ struct ValenceRange {
                                             int n, const SearchRange* range = nullptr,
                                             const Stop& stop = {});
 
-/// Where it holds at every one of these valences at the same time.
+/// Where it holds at every one of these valences at the same time: intervals, ascending and apart;
+/// none where there is no such x, or `ranges` is empty.
 [[nodiscard]] std::vector<Interval> common_range(const std::vector<ValenceRange>& ranges);
 
 }  // namespace limn

@@ -6,6 +6,7 @@
 #include <fmt/core.h>
 
 #include "limn/base/near_word.h"
+#include "limn/tune/margin.h"
 
 namespace limn {
 namespace {

@@ -1,62 +1,44 @@
 #pragma once
 /// What is asked of a scheme at a vertex: an equation, an inequality or a verdict.
 
-#include <array>
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include "limn/spectrum/eigencomponents.h"
-#include "limn/tune/freed_scheme.h"
+#include "limn/base/error.h"
+#include "limn/scheme/expression.h"
+#include "limn/scheme/scheme.h"
 
 namespace limn {
 
-/// Values of kComponents, in that order; nothing where there is no such (real) eigenvalue.
-using ComponentValues = std::array<std::optional<double>, kComponents.size()>;
-
-enum class Relation { equal, above, at_least, convergent, c1, bounded_curvature };
+/// An equation, an inequality between left and right, or a verdict.
+enum class Relation {
+  equal,             ///< left = right
+  above,             ///< left > right (or <, with the sides exchanged)
+  at_least,          ///< left ≥ right (or ≤, with the sides exchanged)
+  convergent,        ///< Verdict::convergent
+  c1,                ///< Verdict::c1_necessary
+  bounded_curvature  ///< Verdict::bounded_curvature
+};
 
 /// "cup = tangent^2", "saddle < tangent^2", "c1", … Sides are expressions (scheme/expression.h) in
 /// the names of kComponents, n and the scheme's own names; where both have a name, the component
 /// has it. `==` and `=` are the same.
 struct Requirement {
-  std::string text;
-  Relation relation = Relation::equal;
-  std::optional<Expression> left, right;  ///< left - right has the relation to 0
-  std::vector<std::size_t> used;          ///< which of kComponents
+  std::string text;                     ///< as it was given
+  Relation relation = Relation::equal;  ///< what is asked
+  std::optional<Expression> left;       ///< nothing for verdicts
+  std::optional<Expression> right;      ///< left - right has the relation to 0
+  std::vector<std::size_t> used;        ///< which of kComponents, in the order of first use
 
   /// Whether its truth holds on intervals rather than at single values.
   [[nodiscard]] bool has_range() const { return relation != Relation::equal; }
 
-  /// Fails with the fault and its column in the message: unknown names, syntax, no relation.
+  /// Reads a requirement for that scheme. Fails with the fault and its column in the message:
+  /// unknown names, syntax, no relation.
   [[nodiscard]] static Result<Requirement> parse(std::string_view text, const Scheme& scheme);
 };
-
-/// The component whose eigenvalue an equation asks for: the one that is a side by itself, or else
-/// the first one used; nothing where none is used.
-[[nodiscard]] std::optional<std::size_t> sought_component(const Requirement& requirement);
-
-/// left - right, in double. Fails where a component is used that has no value.
-[[nodiscard]] Result<double> difference(const Requirement& requirement, FreedScheme& scheme, int n,
-                                        double x, const ComponentValues& values);
-
-/// How far a requirement that has a range is from failing: it holds where the margin is positive
-/// (at_least, bounded_curvature: above -kEqualBelow). Continuous in the eigenvalues, also across
-/// the margin 0; that of a verdict is in moduli of eigenvalues [BGSK §2.3], and -1 where frequency
-/// 1 is not led by a positive eigenvalue. Of bounded_curvature it presupposes that the regular
-/// lattice allows it (allowed_by_lattice). Fails where left or right has no value.
-[[nodiscard]] Result<double> margin(const Requirement& requirement, FreedScheme& scheme, double x,
-                                    const Eigencomponents& found);
-
-/// Whether the regular lattice allows it where the freed name is x: yes of all but
-/// bounded_curvature, which needs a regular part whose curvature is bounded.
-[[nodiscard]] RegularPart allowed_by_lattice(const Requirement& requirement, FreedScheme& scheme,
-                                             int n, double x);
-
-/// Whether a margin of 0 will do.
-[[nodiscard]] bool is_closed(Relation relation);
-
-[[nodiscard]] ComponentValues component_values(const Eigencomponents& found);
 
 }  // namespace limn

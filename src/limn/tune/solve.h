@@ -15,15 +15,19 @@
 #include <string>
 #include <vector>
 
+#include "limn/base/error.h"
+#include "limn/base/rational.h"
 #include "limn/base/time_budget.h"
 #include "limn/base/truth.h"
-#include "limn/tune/near_rational.h"
+#include "limn/spectrum/eigencomponents.h"
+#include "limn/tune/freed_scheme.h"
 #include "limn/tune/requirement.h"
 
 namespace limn {
 
+/// A value of the freed name that solves the equation.
 struct Solution {
-  double value = 0;
+  double value = 0;     ///< x
   double residual = 0;  ///< |left - right| at `value` for the eigenvalue tried
   /// near_rational that solves as well as `value` does; recognised, not proved.
   std::optional<Rational> rational;
@@ -34,10 +38,11 @@ struct Solution {
   Eigencomponents found;           ///< at `value`
 };
 
+/// What `solve_at` finds at one valence.
 struct ValenceSolutions {
-  int valence = 0;
-  Interval searched;
-  int samples = 0;
+  int valence = 0;    ///< n
+  Interval searched;  ///< where was looked
+  int samples = 0;    ///< even ones, before those that were added
   /// Whether the equation has a value anywhere there: at valence 3 none with a saddle has.
   bool has_value = true;
   std::vector<Solution> solutions;  ///< ascending
@@ -48,8 +53,10 @@ struct ValenceSolutions {
   bool time_ended = false;  ///< the search was stopped: nothing above is complete
 };
 
-/// A residual up to this is a solution; up to kUndecidedResidual it is one that rounding hides.
+/// A residual up to this is a solution.
 inline constexpr double kSolved = 1e-12;
+/// A residual from kSolved up to this may be a solution that rounding hides: it is given,
+/// undecided.
 inline constexpr double kUndecidedResidual = 1e-8;
 
 /// At valence n. Residuals of simple roots reach 1e-14 and less, in double. Cost: 1025 samples (257

@@ -27,17 +27,17 @@ struct LeftOut {
   std::size_t count = 0;  ///< how often it was met
   std::string unit;       ///< of what: "lines", "vertices"
   int line = 0;           ///< of the first; 0: binary
-  int column = 0;
+  int column = 0;         ///< of the first; 0: unknown
 };
 
 /// What a file gives: the mesh, and what there is to say about it.
 struct MeshFile {
-  Polygons polygons;
+  Polygons polygons;              ///< as the file has it
   MeshSource source;              ///< for messages about the mesh
   Warnings warnings;              ///< faults of the file that did not keep it from being read
   std::vector<LeftOut> left_out;  ///< in the order in which they were met
 
-  /// `left_out` in words, with file and line.
+  /// `left_out` in words, with file and line: one remark for each kind.
   [[nodiscard]] Warnings notes() const;
 };
 
@@ -45,6 +45,7 @@ struct MeshFile {
 /// wrong count, an unknown extension, UTF-16, an empty mesh, 2^31 - 1 corners or more…) are
 /// reported with file:line:column (binary: with the byte offset in the message), what was found
 /// and what was expected. Nothing is allocated for a count that the file cannot hold.
+/// Cost O(size), and memory of the file's size beside the mesh.
 [[nodiscard]] Result<MeshFile> read_mesh_file(const std::string& path);
 
 /// The same from a stream, standard input say, to its end; its content tells the format
@@ -62,9 +63,11 @@ struct MeshFile {
 
 /// The mesh alone; `warnings` gets the warnings, then the notes, one for each kind.
 [[nodiscard]] Result<Polygons> read_mesh(const std::string& path, Warnings* warnings = nullptr);
+/// The same from memory; `extension` and `path` as for `parse_mesh_file`.
 [[nodiscard]] Result<Polygons> parse_mesh(std::string_view content, std::string_view extension,
                                           const std::string& path, Warnings* warnings = nullptr);
 
+/// What is written beside positions and faces.
 struct WriteOptions {
   /// Limit or vertex normals, one per vertex, or empty: written where the format has them.
   std::vector<Point3> normals;
@@ -72,7 +75,8 @@ struct WriteOptions {
 
 /// Writes a mesh, whole or not at all (`write_file`). Fails where the format cannot hold a
 /// coordinate: the error names the vertex, the value and a remedy, and no file where the value is
-/// not finite, which is no fault of the file.
+/// not finite, which is no fault of the file. Fails as well where the file cannot be written. Cost
+/// O(size).
 [[nodiscard]] Status write_mesh(const std::string& path, const Polygons& mesh,
                                 const WriteOptions& options = {});
 
@@ -80,13 +84,14 @@ struct WriteOptions {
 [[nodiscard]] Status write_mesh(const std::string& path, std::string_view extension,
                                 const Polygons& mesh, const WriteOptions& options);
 
-/// The same into memory.
+/// The same into memory, in the format of that extension ("obj").
 [[nodiscard]] Result<std::string> format_mesh(std::string_view extension, const Polygons& mesh,
                                               const WriteOptions& options = {});
 
-/// Whether `write_mesh` / `read_mesh` know the extension of `path`, so that a wrong one is
-/// refused before an hour of work; the error lists the known ones.
+/// Whether `read_mesh` knows the extension of `path`; the error lists the known ones. The file is
+/// not touched.
 [[nodiscard]] Status check_readable(const std::string& path);
+/// The same of `write_mesh`, so that a wrong extension is refused before an hour of work.
 [[nodiscard]] Status check_writable(const std::string& path);
 
 /// What follows the last dot of a path's name, as it is; empty where there is none.

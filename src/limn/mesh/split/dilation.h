@@ -10,6 +10,7 @@
 
 namespace limn {
 
+/// The regular meshes: triangles, six round a vertex; quads, four round a vertex.
 enum class Lattice { triangle, quad };
 
 using LatticeVector = std::array<int, 2>;  ///< coordinates in the lattice's basis, see lattice.h
@@ -17,8 +18,9 @@ using LatticeVector = std::array<int, 2>;  ///< coordinates in the lattice's bas
 /// An integer matrix, row by row. A dilation matrix is one that stretches the plane by
 /// sqrt(|det M|) > 1, and turns it perhaps.
 struct LatticeMatrix {
-  std::array<LatticeVector, 2> rows;
+  std::array<LatticeVector, 2> rows;  ///< entry (i, j) is rows[i][j]
 
+  /// det M, negative where M turns the plane over.
   [[nodiscard]] constexpr int determinant() const {
     return rows[0][0] * rows[1][1] - rows[0][1] * rows[1][0];
   }
@@ -26,6 +28,7 @@ struct LatticeMatrix {
   [[nodiscard]] constexpr int growth() const {
     return determinant() < 0 ? -determinant() : determinant();
   }
+  /// M k
   [[nodiscard]] constexpr LatticeVector apply(LatticeVector k) const {
     return {rows[0][0] * k[0] + rows[0][1] * k[1], rows[1][0] * k[0] + rows[1][1] * k[1]};
   }
@@ -46,6 +49,7 @@ struct LatticeMatrix {
     return {rows[1][1] * k[0] - rows[1][0] * k[1], rows[0][0] * k[1] - rows[0][1] * k[0]};
   }
 
+  /// Equal entries.
   friend constexpr bool operator==(const LatticeMatrix& a, const LatticeMatrix& b) {
     return a.rows == b.rows;
   }

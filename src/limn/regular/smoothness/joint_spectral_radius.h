@@ -11,6 +11,7 @@
 
 #include "limn/base/time_budget.h"
 #include "limn/regular/algebra/invariant_subspaces.h"
+#include "limn/regular/smoothness/radius_bracket.h"
 
 namespace limn {
 
@@ -24,25 +25,6 @@ struct JointSpectralRadiusOptions {
   std::optional<double> target = {};
   /// Asks for the end of the search: what was reached is given, all of it proved.
   Stop stop = {};
-};
-
-struct JointSpectralRadius {
-  struct Block {
-    int size = 0;
-    double lower = 0;  ///< of the block's own ρ; rounded, not proved, but in the block that leads
-    double upper = 0;  ///< proved: of the block's ρ, or of that of all where this is smaller
-    int vertices = 0;  ///< of the largest polytope made; 0 where size is 1
-    bool irreducible = false;
-  };
-  double lower = 0;
-  double upper = 0;
-  /// The matrices of the product with the greatest spectral radius found, first factor first;
-  /// ρ ≥ |an eigenvalue of it|^(1/length). Empty where ρ = 0.
-  std::vector<int> product;
-  std::optional<Rational> eigenvalue;  ///< of the product, where it is rational
-  bool exact = false;  ///< ρ is |eigenvalue|^(1/length), or 0: all blocks of size 1
-  std::vector<Block> blocks;
-  bool time_ended = false;  ///< `stop` asked for an end: more time would narrow the bracket
 };
 
 /// Precondition: at least one matrix, all square and of one size ≥ 1. Deterministic.

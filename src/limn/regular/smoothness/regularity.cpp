@@ -9,6 +9,7 @@
 
 #include "limn/base/outward.h"
 #include "limn/regular/smoothness/difference_norm.h"
+#include "limn/regular/smoothness/joint_spectral_radius.h"
 #include "limn/regular/smoothness/stability.h"
 #include "limn/regular/smoothness/transition_operators.h"
 

@@ -20,13 +20,16 @@
 #include <string>
 #include <vector>
 
+#include "limn/base/error.h"
 #include "limn/base/time_budget.h"
 #include "limn/base/truth.h"
-#include "limn/regular/smoothness/joint_spectral_radius.h"
 #include "limn/regular/smoothness/polynomial_orders.h"
+#include "limn/regular/smoothness/radius_bracket.h"
+#include "limn/scheme/mask.h"
 
 namespace limn {
 
+/// How long and how closely to look.
 struct RegularityOptions {
   /// Work for each irreducible block: vertices of a polytope whose norm bounds it. Where it does
   /// not suffice for `tolerance` the bracket reached is given.
@@ -37,9 +40,10 @@ struct RegularityOptions {
   std::function<void(const std::string&)> progress;
   /// Infinite: without end. When the time ends what was reached is given, proved all the same.
   double seconds = std::numeric_limits<double>::infinity();
-  TimeBudget::Clock clock = steady_seconds;
+  TimeBudget::Clock clock = steady_seconds;  ///< what measures `seconds`
 };
 
+/// Ends of an interval that holds the Hölder exponent.
 struct HolderBracket {
   double lower = 0;                   ///< proved for every limit function
   std::optional<double> upper;        ///< of φ; proved; nothing where stability is not
@@ -50,24 +54,25 @@ struct HolderBracket {
 /// Whether the scheme converges, uniformly, to limit functions that are r times continuously
 /// differentiable.
 struct Smoothness {
-  Truth verdict = Truth::undecided;
-  /// ‖(S_r)^power‖∞ ≤ norm < 1, rounded up, where S_r is the scheme of the differences of order
-  /// r + 1, times |det M|^{r/2}; 0: none of the powers tried is below 1, and the proof, if there is
-  /// one, is the bracket.
+  Truth verdict = Truth::undecided;  ///< yes and no are proved
+  /// The number of steps for which ‖(S_r)^power‖∞ ≤ norm < 1, rounded up, where S_r is the scheme
+  /// of the differences of order r + 1, times |det M|^{r/2}; 0: none of the powers tried is below
+  /// 1, and the proof, if there is one, is the bracket.
   int power = 0;
-  double norm = 0;
-  std::string reason;
+  double norm = 0;     ///< the bound of that norm; 0 where `power` is 0
+  std::string reason;  ///< what the verdict rests on, or what keeps it open
 };
 
+/// What `enclose_regularity` finds.
 struct Regularity {
-  PolynomialOrders orders;
-  HolderBracket holder;
+  PolynomialOrders orders;  ///< sum rules and reproduction, exactly
+  HolderBracket holder;     ///< the Hölder exponent
   /// C0, C1, C2, and as long as the one before is proved: C3, C4, ….
   std::vector<Smoothness> smoothness;
   /// Whether the shifts of φ are stable: yes where proved, else undecided.
   Truth stable = Truth::undecided;
-  std::string stability_reason;
-  bool time_ended = false;  ///< the time budget ended the search: more time might tell more
+  std::string stability_reason;  ///< what `stable` rests on
+  bool time_ended = false;       ///< the time budget ended the search: more time might tell more
 };
 
 /// Brackets the regularity of a mask. Deterministic, whatever the number of threads, as long as the

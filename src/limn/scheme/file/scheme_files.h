@@ -11,8 +11,9 @@
 
 namespace limn {
 
+/// A scheme file's content.
 struct SchemeText {
-  std::string text;
+  std::string text;  ///< TOML
   std::string path;  ///< for messages, and what names in the text are relative to
   std::string id;    ///< the same for two names of one file, so that circles are seen
 };
