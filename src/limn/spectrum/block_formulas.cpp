@@ -12,7 +12,7 @@ constexpr std::size_t kLargestSquare = 12;  // whose determinant is expanded
 constexpr int kEverySlope = 2;              // half sectors in a sector
 
 /// e^{iπω/n}
-Symbol half_sector() { return variable("half-sector"); }
+Indeterminate half_sector() { return variable("half-sector"); }
 
 /// Sums that stop at the first error.
 class Sum {
@@ -85,7 +85,7 @@ Result<Symbolic> determinant(const SymbolicMatrix& matrix) {
 
 Result<Polynomial> characteristic_polynomial(const SymbolicMatrix& matrix,
                                              const std::vector<std::size_t>& part,
-                                             const Symbol& unknown) {
+                                             const Indeterminate& unknown) {
   SymbolicMatrix square(part.size(), std::vector<Symbolic>(part.size()));
   for (std::size_t i = 0; i < part.size(); ++i)
     for (std::size_t j = 0; j < part.size(); ++j) {
@@ -111,7 +111,7 @@ Result<Polynomial> with_cosines(const Polynomial& a, const Frequency& frequency,
       return Error{"the scheme has no mirror symmetry, which formulas need", {}, {}, 0, 0};
     if (j < 0) continue;
     Result<Symbolic> angle =
-        Symbolic::multiply(Polynomial(pi_symbol()) * Polynomial(j), frequency.value);
+        Symbolic::multiply(Polynomial(pi_indeterminate()) * Polynomial(j), frequency.value);
     if (angle) angle = Symbolic::divide(*angle, n);
     if (angle) angle = symbolic_cos(*angle);
     if (angle) angle = Symbolic::multiply(*angle, coefficient * Polynomial(j == 0 ? 1 : 2));

@@ -9,7 +9,7 @@
 
 namespace limn {
 
-/// A frequency: a number, or a symbol for all others.
+/// A frequency: a number, or an indeterminate for all others.
 struct Frequency {
   std::optional<int> number;
   Symbolic value;
@@ -30,7 +30,7 @@ class BlockFormulas {
   [[nodiscard]] int highest_harmonic() const;
 
   /// Similar to the block of frequency_blocks.h: the points' phases within their sectors, a
-  /// diagonal matrix, are left out. Phases are powers of one symbol, e^{iπω/n}.
+  /// diagonal matrix, are left out. Phases are powers of one indeterminate, e^{iπω/n}.
   [[nodiscard]] Result<SymbolicMatrix> block(const Frequency& frequency) const;
 
   /// The block's eigenvalues, ring by ring. Fails where the scheme has no mirror symmetry, and
@@ -47,7 +47,7 @@ class BlockFormulas {
 
   const SectorPattern& pattern_;
   Symbolic n_;
-  Symbol unknown_;
+  Indeterminate unknown_;
   std::vector<Symbolic> plain_;
   std::vector<RepeatedWeight> repeated_;
 };

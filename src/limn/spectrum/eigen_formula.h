@@ -4,7 +4,8 @@
 ///
 /// The star is refined once with all weights as names (sector_pattern.h); evaluated as formulas
 /// they make the block of a frequency, entry by entry, whose characteristic polynomial is factored
-/// over the rationals with n, the parameters and one cosine for each angle as independent symbols.
+/// over the rationals with n, the parameters and one cosine for each angle as independent
+/// indeterminates.
 
 #include <optional>
 #include <set>

@@ -30,10 +30,10 @@ struct NamesKept {
 };
 [[nodiscard]] std::string regular_name(const std::string& name, int n);
 
-/// Evaluates weights where n is a symbol or a number. Scheme and names must outlive it.
+/// Evaluates weights where n is an indeterminate or a number. Scheme and names must outlive it.
 class SymbolicWeights {
  public:
-  /// n: a symbol, for all n from `least_valence` on.
+  /// n: an indeterminate, for all n from `least_valence` on.
   SymbolicWeights(const Scheme& scheme, const NamesKept& kept);
   /// One n.
   SymbolicWeights(const Scheme& scheme, const NamesKept& kept, int n);
