@@ -101,7 +101,7 @@ Result<Polynomial> characteristic_polynomial(const SymbolicMatrix& matrix,
 }
 
 /// Phases as cosines. A mirror maps the block of ω to that of -ω, so that z and 1/z come alike.
-Result<Polynomial> with_cosines(const Polynomial& a, const Frequency& frequency,
+Result<Polynomial> with_cosines(const Polynomial& a, const SymbolicFrequency& frequency,
                                 const Symbolic& n) {
   std::map<int, Polynomial> powers = a.powers_of(half_sector());
   Sum sum;
@@ -187,7 +187,7 @@ int BlockFormulas::highest_harmonic() const {
   return highest;
 }
 
-Result<SymbolicMatrix> BlockFormulas::block(const Frequency& frequency) const {
+Result<SymbolicMatrix> BlockFormulas::block(const SymbolicFrequency& frequency) const {
   const bool constant = frequency.number == 0;
   const int shift = pattern_.has_center && constant ? 1 : 0;
   const std::size_t size = pattern_.orbits.size() + static_cast<std::size_t>(shift);
@@ -206,7 +206,7 @@ Result<SymbolicMatrix> BlockFormulas::block(const Frequency& frequency) const {
 }
 
 Result<Symbolic> BlockFormulas::term_value(const SectorTerm& term,
-                                           const Frequency& frequency) const {
+                                           const SymbolicFrequency& frequency) const {
   Result<Symbolic> value = Symbolic(Polynomial(Rational(term.coefficient)));
   for (const int name : term.names)
     if (value) value = Symbolic::multiply(*value, plain_[static_cast<std::size_t>(name)]);
@@ -229,7 +229,8 @@ int BlockFormulas::half_sectors(const SectorTerm& term) const {
 }
 
 /// Σ w(k) e^{2πi slope ω k/n}
-Result<Symbolic> BlockFormulas::along(const SectorTerm& term, const Frequency& frequency) const {
+Result<Symbolic> BlockFormulas::along(const SectorTerm& term,
+                                      const SymbolicFrequency& frequency) const {
   const RepeatedWeight& weight = repeated_[static_cast<std::size_t>(term.repeated)];
   const bool level = term.slope == 0 || frequency.number == 0;
   const std::optional<int> omega = level ? 0 : frequency.number;
@@ -245,7 +246,7 @@ Result<Symbolic> BlockFormulas::along(const SectorTerm& term, const Frequency& f
   return sum.value();
 }
 
-Result<FrequencyFormulas> BlockFormulas::eigenvalues(const Frequency& frequency) const {
+Result<FrequencyFormulas> BlockFormulas::eigenvalues(const SymbolicFrequency& frequency) const {
   FrequencyFormulas formulas;
   const Result<SymbolicMatrix> matrix = block(frequency);
   if (!matrix) return matrix.error();

@@ -9,16 +9,16 @@
 namespace limn {
 
 /// (i, j): entry (i, j) is not 0; or, of `reaches`, a path of such entries leads from i to j.
-using Pattern = Eigen::Array<bool, Eigen::Dynamic, Eigen::Dynamic>;
+using BoolMatrix = Eigen::Array<bool, Eigen::Dynamic, Eigen::Dynamic>;
 
 struct ConnectedParts {
   std::vector<std::vector<Eigen::Index>> parts;  ///< rows, ascending; every row is in one part
   std::vector<std::size_t> part_of;              ///< by row
-  Pattern reaches;                               ///< each row reaches itself
+  BoolMatrix reaches;                            ///< each row reaches itself
 };
 
 /// Rows that reach each other are one part. Cost: at most rows² columns joined.
-[[nodiscard]] ConnectedParts connected_parts(const Pattern& entries);
+[[nodiscard]] ConnectedParts connected_parts(const BoolMatrix& entries);
 
 /// The rows on paths from one of these rows to another, the ends included, ascending. The Jordan
 /// blocks of eigenvalues that no other part has are those of the square matrix of these rows.

@@ -62,9 +62,9 @@ class CaseFormulas {
     const int special = blocks.highest_harmonic();
     for (int omega = 0; omega <= special + 1; ++omega) {
       const bool general = omega > special;
-      const Frequency frequency =
-          general ? Frequency{std::nullopt, Polynomial(whole_number(kept_.frequency))}
-                  : Frequency{omega, omega};
+      const SymbolicFrequency frequency =
+          general ? SymbolicFrequency{std::nullopt, Polynomial(whole_number(kept_.frequency))}
+                  : SymbolicFrequency{omega, omega};
       Result<FrequencyFormulas> found = blocks.eigenvalues(frequency);
       if (!found) return found.error();
       found->frequency = omega;
