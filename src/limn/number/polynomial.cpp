@@ -74,11 +74,11 @@ std::vector<Indeterminate> Polynomial::indeterminates() const {
   return {found.begin(), found.end()};
 }
 
-bool Polynomial::hangs_on(const std::string& name) const {
+bool Polynomial::depends_on(const std::string& name) const {
   const std::vector<Indeterminate> all = indeterminates();
   return std::any_of(all.begin(), all.end(), [&](const Indeterminate& indeterminate) {
     return indeterminate->name == name ||
-           (indeterminate->argument && indeterminate->argument->hangs_on(name));
+           (indeterminate->argument && indeterminate->argument->depends_on(name));
   });
 }
 

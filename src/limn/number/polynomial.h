@@ -64,7 +64,7 @@ class Polynomial {
   /// roots.
   [[nodiscard]] std::vector<Indeterminate> indeterminates() const;
   /// Whether an indeterminate of this name occurs, within cosines and roots too.
-  [[nodiscard]] bool hangs_on(const std::string& name) const;
+  [[nodiscard]] bool depends_on(const std::string& name) const;
   /// a as the sum of coefficients[i] · symbolⁱ.
   [[nodiscard]] std::map<int, Polynomial> powers_of(const Indeterminate& indeterminate) const;
   /// The largest monomial that divides every term; negative exponents where those occur.

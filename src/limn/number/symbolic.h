@@ -30,8 +30,8 @@ class Symbolic {
   [[nodiscard]] bool is_rational() const {
     return numerator_.is_rational() && denominator_ == Polynomial(1);
   }
-  [[nodiscard]] bool hangs_on(const std::string& name) const {
-    return numerator_.hangs_on(name) || denominator_.hangs_on(name);
+  [[nodiscard]] bool depends_on(const std::string& name) const {
+    return numerator_.depends_on(name) || denominator_.depends_on(name);
   }
 
   /// These fail, with the reason in the message, where the answer is no such number, and where it
@@ -69,7 +69,7 @@ class Symbolic {
 /// The indeterminate of π, whose multiples are what those take.
 [[nodiscard]] Indeterminate pi_indeterminate();
 
-/// Numerically; NaN where it hangs on a free variable or a whole number.
+/// Numerically; NaN where it depends on a free variable or a whole number.
 [[nodiscard]] double approx(const Symbolic& a);
 [[nodiscard]] double approx(const Symbolic& a,
                             const std::function<double(const std::string&)>& lookup);

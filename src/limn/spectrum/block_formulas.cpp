@@ -32,8 +32,8 @@ Result<Symbolic> turned(const Symbolic& value, int half_sectors) {
   return Symbolic::multiply(value, Polynomial({{half_sector(), half_sectors}}, 1));
 }
 
-/// Sets of rows, each of which hangs on itself and earlier ones alone: the strongly connected parts
-/// of a square of the matrix.
+/// Sets of rows, each of which depends on itself and earlier ones alone: the strongly connected
+/// parts of a square of the matrix.
 std::vector<std::vector<std::size_t>> connected_parts(const SymbolicMatrix& matrix,
                                                       std::size_t first, std::size_t last) {
   const std::size_t size = last - first;

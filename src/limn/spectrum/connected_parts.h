@@ -1,7 +1,7 @@
 #pragma once
-/// Which rows of a matrix hang together. Sorted by its parts a matrix is block triangular, so its
-/// eigenvalues are those of the parts' square matrices, which are small in a subdivision matrix:
-/// what a point hangs on mostly lies further in.
+/// Which rows of a matrix depend on one another. Sorted by its parts a matrix is block triangular,
+/// so its eigenvalues are those of the parts' square matrices, which are small in a subdivision
+/// matrix: what a point depends on mostly lies further in.
 
 #include <Eigen/Dense>
 #include <vector>

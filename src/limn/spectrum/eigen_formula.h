@@ -57,7 +57,7 @@ struct ValenceFormulas {
   std::vector<FrequencyFormulas> frequencies;
 };
 
-/// A parameter that hangs on n has one value at the centre, and another one in the regular rules
+/// A parameter that depends on n has one value at the centre, and another one in the regular rules
 /// round it, where it goes by the name `name`.
 struct RegularName {
   std::string name, parameter;

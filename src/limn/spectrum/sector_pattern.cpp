@@ -302,7 +302,7 @@ Result<CenterCases> center_cases(const Scheme& scheme, int n) {
 
 Result<int> control_rings(const Scheme& scheme, const CenterCases& cases,
                           const RegularNames& named) {
-  // D(r): the farthest ring that ring r of the refined star hangs on. It grows more slowly than
+  // D(r): the farthest ring that ring r of the refined star depends on. It grows more slowly than
   // r, so that what controls the faces round the centre at every level is the last r ≤ D(r).
   const Result<StarForms> star = refined_star(scheme, cases, kMostRings, named);
   if (!star) return star.error();

@@ -104,7 +104,7 @@ Result<Symbolic> SymbolicWeights::value(const NamedWeight& name, const std::opti
   if (!name.regular)
     for (const std::string& let : kept_.lets) scope.give(let, Polynomial(variable(let)));
   for (const std::string& one : kept_.parameters) {
-    const bool regular = name.regular && kept_.hanging_on_n.count(one) > 0;
+    const bool regular = name.regular && kept_.depending_on_n.count(one) > 0;
     if (regular && *name.regular == 0) continue;  // an edge has no n; the error will say so
     scope.give(one, Polynomial(variable(regular ? regular_name(one, *name.regular) : one)));
   }
@@ -159,8 +159,9 @@ Result<RepeatedWeight> SymbolicWeights::of_every_valence(const NamedWeight& name
       cosine_indeterminate(1, product({{k, 1}}, power(n_.numerator().terms().begin()->first, -1)));
   const std::map<int, Polynomial> powers = amid->numerator().powers_of(cosine);
   const bool plain = std::none_of(powers.begin(), powers.end(),
-                                  [](const auto& one) { return one.second.hangs_on("k"); });
-  if (!plain || amid->denominator().hangs_on("k") || (!powers.empty() && powers.begin()->first < 0))
+                                  [](const auto& one) { return one.second.depends_on("k"); });
+  if (!plain || amid->denominator().depends_on("k") ||
+      (!powers.empty() && powers.begin()->first < 0))
     return no_sum(name, "amid k = 0 … n-1 it is " + sum_text(amid->numerator(), Notation::text));
   int highest = 0;
   for (const auto& [j, coefficient] : chebyshev_coefficients(amid->numerator(), cosine)) {
