@@ -205,7 +205,7 @@ TEST(ValenceTwo, IsTheSameInTheQuickEngine) {
       ASSERT_TRUE(limit.ok()) << limit.error().text();
       ASSERT_TRUE(*limit);
       const auto points = random_points(mesh.vertex_count(), 5);
-      // the quick engine's faces may share two edges' ends: match by control vertices
+      // the fast engine's faces may share two edges' ends: match by control vertices
       const auto plain = refine(scheme, mesh, points, levels).value();
       LimitOptions options;
       options.steps_made = levels;

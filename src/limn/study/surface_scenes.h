@@ -10,7 +10,7 @@
 namespace limn {
 
 /// The limit surface of a control mesh, sampled after so many steps, with limit normals; faces are
-/// cut into triangles by fans. By the quick engine where it has the limit (fast_limit.h), else by
+/// cut into triangles by fans. By the fast engine where it has the limit (fast_limit.h), else by
 /// the plain one. Fails as `refine` and `approx_limit_points` do, and before the work where that
 /// and a picture of it need more memory than there is.
 [[nodiscard]] Result<SmoothSurface> limit_surface(const Scheme& scheme, const Mesh& control,
