@@ -98,6 +98,10 @@ if(Python3_FOUND)
     COMMAND Python3::Interpreter ${PROJECT_SOURCE_DIR}/tests/tools/follow_walkthrough_test.py)
   set_tests_properties(tools:documents_name_existing_files tools:follow_walkthrough
     PROPERTIES TIMEOUT 60 LABELS tools)
+  add_test(NAME tools:headers_together
+    COMMAND Python3::Interpreter ${PROJECT_SOURCE_DIR}/tests/tools/headers_together_test.py
+            ${PROJECT_BINARY_DIR})
+  set_tests_properties(tools:headers_together PROPERTIES TIMEOUT 180 LABELS tools)
   if(TARGET limn_command AND CMAKE_GENERATOR STREQUAL "Ninja" AND NOT LIMN_SANITIZE)
     foreach(page split role report)
       add_test(NAME tools:walkthrough_add_a_${page}
