@@ -83,7 +83,7 @@ Status write_curvatures(const std::string& path, const LimitPoints& limit) {
   return write_table(path, table);
 }
 
-/// The fast engine's result as one of the plain engine's kind; nothing where polygons do not tell
+/// The quick engine's result as one of the plain engine's kind; nothing where polygons do not tell
 /// what the mesh is, two edges of it having the same ends.
 std::optional<Refined<Point3>> with_connectivity(Polygons& polygons) {
   Result<Mesh> mesh = Mesh::build(polygons);

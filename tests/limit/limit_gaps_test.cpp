@@ -62,8 +62,8 @@ INSTANTIATE_TEST_SUITE_P(Shipped, LimitWithoutBoundaryRules,
                                          "laplacian-butterfly", "catmull-clark", "doo-sabin"),
                          [](const auto& info) { return test_name(info.param); });
 
-// Of an open mesh the limits that depend on no boundary are known; of the others the error names
-// the vertex.
+// Of an open mesh the limits that hang on no boundary are known; of the others the error names the
+// vertex.
 TEST(LimitGaps, MissingBoundaryRulesAreToldAtTheBoundary) {
   for (const char* name : {"loop", "butterfly", "catmull-clark", "sqrt3"}) {
     SCOPED_TRACE(name);
@@ -142,7 +142,7 @@ TEST(LimitGaps, OfSomeVerticesLeaveTheOthers) {
     EXPECT_EQ(limit.positions[v], fine.values[v]);
     EXPECT_EQ(limit.normals[v], Point3{});
   }
-  const LimitPoints next = [&] {  // limits do not depend on the level
+  const LimitPoints next = [&] {  // limits do not hang on the level
     const auto finer = refine(scheme, mesh, random_points(3, 1), 3).value();
     options.steps_made = 3;
     return approx_limit_points(scheme, finer.mesh, finer.values, options).value();
@@ -205,7 +205,7 @@ TEST(ValenceTwo, IsTheSameInTheQuickEngine) {
       ASSERT_TRUE(limit.ok()) << limit.error().text();
       ASSERT_TRUE(*limit);
       const auto points = random_points(mesh.vertex_count(), 5);
-      // the fast engine's faces may share two edges' ends: match by control vertices
+      // the quick engine's faces may share two edges' ends: match by control vertices
       const auto plain = refine(scheme, mesh, points, levels).value();
       LimitOptions options;
       options.steps_made = levels;

@@ -34,7 +34,7 @@ std::vector<Function> functions(const FrequencyBlocks& blocks, const Eigenvalue&
 }
 
 /// The eigenvalues that make curvature: those that are tangent². Nothing where one of them has a
-/// frequency that no quadratic has: curvature then depends on the direction.
+/// frequency that no quadratic has: curvature then hangs on the direction.
 std::optional<std::vector<Eigenvalue>> quadratic(const Eigencomponents& components) {
   if (components.verdict.curvature_necessary != Truth::yes) return std::nullopt;
   const double square = *components.tangent * *components.tangent;

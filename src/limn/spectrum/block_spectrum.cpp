@@ -145,7 +145,7 @@ bool larger(const Eigenvalue& a, const Eigenvalue& b) {
 }
 
 /// Reads the blocks of one valence. What many blocks share is found once: the mirror's partners,
-/// and which rows depend on one another.
+/// and which rows hang together.
 class SpectrumReader {
  public:
   explicit SpectrumReader(const FrequencyBlocks& blocks) : blocks_(blocks) {
