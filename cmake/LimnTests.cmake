@@ -6,6 +6,7 @@
 find_package(GTest REQUIRED)
 find_package(rapidcheck REQUIRED)
 include(GoogleTest)
+include(LimnDocuments)  # tests of what documents say
 
 add_library(limn_test_support INTERFACE)
 file(GLOB support_sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/tests/support/*.cpp)
@@ -90,24 +91,4 @@ if(Python3_FOUND)
   add_test(NAME tools:check_floors
     COMMAND Python3::Interpreter ${PROJECT_SOURCE_DIR}/tests/tools/check_floors_test.py)
   set_tests_properties(tools:floors_hold tools:check_floors PROPERTIES TIMEOUT 60 LABELS tools)
-
-  # What documents name is there; what the walk-throughs say is done, to the letter.
-  add_test(NAME tools:documents_name_existing_files
-    COMMAND Python3::Interpreter ${PROJECT_SOURCE_DIR}/tests/tools/documents_test.py)
-  add_test(NAME tools:follow_walkthrough
-    COMMAND Python3::Interpreter ${PROJECT_SOURCE_DIR}/tests/tools/follow_walkthrough_test.py)
-  set_tests_properties(tools:documents_name_existing_files tools:follow_walkthrough
-    PROPERTIES TIMEOUT 60 LABELS tools)
-  add_test(NAME tools:headers_together
-    COMMAND Python3::Interpreter ${PROJECT_SOURCE_DIR}/tests/tools/headers_together_test.py
-            ${PROJECT_BINARY_DIR})
-  set_tests_properties(tools:headers_together PROPERTIES TIMEOUT 180 LABELS tools)
-  if(TARGET limn_command AND CMAKE_GENERATOR STREQUAL "Ninja" AND NOT LIMN_SANITIZE)
-    foreach(page split role report)
-      add_test(NAME tools:walkthrough_add_a_${page}
-        COMMAND Python3::Interpreter ${PROJECT_SOURCE_DIR}/tools/follow_walkthrough
-                ${PROJECT_SOURCE_DIR}/docs/walkthroughs/add-a-${page}.md --build ${PROJECT_BINARY_DIR})
-      set_tests_properties(tools:walkthrough_add_a_${page} PROPERTIES TIMEOUT 180 LABELS tools)
-    endforeach()
-  endif()
 endif()
