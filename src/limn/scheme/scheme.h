@@ -188,7 +188,7 @@ Result<Number> Scope<Number>::lookup(const std::string& name) {
   if (std::find(open_.begin(), open_.end(), formula) != open_.end())
     return Error{"'" + name + "' is defined in terms of itself", {}, {}, 0, 0};
   if (open_.size() == kDeepest)
-    return Error{"more than 64 definitions depend one on another", {}, {}, 0, 0};
+    return Error{"more than 64 definitions hang one on another", {}, {}, 0, 0};
   open_.push_back(formula);
   Result<Number> value = evaluate(*formula);
   open_.pop_back();
