@@ -30,7 +30,7 @@ Result<Number> evaluate(const Expression& expression, int n, int k) {
     if (name == "n") return Arithmetic<Number>::from(Rational(n));
     if (name == "k") return Arithmetic<Number>::from(Rational(k));
     if (name == "w") return Arithmetic<Number>::from(Rational(1, 16));
-    return limn::Error{"unknown name", {}, {}, 0, 0};
+    return limn::Error{"unknown name"};
   });
 }
 

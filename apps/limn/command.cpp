@@ -63,18 +63,14 @@ Status check_outputs(std::initializer_list<std::string> paths) {
     for (auto other = paths.begin(); other != path; ++other)
       if (!other->empty() && is_same_output(*other, *path))
         return Error{fmt::format("{} and {} are the same file", *other, *path),
-                     "give each output a name of its own",
-                     {},
-                     0,
-                     0};
+                     "give each output a name of its own"};
   }
   return Done{};
 }
 
 Result<std::string> take_standard_input(std::uint64_t most_bytes) {
   static bool taken = false;
-  if (taken)
-    return Error{"standard input is asked for twice", "one input alone can be -", {}, 0, 0};
+  if (taken) return Error{"standard input is asked for twice", "one input alone can be -"};
   taken = true;
   return read_standard_input(most_bytes);
 }
@@ -99,7 +95,7 @@ Result<Scheme> SchemeOptions::load() const { return scheme_argument(name, parame
 
 Status check_scheme_path(const std::string& path) {
   if (std::filesystem::path(path).extension() == ".toml") return Done{};
-  return Error{fmt::format("'{}' is no scheme file's name", path), "it ends in .toml", {}, 0, 0};
+  return Error{fmt::format("'{}' is no scheme file's name", path), "it ends in .toml"};
 }
 
 Result<std::string> extends_name(const std::string& scheme, const std::string& path) {
@@ -109,24 +105,18 @@ Result<std::string> extends_name(const std::string& scheme, const std::string& p
   if (std::find(shipped.begin(), shipped.end(), name) != shipped.end()) return name;
   if (name == kStandardStream)
     return Error{"a scheme on standard input has no name that a file could extend",
-                 "write it to a file first",
-                 {},
-                 0,
-                 0};
+                 "write it to a file first"};
   const std::string base = fs::proximate(name, fs::absolute(path).parent_path()).string();
   for (std::string_view rest = base; !rest.empty(); rest.remove_prefix(utf8_length(rest)))
     if (utf8_length(rest) == 0)
       return Error{fmt::format("no scheme file can extend '{}': its name is not UTF-8", base),
-                   "rename it",
-                   {},
-                   0,
-                   0};
+                   "rename it"};
   return base;
 }
 
 Error unwritten(const Error& fault, const std::string& path) {
   const std::string first = fault.message.substr(0, fault.message.find('\n'));
-  return {fmt::format("'{}' is not written: {}", path, first), fault.hint, {}, 0, 0};
+  return {fmt::format("'{}' is not written: {}", path, first), fault.hint};
 }
 
 }  // namespace limn::app

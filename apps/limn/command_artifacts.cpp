@@ -43,18 +43,12 @@ Result<Frequency> read_frequency(const std::string& text) {
   if (comma == std::string::npos || !read_number(std::string_view(text).substr(0, comma), f[0]) ||
       !read_number(std::string_view(text).substr(comma + 1), f[1]))
     return Error{fmt::format("--frequency: '{}' is not a frequency", text),
-                 "two numbers fx,fy, in cycles per control edge, as 0.1,0.05",
-                 {},
-                 0,
-                 0};
+                 "two numbers fx,fy, in cycles per control edge, as 0.1,0.05"};
   if (std::hypot(f[0], f[1]) > kLargestFrequency)
     return Error{fmt::format("--frequency: {} is beyond {} cycles per control edge", text,
                              kLargestFrequency),
                  "a wave beyond about half a cycle per edge is, on the control points, the same as "
-                 "one below",
-                 {},
-                 0,
-                 0};
+                 "one below"};
   return f;
 }
 
@@ -62,10 +56,7 @@ Result<double> read_tolerance(const std::string& text) {
   double tolerance = 0;
   if (!read_number(text, tolerance))
     return Error{fmt::format("--tolerance: '{}' is not a number", text),
-                 "percent of the signal, as 1",
-                 {},
-                 0,
-                 0};
+                 "percent of the signal, as 1"};
   return tolerance;
 }
 
@@ -105,8 +96,7 @@ int print_all(const std::vector<NamedAnalysis>& schemes, Make make) {
 /// What can be refused at once is refused before any work.
 Status check_map(const ArtifactOptions& options) {
   if (!options.map) return Done{};
-  if (options.schemes.size() > 1)
-    return Error{"--map draws one scheme", "call limn once for each", {}, 0, 0};
+  if (options.schemes.size() > 1) return Error{"--map draws one scheme", "call limn once for each"};
   if (!is_table_path(*options.map)) {
     const Result<FigureFormat> format = figure_format(*options.map);
     if (!format) return format.error();
@@ -156,11 +146,7 @@ int analyse(const ArtifactOptions& options) {
   if (!tolerance) return report(tolerance.error());
   if ((options.steps > 0 || options.stages >= 0) && !options.wants_values() && !options.map)
     return report(
-        {"--steps and --stages say where magnitudes are taken: --frequency or --map is missing",
-         {},
-         {},
-         0,
-         0});
+        {"--steps and --stages say where magnitudes are taken: --frequency or --map is missing"});
   if (Status status = check_map(options); !status) return report(status.error());
   const Result<std::vector<NamedAnalysis>> schemes = load(options);
   if (!schemes) return report(schemes.error());

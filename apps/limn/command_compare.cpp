@@ -36,20 +36,17 @@ struct CompareOptions {
 /// What can be refused at once is refused before any work.
 Status check(const CompareOptions& options) {
   if (options.schemes.size() < 2)
-    return Error{"one scheme alone cannot be compared", "name two or more", {}, 0, 0};
+    return Error{"one scheme alone cannot be compared", "name two or more"};
   if (!options.mesh.empty())
     if (Status status = check_mesh_path(options.mesh); !status) return status;
   if (options.output.empty()) return Done{};
   if (!figures_available() || !rays_available())
-    return Error{"this limn draws no surfaces", "build it with cairo and Embree", {}, 0, 0};
+    return Error{"this limn draws no surfaces", "build it with cairo and Embree"};
   const Result<FigureFormat> format = figure_format(options.output);
   if (!format) return format.error();
   if (options.schemes.size() - 1 > kMostPairs)
     return Error{fmt::format("-o: {} schemes are too many for one picture", options.schemes.size()),
-                 fmt::format("it shows the first beside at most {} others", kMostPairs),
-                 {},
-                 0,
-                 0};
+                 fmt::format("it shows the first beside at most {} others", kMostPairs)};
   return check_outputs({options.output});
 }
 

@@ -54,7 +54,7 @@ Result<SurfaceScene> scene_of(const DrawOptions& options, const Scheme& scheme) 
 int draw(const DrawOptions& options) {
   const bool curves = options.lines || options.stripes || options.net;
   if (!figures_available() || (curves && !rays_available()))
-    return report({"this limn draws no surfaces", "build it with cairo and Embree", {}, 0, 0});
+    return report({"this limn draws no surfaces", "build it with cairo and Embree"});
   if (Status status = check_mesh_path(options.mesh); !status) return report(status.error());
   if (const Result<FigureFormat> format = figure_format(options.output); !format)
     return report(format.error());

@@ -57,10 +57,7 @@ Status check_map(const EigenOptions& options, Valences range) {
   return Error{fmt::format("--map: the maps at the valences {}..{} have {} sectors together, and a "
                            "figure holds {} at most",
                            range.first, range.last, sectors_of(range), kMostSectors),
-               "draw fewer valences at a time, as 3..60, or leave out --map",
-               {},
-               0,
-               0};
+               "draw fewer valences at a time, as 3..60, or leave out --map"};
 }
 
 /// What is printed of one valence, gathered as text or as JSON.
@@ -160,10 +157,7 @@ int analyse(const EigenOptions& options) {
         return report(format.error());
   if (!options.table.empty() && !is_eigenvalue_path(options.table))
     return report({fmt::format("--table: '{}' is no table", options.table),
-                   "it ends in .csv, .json or .tex",
-                   {},
-                   0,
-                   0});
+                   "it ends in .csv, .json or .tex"});
   const Result<Scheme> scheme = options.scheme.load();
   if (!scheme) return report(scheme.error());
   const Result<Valences> range = read_valences(options.valence, least_valence(*scheme->split));

@@ -75,10 +75,7 @@ Status check_figures(const FairnessCommand& options) {
     return check_outputs({options.chart, drawn});
   return Error{
       fmt::format("--spectrum: '{}' is neither a figure nor a count", options.spectrum),
-      fmt::format("it ends in .pdf, .svg or .png, or is a number from 1 to {}", kMostFrequencies),
-      {},
-      0,
-      0};
+      fmt::format("it ends in .pdf, .svg or .png, or is a number from 1 to {}", kMostFrequencies)};
 }
 
 Status draw_spectrum(const FairnessCommand& options, const std::vector<NamedScheme>& schemes,

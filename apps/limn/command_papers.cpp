@@ -35,10 +35,7 @@ Result<std::vector<const Paper*>> chosen(const PapersOptions& options) {
                                     [&](const Paper& paper) { return paper.name == name; });
     if (found == papers().end())
       return Error{fmt::format("there is no paper '{}'", name),
-                   did_you_mean(name, known, "the papers are " + paper_names()),
-                   {},
-                   0,
-                   0};
+                   did_you_mean(name, known, "the papers are " + paper_names())};
     list.push_back(&*found);
   }
   if (list.empty())
@@ -51,7 +48,7 @@ int make_papers(const PapersOptions& options) {
   if (!list) return report(list.error());
   const bool alone = options.papers.size() == 1;  // it has the folder to itself
   if (options.output == kStandardStream)
-    return report({"the pages are a folder, which cannot go to standard output", {}, {}, 0, 0});
+    return report({"the pages are a folder, which cannot go to standard output"});
   if (Status status = make_folder(options.output); !status) return report(status.error());
   nlohmann::ordered_json made = nlohmann::ordered_json::array();
   ProgressLine line;

@@ -102,13 +102,10 @@ Status take_to_limit(const RefineOptions& options, const Scheme& scheme, Refined
   if (limit_options.curvatures) {
     limit_options.regular = find_regular_part(scheme);
     if (limit_options.regular.bounded == Truth::no)
-      report_warnings({{fmt::format("{} has unbounded curvature wherever the mesh is regular, so "
-                                    "'{}' holds none: {}",
-                                    scheme.name, options.curvatures, limit_options.regular.reason),
-                        {},
-                        {},
-                        0,
-                        0}});
+      report_warnings(
+          {{fmt::format("{} has unbounded curvature wherever the mesh is regular, so "
+                        "'{}' holds none: {}",
+                        scheme.name, options.curvatures, limit_options.regular.reason)}});
   }
   limit_options.progress = [&](int left) {
     line.show(fmt::format("limit points: {} vertices left, near irregular ones", left));
@@ -195,10 +192,7 @@ int refine_mesh(const RefineOptions& options) {
   if (Status status = options.output.check(options.json); !status) return report(status.error());
   if (!options.curvatures.empty() && !is_table_path(options.curvatures))
     return report({fmt::format("--curvatures: '{}' is no table", options.curvatures),
-                   "it ends in .csv or .json",
-                   {},
-                   0,
-                   0});
+                   "it ends in .csv or .json"});
   if (Status status = check_outputs({options.output.path, options.curvatures}); !status)
     return report(status.error());
   const Result<Scheme> scheme = options.scheme.load();

@@ -44,10 +44,7 @@ struct Task {
 Result<Task> read_task(const TuneOptions& options) {
   if (options.free.size() > 1 || options.require.size() > 1)
     return Error{"one free name and one requirement is all that can be solved for",
-                 "fix the others by -p, or tune them one after another",
-                 {},
-                 0,
-                 0};
+                 "fix the others by -p, or tune them one after another"};
   Result<Valences> valences = read_valences(options.valence);
   if (!valences) return valences.error();
   Result<Scheme> scheme = options.scheme.load();
@@ -61,15 +58,12 @@ Result<Task> read_task(const TuneOptions& options) {
     return Error{fmt::format("requirement '{}' {}", requirement->text,
                              options.range ? "is an equation, which has no range"
                                            : "is no equation, so that it holds in a range"),
-                 options.range ? "leave out --range" : "add --range",
-                 {},
-                 0,
-                 0};
+                 options.range ? "leave out --range" : "add --range"};
   if (!options.output.empty())
     if (Status status = check_scheme_path(options.output); !status) return status.error();
   if (Status status = check_outputs({options.output}); !status) return status.error();
   if (options.range && !options.output.empty())
-    return Error{"-o writes solutions, not ranges", "leave out -o or --range", {}, 0, 0};
+    return Error{"-o writes solutions, not ranges", "leave out -o or --range"};
   std::optional<SearchRange> between;
   if (!options.between.empty()) {
     Result<SearchRange> read = SearchRange::parse(options.between);
@@ -166,7 +160,7 @@ int solve(Task& task, const TuneOptions& options) {
   });
   if (!status) return report(status.error());
   if (walk.ended_early() && !options.output.empty())
-    return report({walk.what_was_reached() + ", so that no file is written", kMoreTime, {}, 0, 0});
+    return report({walk.what_was_reached() + ", so that no file is written", kMoreTime});
   if (walk.ended_early()) text += walk.what_was_reached() + "; " + kMoreTime + "\n";
   if (!any_value) return report(without_value);
   if (!options.output.empty())

@@ -29,10 +29,7 @@ Status check_command(const CLI::App& parser, const std::string& word) {
     known += (known.empty() ? "" : ", ") + names.back();
   }
   return Error{"there is no command '" + word + "'",
-               did_you_mean(word, names, "the commands are " + known),
-               {},
-               0,
-               0};
+               did_you_mean(word, names, "the commands are " + known)};
 }
 
 int run(int argc, char** argv) {
@@ -59,8 +56,7 @@ int run(int argc, char** argv) {
   } catch (const CLI::Success& success) {  // --help, --version
     return parser.exit(success);
   } catch (const CLI::ParseError& error) {
-    return report(
-        {error.what(), "`limn --help` and `limn COMMAND --help` explain the use", {}, 0, 0});
+    return report({error.what(), "`limn --help` and `limn COMMAND --help` explain the use"});
   }
   set_thread_limit(threads);
   set_step("limn " + parser.get_subcommands().front()->get_name());

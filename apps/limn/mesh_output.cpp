@@ -32,10 +32,7 @@ std::string MeshOutput::extension() const {
 Status MeshOutput::check(bool json) const {
   if (is_printed() && json)
     return Error{"the mesh and the JSON object cannot both go to standard output",
-                 "leave out --json, or name a file after -o",
-                 {},
-                 0,
-                 0};
+                 "leave out --json, or name a file after -o"};
   if (!format.empty()) {
     Status known = check_writable("mesh." + format);
     if (!known) {

@@ -89,7 +89,7 @@ void keep_standard_streams() {
 
 Error no_standard_output(int code) {
   const std::string reason = code != 0 ? ": " + std::generic_category().message(code) : "";
-  return {"cannot write to standard output" + reason, {}, {}, 0, 0};
+  return {"cannot write to standard output" + reason};
 }
 
 Status check_standard_output() {

@@ -38,10 +38,7 @@ Result<Scheme> load(const std::string& text, std::vector<std::string> parameters
   const Parts parts = parts_of(text);
   if (parts.colon && parts.parameters.empty())
     return Error{fmt::format("'{}': no parameter after the colon", text),
-                 "as laplacian-butterfly:b=3/16",
-                 {},
-                 0,
-                 0};
+                 "as laplacian-butterfly:b=3/16"};
   parameters.insert(parameters.end(), parts.parameters.begin(), parts.parameters.end());
   Result<Scheme> scheme = load_scheme(parts.scheme);
   if (!scheme) return scheme;
@@ -91,7 +88,7 @@ Result<std::vector<NamedScheme>> scheme_arguments(const std::vector<std::string>
   for (std::size_t i = 0; i < texts.size(); ++i) {
     if (std::find(texts.begin(), texts.begin() + static_cast<std::ptrdiff_t>(i), texts[i]) !=
         texts.begin() + static_cast<std::ptrdiff_t>(i))
-      return Error{fmt::format("scheme '{}' is given twice", texts[i]), {}, {}, 0, 0};
+      return Error{fmt::format("scheme '{}' is given twice", texts[i])};
     Result<Scheme> scheme = load(texts[i], common);
     if (!scheme) return scheme.error();
     std::string label = scheme_label(texts[i], *scheme);

@@ -24,16 +24,12 @@ Result<Valences> read_valences(const std::string& text, int least) {
   const bool read = read_integer(view.substr(0, dots), range.first) &&
                     read_integer(one ? view : view.substr(dots + 2), range.last);
   const std::string hint = "a valence, as 7, or a range, as 3..12";
-  if (!read) return Error{fmt::format("--valence: '{}' is no valence", text), hint, {}, 0, 0};
+  if (!read) return Error{fmt::format("--valence: '{}' is no valence", text), hint};
   if (range.first > range.last)
-    return Error{fmt::format("--valence: the range {} is empty", text), hint, {}, 0, 0};
+    return Error{fmt::format("--valence: the range {} is empty", text), hint};
   if (range.first < least || range.last > kLargestValence)
     return Error{
-        fmt::format("--valence: {} is not between {} and {}", text, least, kLargestValence),
-        hint,
-        {},
-        0,
-        0};
+        fmt::format("--valence: {} is not between {} and {}", text, least, kLargestValence), hint};
   return range;
 }
 

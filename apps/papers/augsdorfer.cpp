@@ -224,7 +224,7 @@ Status add_comparison(PaperPage& page, const Study& study) {
 
 Status write_augsdorfer(const std::string& directory, const PaperProgress& progress) {
   if (!figures_available())
-    return Error{"this limn draws no figures", "build it with cairo (LIMN_FIGURES)", {}, 0, 0};
+    return Error{"this limn draws no figures", "build it with cairo (LIMN_FIGURES)"};
   const Result<ads::Study> study = ads::study();
   if (!study) return study.error();
   PaperPage page(directory, ads::kTitle, ads::kCitation, progress);

@@ -16,7 +16,7 @@ constexpr const char* kCitation =
 
 Status write_barthe(const std::string& directory, const PaperProgress& progress) {
   if (!figures_available())
-    return Error{"this limn draws no figures", "build it with cairo (LIMN_FIGURES)", {}, 0, 0};
+    return Error{"this limn draws no figures", "build it with cairo (LIMN_FIGURES)"};
   PaperPage page(directory, kTitle, kCitation, progress);
   for (const auto& add :
        {bgsk::add_variants, bgsk::add_labels, bgsk::add_sqrt3, bgsk::add_schemes, bgsk::add_words})

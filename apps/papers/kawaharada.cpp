@@ -15,7 +15,7 @@ constexpr const char* kCitation =
 
 Status write_kawaharada(const std::string& directory, const PaperProgress& progress) {
   if (!figures_available())
-    return Error{"this limn draws no figures", "build it with cairo (LIMN_FIGURES)", {}, 0, 0};
+    return Error{"this limn draws no figures", "build it with cairo (LIMN_FIGURES)"};
   PaperPage page(directory, kTitle, kCitation, progress);
   ks::Studio studio;
   if (Status status = ks::add_foundations(page, studio); !status) return status;

@@ -75,11 +75,7 @@ Status add_range_table(PaperPage& page, const std::vector<ValenceRange>& ranges,
     const double tangent = tangents[i];
     const double low = -tangent - tangent * tangent, high = tangent - tangent * tangent;
     if (range.parts.size() != 1)
-      return Error{fmt::format("the range of a at valence {} has {} parts", n, range.parts.size()),
-                   {},
-                   {},
-                   0,
-                   0};
+      return Error{fmt::format("the range of a at valence {} has {} parts", n, range.parts.size())};
     const RangePart& part = range.parts.front();
     worst = std::max({worst, std::abs(part.low.value - low), std::abs(part.high.value - high)});
     rows.push_back({fmt::format("{}", n), fmt::format("{:.6f}", high),

@@ -52,8 +52,7 @@ TEST(MeshFaults, AreLinesInAFileWithoutLinesToo) {
   Error binary = said(points(4) + "f 1 3 2\nf 1 2 4\nf 2 3 4\nf 1 3 4\n");
   binary.line = 0;
   EXPECT_NE(binary.text().find(":\n  3 edges are run through"), std::string::npos) << binary.text();
-  EXPECT_EQ((Error{"no scheme is called 'a\nb'", {}, {}, 0, 0}.text()),
-            "no scheme is called 'a\\nb'");
+  EXPECT_EQ((Error{"no scheme is called 'a\nb'"}.text()), "no scheme is called 'a\\nb'");
 }
 
 TEST(MeshFaults, SpeaksInTheNumbersAndLinesOfTheFile) {

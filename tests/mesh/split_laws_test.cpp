@@ -56,11 +56,11 @@ void check_births(const Split& split, const Mesh& mesh, const SplitResult& refin
   RC_ASSERT(births.from_vertices + births.from_edges + births.from_faces + births.from_corners +
                 isolated ==
             refined.mesh.vertex_count());
-  RC_ASSERT(split.births_vertices || births.from_vertices == 0);
-  RC_ASSERT(split.births_edges || split.trisects_boundary || births.from_edges == 0);
+  RC_ASSERT(split.births.vertices || births.from_vertices == 0);
+  RC_ASSERT(split.births.edges || split.trisects_boundary || births.from_edges == 0);
   RC_ASSERT(split.trisects_boundary || births.edge_ends.empty());
-  RC_ASSERT(split.births_faces || births.from_faces == 0);
-  RC_ASSERT(split.births_corners || births.from_corners == 0);
+  RC_ASSERT(split.births.faces || births.from_faces == 0);
+  RC_ASSERT(split.births.corners || births.from_corners == 0);
   RC_ASSERT(births.from_vertices == 0 || births.from_vertices == mesh.vertex_count());
   RC_ASSERT(births.edge_ends.empty() ||
             static_cast<Index>(births.edge_ends.size()) == births.from_edges);

@@ -100,7 +100,7 @@ class SplitPlane : public ::testing::TestWithParam<Split> {};
 
 TEST_P(SplitPlane, FacesTileThePieceCounterclockwise) {
   const Split& split = GetParam();
-  const bool keeps_the_piece = split.births_vertices;
+  const bool keeps_the_piece = split.births.vertices;
   EXPECT_TRUE(rc::check([&](unsigned seed) {
     Placed piece = planar_piece(seed, split.lattice);
     for (int step = 0; step < 3; ++step) {

@@ -12,7 +12,7 @@ constexpr double kNoLimit = std::numeric_limits<double>::infinity();
 
 Mesh control_mesh(const Scheme& scheme) {
   // an open disc: boundaries must be counted too
-  return scheme.split->births_corners ? face_star(5, 3) : star(scheme.split->lattice, 5, 3);
+  return scheme.split->births.corners ? face_star(5, 3) : star(scheme.split->lattice, 5, 3);
 }
 
 TEST(RefineEstimate, BoundsTheCountsAndIsNearThem) {

@@ -169,7 +169,7 @@ double value_of(const std::string& formula, const Mask& mask, Frequency f) {
   const Result<double> value =
       parsed->evaluate<double>([&](const std::string& name) -> Result<double> {
         const auto found = names.find(name);
-        if (found == names.end()) return Error{"no such name: " + name, {}, {}, 0, 0};
+        if (found == names.end()) return Error{"no such name: " + name};
         return found->second;
       });
   EXPECT_TRUE(value.ok()) << formula << ": " << value.error().text();

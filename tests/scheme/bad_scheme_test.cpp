@@ -194,7 +194,7 @@ RC_GTEST_PROP(BadSchemes, NoFaultFollowsFromAnother, ()) {
 
 Error error_of(const std::string& text) {
   const Result<Scheme> scheme = parse_scheme(text, "text.toml");
-  return scheme.ok() ? Error{"no error", {}, {}, 0, 0} : scheme.error();
+  return scheme.ok() ? Error{"no error"} : scheme.error();
 }
 
 const std::string kHead = "split = \"triangle-dyadic\"\n";

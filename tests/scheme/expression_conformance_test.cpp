@@ -37,20 +37,20 @@ struct Arithmetic<Measured> {
   }
   static Result<Measured> divide(Measured a, Measured b) {
     const double smallest = std::abs(b.value) - b.error;
-    if (smallest <= 0) return Error{"unknown: near a division by zero", {}, {}, 0, 0};
+    if (smallest <= 0) return Error{"unknown: near a division by zero"};
     const double q = a.value / b.value;
     return rounded(q, (a.error + std::abs(q) * b.error) / smallest);
   }
   static Result<Measured> cos(Measured a) { return rounded(std::cos(a.value), a.error); }
   static Result<Measured> sin(Measured a) { return rounded(std::sin(a.value), a.error); }
   static Result<Measured> sqrt(Measured a) {
-    if (std::abs(a.value) <= a.error) return Error{"unknown: near the root of 0", {}, {}, 0, 0};
-    if (a.value < 0) return Error{"square root of a negative number", {}, {}, 0, 0};
+    if (std::abs(a.value) <= a.error) return Error{"unknown: near the root of 0"};
+    if (a.value < 0) return Error{"square root of a negative number"};
     return rounded(std::sqrt(a.value), a.error / std::sqrt(a.value));
   }
   static Result<int> sign(Measured a) {
     if (a.value == 0 && a.error == 0) return 0;
-    if (std::abs(a.value) <= a.error) return Error{"unknown: near 0", {}, {}, 0, 0};
+    if (std::abs(a.value) <= a.error) return Error{"unknown: near 0"};
     return a.value < 0 ? -1 : 1;
   }
   static Result<long long> integer(Measured a) { return Arithmetic<double>::integer(a.value); }
@@ -69,7 +69,7 @@ Result<Number> evaluate(const std::string& text) {
   return expression->template evaluate<Number>([](const std::string& name) -> Result<Number> {
     const std::map<std::string, Rational> values{{"n", kN}, {"k", kK}, {"w", Rational(1, 16)}};
     const auto found = values.find(name);
-    if (found == values.end()) return Error{"unknown name", {}, {}, 0, 0};
+    if (found == values.end()) return Error{"unknown name"};
     return Arithmetic<Number>::from(found->second);
   });
 }

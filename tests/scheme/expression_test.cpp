@@ -20,7 +20,7 @@ std::string value(const std::string& text) {
       expression->evaluate<Exact>([](const std::string& name) -> Result<Exact> {
         const std::map<std::string, Rational> values{{"n", 7}, {"k", 3}, {"w", Rational(1, 16)}};
         const auto found = values.find(name);
-        if (found == values.end()) return Error{"unknown " + name, {}, {}, 0, 0};
+        if (found == values.end()) return Error{"unknown " + name};
         return Exact(found->second);
       });
   if (!result) return failed(result.error());

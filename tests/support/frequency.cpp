@@ -15,7 +15,7 @@ T must(Result<T> result) {
   return std::move(*result);
 }
 
-bool has_center(const Split& split) { return split.births_vertices; }
+bool has_center(const Split& split) { return split.births.vertices; }
 
 }  // namespace
 

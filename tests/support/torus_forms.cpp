@@ -78,15 +78,15 @@ Result<Mask> refined_mask(const Scheme& scheme) {
       Offset offset{};
       for (std::size_t d = 0; d < 2; ++d)
         offset[d] = nearest(places[i][d] - 4 * place_of(vertex)[d], 4 * kSide);
-      if (!weight.is_rational()) return Error{"an irrational coefficient", {}, {}, 0, 0};
+      if (!weight.is_rational()) return Error{"an irrational coefficient"};
       const auto [entry, is_new] = mask.coefficients.emplace(offset, weight.rational());
       if (!is_new && entry->second != weight.rational())
-        return Error{"the mask is not the same everywhere", {}, {}, 0, 0};
+        return Error{"the mask is not the same everywhere"};
       ++met[offset];
     }
   }
   for (const auto& [offset, count] : met)
-    if (count != kSide * kSide) return Error{"the mask is not the same everywhere", {}, {}, 0, 0};
+    if (count != kSide * kSide) return Error{"the mask is not the same everywhere"};
   return mask;
 }
 

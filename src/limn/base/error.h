@@ -18,6 +18,15 @@ struct Error {
   int line = 0;         ///< 1-based; 0: unknown or not applicable (binary file)
   int column = 0;       ///< 1-based, in bytes; 0: unknown
 
+  Error() = default;
+  Error(std::string what, std::string remedy = {}, std::string where = {}, int at_line = 0,
+        int at_column = 0)
+      : message(std::move(what)),
+        hint(std::move(remedy)),
+        file(std::move(where)),
+        line(at_line),
+        column(at_column) {}
+
   /// "file:line:column: message (hint)", with the parts that are known.
   [[nodiscard]] std::string text() const;
 };

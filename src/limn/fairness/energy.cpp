@@ -121,7 +121,7 @@ Status check_finite(const std::vector<Point3>& positions) {
   for (std::size_t v = 0; v < positions.size(); ++v) {
     const Point3& p = positions[v];
     if (!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z))
-      return Error{fmt::format("the position of vertex {} is not finite", v), {}, {}, 0, 0};
+      return Error{fmt::format("the position of vertex {} is not finite", v)};
   }
   return Done{};
 }

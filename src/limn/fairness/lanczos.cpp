@@ -140,7 +140,7 @@ Result<LeastEigenpairs> approx_least_eigenpairs(const Sparse& matrix, int count)
     const MatrixXd more =
         dominant_vectors(inverse, start, pass == 0 ? count : std::min(count, kMore), kTolerance);
     if (more.cols() == 0)
-      return Error{"the modes did not converge", "ask for fewer, or for more at once", {}, 0, 0};
+      return Error{"the modes did not converge", "ask for fewer, or for more at once"};
     const bool last = pass > 0 && rayleigh_quotient(matrix, more.col(0)) >
                                       found.values[static_cast<std::size_t>(count - 1)] - kSame;
     if (last) break;
@@ -155,7 +155,7 @@ Result<LeastEigenpairs> approx_least_eigenpairs(const Sparse& matrix, int count)
 bool lanczos_available() { return false; }
 
 Result<LeastEigenpairs> approx_least_eigenpairs(const Eigen::SparseMatrix<double>&, int) {
-  return Error{"this limn finds no modes of large meshes", "build it with Spectra", {}, 0, 0};
+  return Error{"this limn finds no modes of large meshes", "build it with Spectra"};
 }
 
 #endif

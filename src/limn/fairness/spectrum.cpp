@@ -35,10 +35,7 @@ Result<LaplacianModes> approx_all_modes(const Mesh& mesh) {
   if (mesh.vertex_count() > kMostDenseVertices)
     return Error{fmt::format("all modes of {} vertices are too many", mesh.vertex_count()),
                  fmt::format("up to {} they can be found; ask for some of the smallest or largest",
-                             kMostDenseVertices),
-                 {},
-                 0,
-                 0};
+                             kMostDenseVertices)};
   const Eigen::MatrixXd matrix = symmetric_laplacian_matrix(mesh);
   if (matrix.rows() == 0) return LaplacianModes{};
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(matrix);

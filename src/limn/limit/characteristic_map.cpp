@@ -129,13 +129,10 @@ Result<CharacteristicMap> approx_characteristic_map(const Scheme& scheme, int n,
   const Eigencomponents components = approx_eigencomponents(*near);
   const Eigenvalue& leader = components.spectra[1].eigenvalues.front();
   if (!components.tangent || !(*components.tangent > 0) || leader.multiplicity > 1)
-    return Error{fmt::format("scheme '{}' has no characteristic map at valence {}: frequency 1 is "
-                             "not led by a simple positive eigenvalue",
-                             scheme.name, n),
-                 {},
-                 {},
-                 0,
-                 0};
+    return Error{
+        fmt::format("scheme '{}' has no characteristic map at valence {}: frequency 1 is "
+                    "not led by a simple positive eigenvalue",
+                    scheme.name, n)};
   const int rings = near->rings + kMoreRings;
   const Result<FrequencyBlocks> wide = FrequencyAnalysis(scheme, rings).blocks(n);
   if (!wide) return wide.error();

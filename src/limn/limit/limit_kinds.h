@@ -106,7 +106,7 @@ class LimitSearch {
   LimitSearch(const Scheme& scheme, LimitKinds& kinds, const LimitOptions& options, Limit limit,
               Curvature curvature)
       : scheme_(scheme),
-        dual_(scheme.split->births_corners),
+        dual_(scheme.split->births.corners),
         kinds_(kinds),
         options_(options),
         limit_(limit),
@@ -192,8 +192,7 @@ class LimitSearch {
       const std::string reason =
           fmt::format("after {} steps its surroundings are still not regular", steps);
       if (refused == nullptr)
-        return Error{
-            fmt::format("no limit point at vertex {}: {}", site.result, reason), {}, {}, 0, 0};
+        return Error{fmt::format("no limit point at vertex {}: {}", site.result, reason)};
       refused->push_back({site.result, reason});
     }
     return Done{};

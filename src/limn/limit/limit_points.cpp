@@ -131,7 +131,7 @@ Result<LimitPoints> approx_limit_points(const Scheme& scheme, const Mesh& mesh,
   for (const Index v : vertices)
     if (mesh.is_isolated(v)) out.positions[v] = values[v];
   LimitKinds kinds(scheme, options.curvatures && options.regular.bounded != Truth::no);
-  const bool dual = scheme.split->births_corners;
+  const bool dual = scheme.split->births.corners;
   const auto limit = [&](const Spot& at) { take_limit(at, dual, out); };
   const auto curvature = [&](const Spot& at) { take_curvature(at, out); };
   LimitSearch<Point3, decltype(limit), decltype(curvature)> search(scheme, kinds, options, limit,

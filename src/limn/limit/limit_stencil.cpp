@@ -21,7 +21,7 @@ constexpr Index kLargestFan = 1000;  // vertices of a dense matrix, which takes 
 constexpr double kTie = 1e-6;  // rounding splits a defective pair of eigenvalues by about 1e-8
 
 Error no_limit(const std::string& where, const std::string& reason) {
-  return {fmt::format("no limit points at {}: {}", where, reason), {}, {}, 0, 0};
+  return {fmt::format("no limit points at {}: {}", where, reason)};
 }
 
 /// The outermost ring whose vertices have weights.
@@ -71,10 +71,7 @@ Result<std::vector<LinearForm<double>>> refined_forms(const Scheme& scheme, cons
 Status check_size(Lattice lattice, int faces, int rings) {
   if (faces <= kLargestFan && fan_size(lattice, faces, rings) <= kLargestFan) return Done{};
   return Error{fmt::format("a boundary vertex of {} faces is too large for limit points", faces),
-               fmt::format("up to {} vertices round it are analysed", kLargestFan),
-               {},
-               0,
-               0};
+               fmt::format("up to {} vertices round it are analysed", kLargestFan)};
 }
 
 Result<FanMatrix> fan_matrix(const Scheme& scheme, int faces) {

@@ -68,7 +68,7 @@ Result<StarSurface> kept_part(const Mesh& mesh, const std::vector<bool>& kept,
 Result<StarSurface> approx_star_surface(const Scheme& scheme, int n, int rings,
                                         const std::vector<Point3>& values, int steps) {
   const Split& split = *scheme.split;
-  const bool dual = split.births_corners;
+  const bool dual = split.births.corners;
   const int step_count = split.trisects_boundary ? 2 * (steps / 2) : steps;
   Refined<Point3> fine{split_star(split, n, rings), values};
   RuleTables<double> tables(scheme, Boundary::left_out);

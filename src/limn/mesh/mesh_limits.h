@@ -23,7 +23,7 @@ inline constexpr std::size_t kMostElements = std::numeric_limits<Index>::max() -
                      : corners > kMostElements ? "corners"
                                                : nullptr;
   if (what == nullptr) return std::nullopt;
-  return Error{std::string("2^31 - 1 ") + what + " or more", "cut the mesh into parts", {}, 0, 0};
+  return Error{std::string("2^31 - 1 ") + what + " or more", "cut the mesh into parts"};
 }
 
 }  // namespace limn

@@ -60,7 +60,7 @@ struct Facets {
 };
 
 Error refusal(const char* name, const std::string& what) {
-  return {std::string("distance of surfaces: the ") + name + " " + what, {}, {}, 0, 0};
+  return {std::string("distance of surfaces: the ") + name + " " + what};
 }
 
 /// The largest coordinate of a corner, in size; or what is wrong with the corners.

@@ -26,13 +26,13 @@ struct Arithmetic<double> {
   static Result<double> subtract(double a, double b) { return finite(a - b); }
   static Result<double> multiply(double a, double b) { return finite(a * b); }
   static Result<double> divide(double a, double b) {
-    if (b == 0) return Error{"division by zero", {}, {}, 0, 0};
+    if (b == 0) return Error{"division by zero"};
     return finite(a / b);
   }
   static Result<double> cos(double a) { return std::cos(a); }
   static Result<double> sin(double a) { return std::sin(a); }
   static Result<double> sqrt(double a) {
-    if (a < 0) return Error{"square root of a negative number", {}, {}, 0, 0};
+    if (a < 0) return Error{"square root of a negative number"};
     return std::sqrt(a);
   }
   /// -1, 0, 1
@@ -41,14 +41,14 @@ struct Arithmetic<double> {
   static Result<long long> integer(double a) {
     const double rounded = std::nearbyint(a);
     if (!(std::abs(a - rounded) < 1e-9) || std::abs(a) > 1e15)
-      return Error{"an integer is needed here", {}, {}, 0, 0};
+      return Error{"an integer is needed here"};
     return static_cast<long long>(rounded);
   }
   static double approx(double a) { return a; }
 
  private:
   static Result<double> finite(double a) {
-    if (!std::isfinite(a)) return Error{"the number is too large", {}, {}, 0, 0};
+    if (!std::isfinite(a)) return Error{"the number is too large"};
     return a;
   }
 };
@@ -69,13 +69,13 @@ struct Arithmetic<Exact> {
     if (a.is_rational()) return a.rational() < 0 ? -1 : 1;
     const double approx = a.approx();
     if (!(std::abs(approx) > 1e-9 * a.magnitude()))
-      return Error{"cannot decide the sign of a number this close to 0", {}, {}, 0, 0};
+      return Error{"cannot decide the sign of a number this close to 0"};
     return approx < 0 ? -1 : 1;
   }
   static Result<long long> integer(const Exact& a) {
     if (!a.is_rational() || !limn::is_integer(a.rational()) ||
         abs(a.rational()) > Rational(1'000'000'000'000'000LL))
-      return Error{"an integer is needed here", {}, {}, 0, 0};
+      return Error{"an integer is needed here"};
     return boost::multiprecision::numerator(a.rational()).convert_to<long long>();
   }
   static double approx(const Exact& a) { return a.approx(); }

@@ -26,7 +26,7 @@ double common_multiple(double a, double b) {
 thread_local double work_left = std::numeric_limits<double>::infinity();
 
 Error failure(std::string message, std::string hint = {}) {
-  return {std::move(message), std::move(hint), {}, 0, 0};
+  return {std::move(message), std::move(hint)};
 }
 
 bool same_number(const std::shared_ptr<const Exact>& a, const std::shared_ptr<const Exact>& b) {

@@ -40,7 +40,7 @@ Status check_size(const Polynomial& a) {
     sum += here;
   }
   if (longest <= kMostBits && sum <= kMostBitsOfAll) return Done{};
-  return Error{"a polynomial's coefficients are too long for it to be factored", {}, {}, 0, 0};
+  return Error{"a polynomial's coefficients are too long for it to be factored"};
 }
 
 /// FLINT's polynomials in some indeterminates, and the way there and back.
@@ -148,7 +148,7 @@ Result<PolynomialFactors> factor(const Polynomial& a) {
     }
   }
   fmpq_mpoly_factor_clear(factors, ring.context());
-  if (!done) return Error{"a polynomial could not be factored", {}, {}, 0, 0};
+  if (!done) return Error{"a polynomial could not be factored"};
   return result;
 }
 
@@ -167,7 +167,7 @@ Result<Coprime> without_common_divisor(const Polynomial& a, const Polynomial& b)
   Value over_right(ring);
   if (fmpq_mpoly_gcd_cofactors(divisor.value, over_left.value, over_right.value, left.value,
                                right.value, ring.context()) == 0)
-    return Error{"a common divisor could not be found", {}, {}, 0, 0};
+    return Error{"a common divisor could not be found"};
   return Coprime{ring.read(over_left.value), ring.read(over_right.value), ring.read(divisor.value)};
 }
 
@@ -176,10 +176,7 @@ namespace {
 
 Error without_flint() {
   return {"this limn was built without FLINT, which formulas need",
-          "install FLINT 2.9 or later and build limn anew",
-          {},
-          0,
-          0};
+          "install FLINT 2.9 or later and build limn anew"};
 }
 
 }  // namespace

@@ -17,7 +17,7 @@ constexpr int kLargestExponent = 1000;
 constexpr unsigned kMostBits = 20000;  // of a numerator or a denominator
 constexpr double kDecided = 1e-9;
 
-Error fault(const char* message) { return {message, {}, {}, 0, 0}; }
+Error fault(const char* message) { return {message}; }
 
 Status bounded(const Polynomial& a) {
   const auto bits = [](const Integer& of) { return of == 0 ? 0 : msb(abs(of)); };

@@ -6,7 +6,7 @@ namespace {
 
 constexpr int kMostTurns = 64;  // of an angle's multiple that is resolved
 
-Error fault(const char* message) { return {message, {}, {}, 0, 0}; }
+Error fault(const char* message) { return {message}; }
 
 struct CosineAndSine {
   Symbolic cosine;

@@ -18,14 +18,14 @@ struct Counts {
 /// After one step, an upper bound: exact but for the boundaries of dual splits, which lose faces.
 Counts after_step(const Split& split, const Counts& c, int step) {
   Counts r;
-  if (split.births_corners) {
+  if (split.births.corners) {
     r.vertices = c.halfedges;
     r.faces = c.vertices + c.edges + c.faces;
     r.halfedges = 4 * c.halfedges;
     r.edges = 2 * c.halfedges;
     return r;
   }
-  r.vertices = c.vertices + (split.births_edges ? c.edges : 0) + (split.births_faces ? c.faces : 0);
+  r.vertices = c.vertices + (split.births.edges ? c.edges : 0) + (split.births.faces ? c.faces : 0);
   if (split.trisects_boundary) {
     const double cut = step % 2 == 1 ? 2 * c.edges - c.halfedges : 0;
     r.vertices += cut;  // two new vertices on a cut edge, none in its face
@@ -93,34 +93,24 @@ Status check_memory(const RefineEstimate& estimate, int levels, double memory_li
   return Error{fmt::format("{} and need about {} of memory; {} are free",
                            size_text(estimate.vertices, estimate.faces, levels),
                            bytes_text(estimate.peak_bytes), bytes_text(memory_limit)),
-               "use fewer levels",
-               {},
-               0,
-               0};
+               "use fewer levels"};
 }
 
 Status check_refinable(const Scheme& scheme, const Mesh& mesh, int levels,
                        std::size_t bytes_per_value, double memory_limit) {
   const Split& split = *scheme.split;
-  if (levels < 0)
-    return Error{fmt::format("{} is no number of levels", levels), "give 0 or more", {}, 0, 0};
+  if (levels < 0) return Error{fmt::format("{} is no number of levels", levels), "give 0 or more"};
   if (!split.any_polygons && mesh.uniform_degree() != 3)
     for (Index f = 0; f < mesh.face_count(); ++f)
       if (mesh.degree(f) != 3)
         return Error{fmt::format("scheme '{}' refines triangles, but face {} has {} corners",
                                  scheme.name, f, mesh.degree(f)),
-                     "--triangulate cuts polygons into triangles",
-                     {},
-                     0,
-                     0};
+                     "--triangulate cuts polygons into triangles"};
   const Forecast result = forecast(split, mesh, levels, bytes_per_value);
   if (result.last.halfedges > kLargestHalfedgeCount)
     return Error{
         size_text(result.last.vertices, result.last.faces, levels) + ", more than 2^31 half-edges",
-        "use fewer levels",
-        {},
-        0,
-        0};
+        "use fewer levels"};
   return check_memory({result.last.vertices, result.last.faces, result.peak_bytes}, levels,
                       memory_limit);
 }

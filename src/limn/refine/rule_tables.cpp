@@ -220,7 +220,7 @@ Status RuleTables<Number>::prepare_vertices(const Mesh& mesh, bool boundary_refi
 
 template <class Number>
 Status RuleTables<Number>::prepare_faces(const Mesh& mesh) {
-  const RuleKind kind = scheme_->split->births_faces ? RuleKind::face : RuleKind::corner;
+  const RuleKind kind = scheme_->split->births.faces ? RuleKind::face : RuleKind::corner;
   for (Index f = 0; f < mesh.face_count(); ++f)
     if (Status status = add(kind, mesh.degree(f), f); !status) return status;
   return Done{};
@@ -244,9 +244,9 @@ template <class Number>
 Status RuleTables<Number>::prepare(const Mesh& mesh, const Births& births) {
   const Split& split = *scheme_->split;
   const bool boundary_refined = !split.trisects_boundary || !births.edge_ends.empty();
-  if (split.births_vertices)
+  if (split.births.vertices)
     if (Status status = prepare_vertices(mesh, boundary_refined); !status) return status;
-  if (split.births_faces || split.births_corners)
+  if (split.births.faces || split.births.corners)
     if (Status status = prepare_faces(mesh); !status) return status;
   return prepare_edges(mesh, births);
 }

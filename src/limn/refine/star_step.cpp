@@ -12,8 +12,8 @@ constexpr int kMargin = 4;  // rings round the neighbourhood, so that no row mee
 
 /// The half-edge of the refined mesh that plays the part of half-edge 0 of the star.
 Index refined_start(const Split& split, const Mesh& coarse, const SplitResult& fine) {
-  if (split.births_corners) return 0;  // the face's first half-edge keeps its number
-  const Index toward = split.births_edges
+  if (split.births.corners) return 0;  // the face's first half-edge keeps its number
+  const Index toward = split.births.edges
                            ? fine.births.from_vertices + coarse.edge(0)
                            : fine.births.from_vertices + fine.births.from_edges + coarse.face(0);
   Index h = fine.mesh.halfedge_of_vertex(0);
@@ -24,11 +24,11 @@ Index refined_start(const Split& split, const Mesh& coarse, const SplitResult& f
 }  // namespace
 
 Mesh split_star(const Split& split, Index n, Index rings) {
-  return split.births_corners ? face_star(n, rings) : star(split.lattice, n, rings);
+  return split.births.corners ? face_star(n, rings) : star(split.lattice, n, rings);
 }
 
 Index split_star_size(const Split& split, Index n, Index rings) {
-  return split.births_corners ? face_star_size(n, rings) : star_size(split.lattice, n, rings);
+  return split.births.corners ? face_star_size(n, rings) : star_size(split.lattice, n, rings);
 }
 
 StarStep star_step(const Split& split, int n, int rings) {

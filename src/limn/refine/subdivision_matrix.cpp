@@ -11,8 +11,8 @@ template <class Number>
 Result<SubdivisionMatrix<Number>> subdivision_matrix(const Scheme& scheme, int n, int rings) {
   const Split& split = *scheme.split;
   if (n < kSmallestValence)
-    return Error{fmt::format("valence {} is below {}", n, kSmallestValence), {}, {}, 0, 0};
-  if (rings < 1) return Error{"a neighbourhood needs at least one ring", {}, {}, 0, 0};
+    return Error{fmt::format("valence {} is below {}", n, kSmallestValence)};
+  if (rings < 1) return Error{"a neighbourhood needs at least one ring"};
   const StarStep step = star_step(split, n, rings);
   RuleTables<Number> tables(scheme, Boundary::left_out);
   if (Status status = tables.prepare(step.coarse, step.fine.births); !status) return status.error();
@@ -22,7 +22,7 @@ Result<SubdivisionMatrix<Number>> subdivision_matrix(const Scheme& scheme, int n
 
   SubdivisionMatrix<Number> matrix;
   matrix.size = step.size;
-  matrix.center = split.births_corners ? 0 : 1;
+  matrix.center = split.births.corners ? 0 : 1;
   matrix.entries.assign(static_cast<std::size_t>(step.size) * static_cast<std::size_t>(step.size),
                         Number(0));
   for (Index i = 0; i < step.size; ++i)
@@ -34,10 +34,7 @@ Result<SubdivisionMatrix<Number>> subdivision_matrix(const Scheme& scheme, int n
         return Error{fmt::format("the {}-ring neighbourhood at valence {} is not invariant under "
                                  "scheme '{}'",
                                  rings, n, scheme.name),
-                     "take more rings",
-                     {},
-                     0,
-                     0};
+                     "take more rings"};
       }
     }
   return matrix;

@@ -46,10 +46,7 @@ Result<ArtifactAnalysis> ArtifactAnalysis::of(const Mask& mask) {
     return Error{
         "the mask is not the same from both sides of its centre: its artifacts have no "
         "real magnitudes",
-        "a(-k) must be a(k)",
-        {},
-        0,
-        0};
+        "a(-k) must be a(k)"};
   return ArtifactAnalysis(mask);
 }
 

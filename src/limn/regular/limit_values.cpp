@@ -19,9 +19,7 @@ namespace {
 constexpr std::size_t kMostExactValues = 80;    // a few seconds of rational elimination
 constexpr std::size_t kMostApproxValues = 800;  // some seconds, and 100 MB, of dense eigenvalues
 
-Error no_limit(const std::string& why) {
-  return {"the limit values are not determined: " + why, {}, {}, 0, 0};
-}
+Error no_limit(const std::string& why) { return {"the limit values are not determined: " + why}; }
 
 }  // namespace
 

@@ -90,10 +90,7 @@ Result<SamplingDensity> sampling_density(const ArtifactAnalysis& analysis, doubl
                                          ArtifactMeasure measure) {
   if (!(tolerance >= kLeastTolerance && tolerance <= 100))
     return Error{fmt::format("a tolerance of {} percent", tolerance),
-                 fmt::format("it is a percentage from {} to 100", kLeastTolerance),
-                 {},
-                 0,
-                 0};
+                 fmt::format("it is a percentage from {} to 100", kLeastTolerance)};
   const Status& status =
       measure == ArtifactMeasure::total_energy ? analysis.energy_status() : analysis.limit_status();
   if (!status) return status.error();

@@ -77,13 +77,9 @@ Result<std::string> tuned_scheme_text(const FreedScheme& freed, const Requiremen
     return Error{fmt::format("'{}' is one number everywhere, so a file can have that of one "
                              "valence only",
                              freed.name()),
-                 "give a single --valence",
-                 {},
-                 0,
-                 0};
+                 "give a single --valence"};
   const Definition definition = define(freed, solutions, one_number);
-  if (!definition.any)
-    return Error{fmt::format("no {} was found to write", freed.name()), {}, {}, 0, 0};
+  if (!definition.any) return Error{fmt::format("no {} was found to write", freed.name())};
   const std::string task = fmt::format("{} such that {}", freed.name(), requirement.text);
   std::string text = fmt::format(
       "# Made by limn tune. Residuals are {:.1e} at most; long fractions are doubles, exactly.\n",

@@ -134,12 +134,12 @@ Result<Number> Expression::apply_integer(Op op, const Number& a, const Number& b
   const Result<long long> right = A::integer(b);
   if (op == Op::modulo) {
     const Result<long long> left = A::integer(a);
-    if (!left || !right) return Error{"% needs two integers", {}, {}, 0, 0};
-    if (*right <= 0) return Error{"% needs a positive right-hand side", {}, {}, 0, 0};
+    if (!left || !right) return Error{"% needs two integers"};
+    if (*right <= 0) return Error{"% needs a positive right-hand side"};
     return A::from(Rational(((*left % *right) + *right) % *right));
   }
-  if (!right) return Error{"the exponent is no integer", {}, {}, 0, 0};
-  if (*right > 4096 || *right < -4096) return Error{"the exponent is beyond 4096", {}, {}, 0, 0};
+  if (!right) return Error{"the exponent is no integer"};
+  if (*right > 4096 || *right < -4096) return Error{"the exponent is beyond 4096"};
   Number result = A::from(Rational(1));
   for (long long i = 0; i < (*right < 0 ? -*right : *right); ++i) {
     Result<Number> product = A::multiply(result, a);

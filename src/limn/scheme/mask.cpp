@@ -76,16 +76,16 @@ Result<Laurent> polynomial_from_rows(const Scheme& scheme, const Rows& rows) {
 /// What the new points of a coset are, by one of its members.
 std::string points_of_coset(const Scheme& scheme, LatticeVector member) {
   const auto [x, y] = member;
-  if (scheme.split->births_corners) return "of one corner";
+  if (scheme.split->births.corners) return "of one corner";
   if (x == 0 && y == 0) return "at the vertices";
-  if (!scheme.split->births_edges) return "of one kind of face";
+  if (!scheme.split->births.edges) return "of one kind of face";
   if (y == 0) return "on the edges along (1, 0)";
   if (x == 0) return "on the edges along (0, 1)";
-  return scheme.split->births_faces ? "of the faces" : "on the edges along (1, 1)";
+  return scheme.split->births.faces ? "of the faces" : "on the edges along (1, 1)";
 }
 
 Status check_cosets(const Scheme& scheme, const Mask& mask, const Place& place) {
-  const int parity = scheme.split->births_corners ? 1 : 0;
+  const int parity = scheme.split->births.corners ? 1 : 0;
   const std::vector<LatticeVector> members = cosets(mask.dilation);
   std::vector<Rational> sums(members.size());
   for (const auto& [offset, value] : mask.coefficients) {
@@ -104,7 +104,7 @@ Status check_cosets(const Scheme& scheme, const Mask& mask, const Place& place) 
 
 /// All offsets must have the parity that the split needs, and each coset must sum to 1.
 Result<Mask> checked(const Scheme& scheme, Laurent polynomial, const Place& place) {
-  const int parity = scheme.split->births_corners ? 1 : 0;
+  const int parity = scheme.split->births.corners ? 1 : 0;
   const auto fits = [parity](int doubled) { return std::abs(doubled % 2) == parity; };
   const auto far = [](int doubled) { return std::abs(doubled) > 2 * kLargestReach; };
   Mask mask{scheme.split->lattice, scheme.split->dilation, {}};

@@ -129,10 +129,10 @@ Status add_rules_from_mask(Scheme& scheme) {
   if (!mask) return mask.error();
   const Split& split = *scheme.split;
   std::vector<RuleKind> kinds;
-  if (split.births_vertices) kinds.push_back(RuleKind::vertex);
-  if (split.births_edges) kinds.push_back(RuleKind::edge);
-  if (split.births_faces) kinds.push_back(RuleKind::face);
-  if (split.births_corners) kinds.push_back(RuleKind::corner);
+  if (split.births.vertices) kinds.push_back(RuleKind::vertex);
+  if (split.births.edges) kinds.push_back(RuleKind::edge);
+  if (split.births.faces) kinds.push_back(RuleKind::face);
+  if (split.births.corners) kinds.push_back(RuleKind::corner);
   const Mesh mesh = torus(split.lattice, kSide, kSide);
   const Births births = split.apply(mesh, 0).births;
   std::array<std::optional<Rule>, kRuleKinds> rules;

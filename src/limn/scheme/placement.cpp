@@ -18,7 +18,7 @@ constexpr Index kSide = 32;      // of the torus: more than twice the reach of t
 constexpr int kDeepestTree = 9;  // crossings; beyond them walks count as different: safe
 constexpr int kSectorReach = 2;  // how many sectors apart two equal walks are looked for
 
-Error fault(std::string message) { return {std::move(message), {}, {}, 0, 0}; }
+Error fault(std::string message) { return {std::move(message)}; }
 
 /// A regular torus, cut open along a band of faces for boundary rules.
 struct Arena {

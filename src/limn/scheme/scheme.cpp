@@ -25,12 +25,12 @@ constexpr std::size_t kDeepestExtension = 8;
 bool has_use_for(const Split& split, RuleKind kind) {
   switch (kind) {
     case RuleKind::vertex:
-    case RuleKind::boundary_vertex: return split.births_vertices;
+    case RuleKind::boundary_vertex: return split.births.vertices;
     case RuleKind::edge:
-    case RuleKind::edge_end: return split.births_edges;
-    case RuleKind::boundary_edge: return split.births_edges && !split.trisects_boundary;
-    case RuleKind::face: return split.births_faces;
-    case RuleKind::corner: return split.births_corners;
+    case RuleKind::edge_end: return split.births.edges;
+    case RuleKind::boundary_edge: return split.births.edges && !split.trisects_boundary;
+    case RuleKind::face: return split.births.faces;
+    case RuleKind::corner: return split.births.corners;
     case RuleKind::boundary_edge_end: return split.trisects_boundary;
   }
   return false;
@@ -99,15 +99,14 @@ std::string text_of(const Chain& chain) {
 std::optional<Scheme> parse_in_chain(const SchemeText& file, const SchemeLoader& load, Chain chain,
                                      Faults& faults) {
   if (chain.size() > kDeepestExtension) {
-    faults.add(
-        {fmt::format("more than {} schemes extend one another", kDeepestExtension), {}, {}, 0, 0});
+    faults.add({fmt::format("more than {} schemes extend one another", kDeepestExtension)});
     return std::nullopt;
   }
   const bool again =
       std::any_of(chain.begin(), chain.end(), [&](const Link& link) { return link.id == file.id; });
   chain.push_back({file.id, file.path});
   if (again) {
-    faults.add({"circular: " + text_of(chain), {}, {}, 0, 0});
+    faults.add({"circular: " + text_of(chain)});
     return std::nullopt;
   }
   const auto extended = [&](const std::string& name, Faults& of_base) -> std::optional<Scheme> {
@@ -137,10 +136,7 @@ Error unknown_scheme(const std::string& name) {
   const std::string near = did_you_mean(name, shipped_schemes());
   return {fmt::format("no shipped scheme and no file is called '{}'", name),
           near.empty() ? "`limn schemes` lists the shipped ones; else give the path of a .toml file"
-                       : near,
-          {},
-          0,
-          0};
+                       : near};
 }
 
 /// A scheme file is small, and a file: a device or a pipe may never end.
@@ -168,10 +164,7 @@ Error unknown_parameter(const Scheme& scheme, const std::string& name) {
   return {fmt::format("scheme '{}' has no parameter '{}'", scheme.name, name),
           known.empty()
               ? "it has no parameters"
-              : did_you_mean(name, known, fmt::format("it has {}", fmt::join(known, ", "))),
-          {},
-          0,
-          0};
+              : did_you_mean(name, known, fmt::format("it has {}", fmt::join(known, ", ")))};
 }
 
 /// Puts the expression in place; nothing is checked yet. `set`: the names that were set so far.
@@ -179,20 +172,14 @@ Status assign(Scheme& scheme, const std::string& assignment, std::set<std::strin
   const std::size_t equals = assignment.find('=');
   if (equals == std::string::npos)
     return Error{fmt::format("'{}' sets no parameter", assignment),
-                 "write name=expression, as a=1/8",
-                 {},
-                 0,
-                 0};
+                 "write name=expression, as a=1/8"};
   const std::string name = trimmed(assignment.substr(0, equals));
   const auto found = std::find_if(scheme.parameters.begin(), scheme.parameters.end(),
                                   [&](const Parameter& p) { return p.name == name; });
   if (found == scheme.parameters.end()) return unknown_parameter(scheme, name);
   if (!set.insert(name).second)
     return Error{fmt::format("parameter '{}' is set twice", name),
-                 "give it one value, by -p or after the scheme's colon",
-                 {},
-                 0,
-                 0};
+                 "give it one value, by -p or after the scheme's colon"};
   Result<Expression> expression = Expression::parse(assignment.substr(equals + 1));
   if (!expression) {
     Error error = expression.error();
@@ -213,7 +200,7 @@ Result<SchemeText> load_scheme_text(const std::string& name, const std::string& 
     if (shipped.name == name)
       return SchemeText{std::string(shipped.text), name + ".toml", "shipped " + name};
   if (name.find('\0') != std::string::npos)
-    return Error{fmt::format("'{}' is no file's name: it holds a NUL", name), {}, {}, 0, 0};
+    return Error{fmt::format("'{}' is no file's name: it holds a NUL", name)};
   fs::path path(name);
   const bool looks_like_path = path.has_parent_path() || path.extension() == ".toml";
   if (!from.empty() && path.is_relative())

@@ -177,18 +177,13 @@ Result<Number> Scope<Number>::lookup(const std::string& name) {
     if (name == "n" || name == "k")
       return Error{name + " has no value here",
                    name == "k" ? "k is defined in the weights of a role with a repeated step"
-                               : "n is defined in rules of a vertex, a face or an edge's end",
-                   {},
-                   0,
-                   0};
-    return Error{
-        "unknown name '" + name + "'", "names are n, k, the parameters and the lets", {}, 0, 0};
+                               : "n is defined in rules of a vertex, a face or an edge's end"};
+    return Error{"unknown name '" + name + "'", "names are n, k, the parameters and the lets"};
   }
   if (const auto known = known_.find(formula); known != known_.end()) return known->second;
   if (std::find(open_.begin(), open_.end(), formula) != open_.end())
-    return Error{"'" + name + "' is defined in terms of itself", {}, {}, 0, 0};
-  if (open_.size() == kDeepest)
-    return Error{"more than 64 definitions hang one on another", {}, {}, 0, 0};
+    return Error{"'" + name + "' is defined in terms of itself"};
+  if (open_.size() == kDeepest) return Error{"more than 64 definitions hang one on another"};
   open_.push_back(formula);
   Result<Number> value = evaluate(*formula);
   open_.pop_back();

@@ -63,7 +63,7 @@ std::vector<std::vector<std::size_t>> connected_parts(const SymbolicMatrix& matr
 Result<Symbolic> determinant(const SymbolicMatrix& matrix) {
   const std::size_t size = matrix.size();
   if (size > kLargestSquare)
-    return Error{fmt::format("a block of {} orbits is too large for formulas", size), {}, {}, 0, 0};
+    return Error{fmt::format("a block of {} orbits is too large for formulas", size)};
   std::vector<Symbolic> minors(std::size_t{1} << size);
   minors[0] = 1;
   for (std::size_t columns = 1; columns < minors.size(); ++columns) {
@@ -108,7 +108,7 @@ Result<Polynomial> with_cosines(const Polynomial& a, const SymbolicFrequency& fr
   for (const auto& [j, coefficient] : powers) {
     const auto mirrored = powers.find(-j);
     if (mirrored == powers.end() || !(mirrored->second == coefficient))
-      return Error{"the scheme has no mirror symmetry, which formulas need", {}, {}, 0, 0};
+      return Error{"the scheme has no mirror symmetry, which formulas need"};
     if (j < 0) continue;
     Result<Symbolic> angle =
         Symbolic::multiply(Polynomial(pi_indeterminate()) * Polynomial(j), frequency.value);

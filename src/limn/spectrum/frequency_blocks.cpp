@@ -154,7 +154,7 @@ Result<const SectorPattern*> FrequencyAnalysis::pattern_at(int n) {
 
 Result<FrequencyBlocks> FrequencyAnalysis::blocks(int n) {
   if (const int least = least_valence(*scheme_->split); n < least)
-    return Error{fmt::format("valence {} is below {}", n, least), {}, {}, 0, 0};
+    return Error{fmt::format("valence {} is below {}", n, least)};
   const Result<const SectorPattern*> pattern = pattern_at(n);
   if (!pattern) return pattern.error();
   const SectorPattern& p = **pattern;

@@ -10,7 +10,7 @@ namespace limn {
 /// quads, whose star has four vertices then; else 3, as of faces (dual splits). Rules are checked
 /// from kSmallestValence on when they are read; below, when they are needed.
 [[nodiscard]] inline int least_valence(const Split& split) {
-  return split.lattice == Lattice::quad && !split.births_corners ? 2 : kSmallestValence;
+  return split.lattice == Lattice::quad && !split.births.corners ? 2 : kSmallestValence;
 }
 
 }  // namespace limn

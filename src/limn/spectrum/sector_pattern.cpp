@@ -24,10 +24,7 @@ constexpr int kSeenBeyond = 4;  // rings of the star's margin
 
 Error not_invariant(const Scheme& scheme, int rings) {
   return {fmt::format("{} rings are not invariant under scheme '{}'", rings, scheme.name),
-          "take more rings",
-          {},
-          0,
-          0};
+          "take more rings"};
 }
 
 /// A vertex of a star as sector and orbit (kCenter: the centre).
@@ -37,7 +34,7 @@ struct OrbitPosition {
 
 class OrbitPositions {
  public:
-  OrbitPositions(const Split& split, int rings) : center_(!split.births_corners) {
+  OrbitPositions(const Split& split, int rings) : center_(!split.births.corners) {
     for (int ring = 1; ring <= rings; ++ring) {
       first_orbit_.push_back(static_cast<int>(orbits_.size()));
       const int size =
@@ -284,8 +281,8 @@ Result<StarForms> refined_star(const Scheme& scheme, const CenterCases& cases, i
 }  // namespace
 
 std::vector<RuleKind> center_rules(const Split& split) {
-  if (split.births_corners) return {RuleKind::corner};
-  if (split.births_edges) return {RuleKind::vertex, RuleKind::edge_end};
+  if (split.births.corners) return {RuleKind::corner};
+  if (split.births.edges) return {RuleKind::vertex, RuleKind::edge_end};
   return {RuleKind::vertex};
 }
 
@@ -335,7 +332,7 @@ Result<SectorPattern> sector_pattern(const Scheme& scheme, const CenterCases& ca
   if (!star) return star.error();
   const OrbitPositions places(split, rings);
   const double turn = split.dilation.rows[0][1] == 0 ? 0 : 0.5;
-  SectorPattern pattern{rings, places.orbits(), !split.births_corners, star->namer.names, {}};
+  SectorPattern pattern{rings, places.orbits(), !split.births.corners, star->namer.names, {}};
   for (Index v = 0; v < star->step.size; ++v) {
     const OrbitPosition place = places.of(v);
     if (place.sector != 0) continue;

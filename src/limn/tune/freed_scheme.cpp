@@ -96,10 +96,7 @@ Error not_freeable(const Scheme& scheme, const Use& use, const std::string& name
   return {why,
           known.empty()
               ? fmt::format("scheme '{}' has nothing that can be freed", scheme.name)
-              : did_you_mean(name, known, fmt::format("can be freed: {}", fmt::join(known, ", "))),
-          {},
-          0,
-          0};
+              : did_you_mean(name, known, fmt::format("can be freed: {}", fmt::join(known, ", ")))};
 }
 
 /// A name that the scheme does not use yet.
@@ -124,8 +121,7 @@ Result<Expression> parse_part(std::string_view text, std::size_t begin, std::str
 Result<SearchRange> SearchRange::parse(std::string_view text) {
   const std::size_t comma = text.find(',');
   if (comma == std::string_view::npos)
-    return Error{
-        fmt::format("range '{}' has no comma", text), "write both ends, as 0,1/8", {}, 0, 0};
+    return Error{fmt::format("range '{}' has no comma", text), "write both ends, as 0,1/8"};
   Result<Expression> low = parse_part(text, 0, text.substr(0, comma));
   if (!low) return low.error();
   Result<Expression> high = parse_part(text, comma + 1, text.substr(comma + 1));
@@ -155,7 +151,7 @@ FreedScheme::FreedScheme(const Scheme& scheme, std::string name, bool everywhere
     : original_(std::make_unique<Scheme>(scheme)),
       name_(std::move(name)),
       everywhere_(everywhere),
-      regular_(regular_valence(scheme.split->births_corners ? RuleKind::corner : RuleKind::vertex,
+      regular_(regular_valence(scheme.split->births.corners ? RuleKind::corner : RuleKind::vertex,
                                scheme.split->lattice)) {}
 FreedScheme::~FreedScheme() = default;
 FreedScheme::FreedScheme(FreedScheme&&) noexcept = default;
@@ -274,10 +270,7 @@ Result<Interval> FreedScheme::search_range(int n, const SearchRange* stated) {
   if (interval.low < interval.high) return interval;
   return Error{fmt::format("the range [{:.6g}, {:.6g}] of {} is empty at n = {}", interval.low,
                            interval.high, name_, n),
-               "write its lower end first",
-               {},
-               0,
-               0};
+               "write its lower end first"};
 }
 
 }  // namespace limn

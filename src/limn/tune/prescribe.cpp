@@ -12,7 +12,7 @@ namespace limn {
 namespace {
 
 Error refusal(std::string message, std::string hint = {}) {
-  return {std::move(message), std::move(hint), {}, 0, 0};
+  return {std::move(message), std::move(hint)};
 }
 
 const Weight* weight(const RuleCase& rule_case, std::string_view role) {
@@ -30,7 +30,7 @@ bool has_only(const RuleCase& rule_case, std::string_view first, std::string_vie
 Result<std::string> regular_end(const Scheme& base) {
   const auto& edge = base.rule(RuleKind::edge);
   const auto& vertex = base.rule(RuleKind::vertex);
-  const bool near = base.split->lattice == Lattice::triangle && base.split->births_edges && edge &&
+  const bool near = base.split->lattice == Lattice::triangle && base.split->births.edges && edge &&
                     edge->size() == 1 && has_only(edge->front(), "end", "wing") && vertex &&
                     std::all_of(vertex->begin(), vertex->end(),
                                 [](const RuleCase& one) { return has_only(one, "self", "ring"); });

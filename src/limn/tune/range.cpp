@@ -221,10 +221,7 @@ Result<ValenceRange> range_at(FreedScheme& scheme, const Requirement& requiremen
                               const SearchRange* range, const Stop& stop) {
   if (!requirement.has_range())
     return Error{fmt::format("requirement '{}' is an equation", requirement.text),
-                 "its values are points, not ranges",
-                 {},
-                 0,
-                 0};
+                 "its values are points, not ranges"};
   const Result<Interval> interval = scheme.search_range(n, range);
   if (!interval) return interval.error();
   return RangeSearch(scheme, requirement, n, *interval, stop).run();

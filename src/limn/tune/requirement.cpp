@@ -20,11 +20,7 @@ constexpr std::array<VerdictName, 3> kVerdicts{
      {"bounded-curvature", Relation::bounded_curvature}}};
 
 Error fault(std::string_view text, int column, const std::string& message, std::string hint) {
-  return {fmt::format("requirement '{}': column {}: {}", text, column, message),
-          std::move(hint),
-          {},
-          0,
-          0};
+  return {fmt::format("requirement '{}': column {}: {}", text, column, message), std::move(hint)};
 }
 
 constexpr const char* kForm =
@@ -194,10 +190,7 @@ Result<double> difference(const Requirement& requirement, FreedScheme& scheme, i
           component.exists_at(n)
               ? fmt::format("frequency {} is led by no real eigenvalue", component.frequency)
               : fmt::format("its frequency {} comes with valence {}", component.frequency,
-                            2 * component.frequency),
-          {},
-          0,
-          0};
+                            2 * component.frequency)};
     beside.emplace_back(component.name, *values[i]);
   }
   const Result<double> left = scheme.evaluate(*requirement.left, n, x, beside);

@@ -227,10 +227,7 @@ Result<ValenceSolutions> solve_at(FreedScheme& scheme, const Requirement& requir
                                   const SearchRange* range) {
   if (requirement.has_range())
     return Error{fmt::format("requirement '{}' is no equation", requirement.text),
-                 "its values fill ranges, not points",
-                 {},
-                 0,
-                 0};
+                 "its values fill ranges, not points"};
   const Result<Interval> interval = scheme.search_range(n, range);
   if (!interval) return interval.error();
   return Solver(scheme, requirement, n, *interval).run();

@@ -94,7 +94,7 @@ Result<std::vector<std::optional<fast::LimitForms>>> ApproxLimitReader::read(
     slot[vertices[i]] = static_cast<Index>(i);
     if (mesh.is_isolated(vertices[i])) found[i] = {Form::unit(vertices[i]), Form(), Form()};
   }
-  const bool dual = scheme_.split->births_corners;
+  const bool dual = scheme_.split->births.corners;
   const auto read = [&](const Spot& at) {
     const LimitStencil& limit = at.kind.limit;
     const Form position = weighted(limit.position, at.neighbourhood, at.values);
@@ -115,7 +115,7 @@ Result<std::vector<std::optional<fast::LimitForms>>> ApproxLimitReader::read(
 Result<fast::LimitChain> ApproxLimitReader::read_chain(const Mesh& mesh, int steps_made,
                                                        bool closed, Index vertex) {
   fast::LimitChain chain;
-  const bool dual = scheme_.split->births_corners;
+  const bool dual = scheme_.split->births.corners;
   const auto read = [&](const Spot& at) {
     chain.forms = {weighted(at.kind.limit.position, at.neighbourhood, at.values)};
     add_chain(at.mesh, at.values, at.start, dual, chain.forms);

@@ -86,7 +86,7 @@ std::string padding_remark(std::size_t bytes) {
 
 Result<std::string> format_of_content(std::string_view content) {
   const auto fail = [](std::string message, std::string hint) {
-    return Error{std::move(message), std::move(hint), {}, 0, 0};
+    return Error{std::move(message), std::move(hint)};
   };
   if (content.empty()) return fail("there is no content", "");
   const std::string_view text = io::without_mark(content);

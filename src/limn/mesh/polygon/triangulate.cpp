@@ -184,10 +184,7 @@ Result<Triangulation> triangulate(const Polygons& polygons) {
     return *fault;
   if (!ordered || static_cast<std::size_t>(before) != polygons.corners.size())
     return Error{"the face offsets do not run from 0 to the number of corners",
-                 "face_begin holds one offset more than there are faces",
-                 {},
-                 0,
-                 0};
+                 "face_begin holds one offset more than there are faces"};
 
   Triangulation result;
   result.polygons.positions = polygons.positions;

@@ -41,10 +41,13 @@ struct Split {
   std::string_view name;         ///< as scheme files write it: "triangle-dyadic", …
   std::string_view description;  ///< one line for listings
   Lattice lattice;               ///< what a regular mesh looks like
-  bool any_polygons;             ///< the first step takes any polygons; else only triangles
-  bool births_vertices, births_edges, births_faces, births_corners;
+  bool any_polygons = false;     ///< the first step takes any polygons; else only triangles
+  /// What new vertices are born from.
+  struct BirthPlaces {
+    bool vertices = false, edges = false, faces = false, corners = false;
+  } births;
   /// The boundary is left alone in even steps and each of its edges cut in three in odd ones.
-  bool trisects_boundary;
+  bool trisects_boundary = false;
   /// Coordinates of old vertices in the refined lattice; the lattice may turn (sqrt3: by 30°).
   LatticeMatrix dilation;
   /// One step. `step` counts from 0: sqrt3 refines the boundary in every second step only.

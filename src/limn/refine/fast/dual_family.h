@@ -21,7 +21,7 @@
 
 namespace limn::fast {
 
-/// Precondition: scheme.split->births_corners. `control` must outlive the family; where there are
+/// Precondition: scheme.split->births.corners. `control` must outlive the family; where there are
 /// no tables (dual_tables.h) or no inner edges, all steps are left to the plain engine. Cost: the
 /// tables, some 0.1 ms for each number of sides that a face or vertex has.
 [[nodiscard]] std::unique_ptr<Family> make_dual_family(const Scheme& scheme, const Mesh& control,

@@ -174,8 +174,7 @@ class RimReader {
     for (const Index h : born)
       for (const Index v : corner_hull(scheme_, coarse_mesh, h))
         if (!places.contains(v))
-          return Error{
-              fmt::format("the rules of scheme '{}' look too far", scheme_.name), {}, {}, 0, 0};
+          return Error{fmt::format("the rules of scheme '{}' look too far", scheme_.name)};
     const Result<std::vector<Form>> read = forms(coarse_mesh, born);
     if (!read) return read.error();
     fill_zone(zone, *read, [&](Index v) { return places.at(v); });

@@ -21,7 +21,7 @@ constexpr Index kLargestGrid = 8;  // a rule that needs a finer one is left to t
 using Form = LinearForm<double>;
 
 Error too_far(const Scheme& scheme) {
-  return Error{fmt::format("the rules of scheme '{}' look too far", scheme.name), {}, {}, 0, 0};
+  return Error{fmt::format("the rules of scheme '{}' look too far", scheme.name)};
 }
 
 /// One step of a face star.
@@ -139,7 +139,7 @@ class TableMaker {
 
   Status read_zone(Index n) {
     if (n < 3 || n > kLargestDualTable)
-      return Error{fmt::format("no table for a face or vertex of {} sides", n), {}, {}, 0, 0};
+      return Error{fmt::format("no table for a face or vertex of {} sides", n)};
     const Site star(scheme_, n, tables_.zone + tables_.halo);
     DualZone zone;
     for (Index s = 0; s < n; ++s)

@@ -12,13 +12,13 @@ using Maker = std::unique_ptr<Family> (*)(const Scheme& scheme, const Mesh& cont
 
 /// By what a split does, not by its name.
 Maker maker(const Split& split) {
-  const bool old_and_edges = split.births_vertices && split.births_edges && !split.births_corners;
-  if (split.lattice == Lattice::quad && split.births_corners) return make_dual_family;
+  const bool old_and_edges = split.births.vertices && split.births.edges && !split.births.corners;
+  if (split.lattice == Lattice::quad && split.births.corners) return make_dual_family;
   if (split.lattice == Lattice::triangle && split.trisects_boundary && split.dilation.growth() == 3)
     return make_sqrt3_family;
   if (!old_and_edges || split.dilation.growth() != 4) return nullptr;
-  if (split.lattice == Lattice::triangle && !split.births_faces) return make_triangle_family;
-  if (split.lattice == Lattice::quad && split.births_faces) return make_quad_family;
+  if (split.lattice == Lattice::triangle && !split.births.faces) return make_triangle_family;
+  if (split.lattice == Lattice::quad && split.births.faces) return make_quad_family;
   return nullptr;
 }
 

@@ -11,10 +11,10 @@ namespace {
 /// Those of a first step.
 Births births(const Split& split, const Mesh& mesh) {
   Births births;
-  if (split.births_vertices) births.from_vertices = mesh.vertex_count();
-  if (split.births_edges) births.from_edges = mesh.edge_count();
-  if (split.births_faces) births.from_faces = mesh.face_count();
-  if (!split.births_corners) return births;
+  if (split.births.vertices) births.from_vertices = mesh.vertex_count();
+  if (split.births.edges) births.from_edges = mesh.edge_count();
+  if (split.births.faces) births.from_faces = mesh.face_count();
+  if (!split.births.corners) return births;
   births.from_corners = mesh.halfedge_count();
   for (Index v = 0; v < mesh.vertex_count(); ++v)
     if (mesh.is_isolated(v)) births.isolated.push_back(v);

@@ -38,9 +38,7 @@ class TableMaker {
   Result<std::array<Sqrt3Tables, 2>> make() {
     for (const Sqrt3Step step : kSteps) {
       const std::optional<Sqrt3Reach> reach = find_sqrt3_reach(scheme_, step, sides_);
-      if (!reach)
-        return Error{
-            fmt::format("the rules of scheme '{}' look too far", scheme_.name), {}, {}, 0, 0};
+      if (!reach) return Error{fmt::format("the rules of scheme '{}' look too far", scheme_.name)};
       of(step).reach = *reach;
     }
     if (Status status = read_interior(); !status) return status.error();
@@ -123,11 +121,7 @@ class TableMaker {
     const Index sectors = kind.faces;
     if (sectors == 0) return Done{};
     if (sectors > kLargestTable || (!open && sectors < 3))
-      return Error{fmt::format("no table for vertex {} of {} faces", kind.vertices[0], sectors),
-                   {},
-                   {},
-                   0,
-                   0};
+      return Error{fmt::format("no table for vertex {} of {} faces", kind.vertices[0], sectors)};
     const Sqrt3Site site(*scheme_.split, sectors, open, rings_seen(0));
     for (const Sqrt3Step step : kSteps) {
       const std::vector<SectorPoint> wanted =

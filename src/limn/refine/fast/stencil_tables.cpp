@@ -80,9 +80,7 @@ class TableMaker {
     const bool boundary =
         std::any_of(kinds_.begin(), kinds_.end(), [](const VertexKind& kind) { return kind.open; });
     const std::optional<Reach> reach = find_reach(scheme_, boundary);
-    if (!reach)
-      return Error{
-          fmt::format("the rules of scheme '{}' look too far", scheme_.name), {}, {}, 0, 0};
+    if (!reach) return Error{fmt::format("the rules of scheme '{}' look too far", scheme_.name)};
     tables_.lattice = lattice_;
     tables_.reach = *reach;
     if (Status status = read_interior(); !status) return status.error();
@@ -140,11 +138,7 @@ class TableMaker {
     const Index sectors = kind.faces;
     const StarShape shape{lattice_, sectors, open};
     if (sectors > kLargestTable || (!open && sectors < fewest_sectors(lattice_)))
-      return Error{fmt::format("no table for vertex {} of {} faces", kind.vertices[0], sectors),
-                   {},
-                   {},
-                   0,
-                   0};
+      return Error{fmt::format("no table for vertex {} of {} faces", kind.vertices[0], sectors)};
     const Reach& reach = tables_.reach;
     const Index zone = !open ? reach.star_zone : sectors == 1 ? reach.corner_zone : reach.fan_zone;
     const Index rings = std::max(zone, open ? reach.fan_rings : reach.star_rings);

@@ -62,8 +62,7 @@ Status check_cosets(const Mask& mask) {
     sums[static_cast<std::size_t>(coset_of(mask.dilation, k))] += value;
   for (const Rational& sum : sums)
     if (sum != 1)
-      return Error{
-          "the weights of a new point do not sum to 1: no regularity can be told", {}, {}, 0, 0};
+      return Error{"the weights of a new point do not sum to 1: no regularity can be told"};
   return Done{};
 }
 

@@ -129,13 +129,10 @@ Result<TransitionOperators> transition_operators(const Mask& mask, int order) {
   operators.digits = cosets(mask.dilation);
   const Points support = smallest_support(a, mask.dilation, operators.digits, order);
   if (support.size() > kMostPoints)
-    return Error{fmt::format("the mask is too wide for a regularity analysis: more than {} "
-                             "control points would have to be followed",
-                             kMostPoints),
-                 {},
-                 {},
-                 0,
-                 0};
+    return Error{
+        fmt::format("the mask is too wide for a regularity analysis: more than {} "
+                    "control points would have to be followed",
+                    kMostPoints)};
   operators.support.assign(support.begin(), support.end());
   const Echelon<Rational> differences = differences_on(operators.support, order);
   for (const LatticeVector digit : operators.digits) {
@@ -147,11 +144,7 @@ Result<TransitionOperators> transition_operators(const Mask& mask, int order) {
         return Error{
             fmt::format("differences of order {} of the refined data do not follow from "
                         "those of the control data: the mask's sum rules are of lower order",
-                        order),
-            {},
-            {},
-            0,
-            0};
+                        order)};
       columns.emplace_back();
       for (const std::size_t pivot : differences.pivots()) columns.back().push_back(image[pivot]);
     }
