@@ -1,4 +1,4 @@
-// The quick engine: a control mesh refined to the end (topology, positions, faces), and positions
+// The fast engine: a control mesh refined to the end (topology, positions, faces), and positions
 // evaluated again for one topology; ns per output vertex, beside what writing the same bytes
 // takes. Memory is kept between runs, but in the rows that say cold.
 

@@ -6,6 +6,7 @@
 find_package(GTest REQUIRED)
 find_package(rapidcheck REQUIRED)
 include(GoogleTest)
+include(LimnDocuments)  # tests of what documents say
 
 add_library(limn_test_support INTERFACE)
 # One set of precompiled headers serves all test programs.

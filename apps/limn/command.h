@@ -1,5 +1,5 @@
 #pragma once
-/// The command's frame. A command is one file: a function that declares its options on the
+/// What the commands share. A command is one file: a function that declares its options on the
 /// parser and hands over what to run. It parses, calls the library and prints; no mathematics.
 
 #include <CLI/CLI.hpp>

@@ -53,7 +53,7 @@ HugeArray<Real> fine_positions(const FastRefiner& refiner) {
   return HugeArray<Real>(3 * static_cast<std::size_t>(refiner.vertex_count()));
 }
 
-/// The quick engine, all of it, as for the others: reading the tables counts.
+/// The fast engine, all of it, as for the others: reading the tables counts.
 template <class Real>
 class QuickTrial final : public Trial {
  public:

@@ -36,7 +36,7 @@ struct Control {
   }
 };
 
-/// Full refinement, topology and positions: the plain engine on doubles, the quick engine where it
+/// Full refinement, topology and positions: the plain engine on doubles, the fast engine where it
 /// has a layout for the split, on doubles and floats, one thread and two; OpenSubdiv (uniform
 /// refinement), CGAL and OpenMesh, none of which uses more than one thread. Floats where a library
 /// takes them: it is then a little faster. `race` and `control` must outlive the contenders.

@@ -1,5 +1,5 @@
-// Polynomials in symbols: ring laws and values at random points, Chebyshev's polynomials against
-// cosines, factors of random products, and what is written.
+// Polynomials in indeterminates: ring laws and values at random points, Chebyshev's polynomials
+// against cosines, factors of random products, and what is written.
 
 #include "limn/number/polynomial.h"
 
@@ -16,9 +16,9 @@
 namespace limn::test {
 namespace {
 
-const Symbol kX = variable("x");
-const Symbol kY = variable("y");
-const Symbol kN = whole_number("n");
+const Indeterminate kX = variable("x");
+const Indeterminate kY = variable("y");
+const Indeterminate kN = whole_number("n");
 
 Polynomial random_polynomial(std::mt19937& random, int terms, int lowest = 0) {
   Polynomial sum;
@@ -76,7 +76,7 @@ TEST(Polynomial, ChebyshevsAreThoseOfMultipleAngles) {
 
 TEST(Polynomial, AnglesMayChangeButNotTheValue) {
   const Monomial over_n{{kN, -1}};
-  const Symbol c = cosine_symbol(1, over_n);
+  const Indeterminate c = cosine_indeterminate(1, over_n);
   std::mt19937 random(3);
   for (int i = 0; i < 100; ++i) {
     Polynomial a = substituted(random_polynomial(random, 4), kX, Polynomial(c));
@@ -105,7 +105,7 @@ TEST(Polynomial, AreWrittenAsSchemeFilesWouldBe) {
   EXPECT_EQ(sum_text(Polynomial({{kN, -1}, {kX, 2}}, Rational(-2, 3)), Notation::latex),
             "-\\frac{2 x^{2}}{3 n}");
   EXPECT_EQ(sum_text(Polynomial(1) - x, Notation::text, TermOrder::falling), "1 - x");
-  EXPECT_EQ(cosine_symbol(Rational(2, 3), {{kN, -1}, {kX, 1}})->name, "cos(2*pi*x/(3*n))");
+  EXPECT_EQ(cosine_indeterminate(Rational(2, 3), {{kN, -1}, {kX, 1}})->name, "cos(2*pi*x/(3*n))");
   EXPECT_EQ(latex_name("omega"), "\\omega");
   EXPECT_EQ(latex_name("my_w"), "\\mathit{my\\_w}");
 }
@@ -165,7 +165,7 @@ TEST_F(Factors, CommonDivisorsAreTakenOutExactly) {
 }
 
 TEST_F(Factors, OfDegreeOneAndTwoGiveRoots) {
-  const Symbol unknown = variable("lambda");
+  const Indeterminate unknown = variable("lambda");
   const Polynomial l(unknown);
   const Polynomial x(kX);
   const auto texts = [&](const Polynomial& a) {

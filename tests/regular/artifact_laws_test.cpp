@@ -112,7 +112,7 @@ RC_GTEST_PROP(ArtifactLaws, AnArtifactIsTheSignalOfItsOwnFrequency, ()) {
     for (std::size_t c = 0; c < waves.size(); ++c) {
       RC_ASSERT(std::abs(analysis.in_limit(waves[c]).signal - limit[c]) < 1e-13);
       RC_ASSERT(std::abs(analysis.after_steps(waves[c], 3).signal - steps[c]) < 1e-13);
-      // the energy of all waves together does not hang on which is called the signal
+      // the energy of all waves together does not depend on which is called the signal
       const double signal = analysis.amplitude(waves[c]);
       const double total = analysis.energy(waves[c]) + signal * signal;
       if (c == 0) energy = total;

@@ -45,7 +45,7 @@ constexpr Truth kNo = Truth::no;
 struct Stated {
   std::string name;
   std::vector<std::string> parameters;
-  double low, high;  // as theory.md §5 prints them
+  double low, high;  // known before this code was written
   int holder_rules;
 };
 

@@ -59,7 +59,7 @@ TEST(RegularityTime, IsNotCalledEndedWhereItSufficed) {
 }
 
 TEST(RegularityTime, EachMomentOfTheEndGivesATrueBracket) {
-  // the butterfly's exponent is 2 (theory.md §6), whenever the search is stopped
+  // the butterfly's exponent is exactly 2, whenever the search is stopped
   const Mask mask = regular_mask(find_scheme("butterfly").value()).value();
   for (double looks = 1; looks < 5000; looks = looks * 3) {
     double now = 0;

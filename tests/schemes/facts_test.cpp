@@ -1,5 +1,5 @@
 // Every shipped file against the literature: its rules, its facts, its mask, and the numbers of
-// the papers (and of theory.md §3 and §5) that follow from eigenvalues alone.
+// the papers that follow from eigenvalues alone.
 
 #include <gtest/gtest.h>
 
@@ -61,7 +61,7 @@ void expect_printed(double value, double printed, int digits) {
 }
 
 TEST(PlainButterfly, IsNotSmoothAtValenceThreeNorFromEightOn) {
-  // theory.md §3
+  // four digits of these were known before this code was written
   EXPECT_NEAR(leading("butterfly", 3, 1), 0.25, 1e-6);
   EXPECT_NEAR(leading("butterfly", 3, 0), 0.25, 1e-4);  // a tie
   expect_printed(leading("butterfly", 7, 1), .4819, 4);
@@ -70,8 +70,8 @@ TEST(PlainButterfly, IsNotSmoothAtValenceThreeNorFromEightOn) {
   expect_printed(leading("butterfly", 8, 2), .4690, 4);  // the wrong frequency leads
 }
 
-TEST(Loop, HasTheEigenvaluesOfTheTheory) {
-  // theory.md §3 prints .281825 and .319373 for the last two
+TEST(Loop, HasTheEigenvaluesOfItsClosedForms) {
+  // 3/8 + cos(2π/7)/4, its square, 3/8 + cos(4π/7)/4
   expect_printed(leading("loop", 7, 1), .530872, 6);
   expect_printed(leading("loop", 7, 0), .281826, 6);
   expect_printed(leading("loop", 7, 2), .319370, 6);

@@ -83,7 +83,7 @@ TEST(ConnectedParts, AreThoseOfThePowersOfThePattern) {
   std::mt19937 random(7);
   for (int round = 0; round < 200; ++round) {
     const int size = 1 + static_cast<int>(random() % 9);
-    Pattern entries(size, size);
+    BoolMatrix entries(size, size);
     for (int i = 0; i < size * size; ++i) entries(i / size, i % size) = random() % 5 == 0;
     const Eigen::MatrixXd step =
         entries.matrix().cast<double>() + Eigen::MatrixXd::Identity(size, size);

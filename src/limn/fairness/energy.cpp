@@ -153,7 +153,7 @@ SurfaceEnergies energies_of(const Mesh& mesh, const std::vector<Point3>& positio
   const std::vector<SecondForm> forms = approx_second_forms(mesh, positions);
   const FaceSum faces(mesh, positions, forms);
   constexpr std::ptrdiff_t kGrain = 512;
-  // one slot a chunk, so that the sums hang on no thread
+  // one slot a chunk, so that the sums depend on no thread
   std::vector<SurfaceEnergies> sums(static_cast<std::size_t>(mesh.face_count() / kGrain + 1));
   parallel_for(
       Index{0}, mesh.face_count(),

@@ -35,7 +35,7 @@ Eigen::SparseMatrix<double> matrix_of(const Mesh& mesh, Weight weight) {
 
 double energy_of(const Mesh& mesh, const std::vector<Point3>& positions) {
   const std::vector<Point3> moved = laplacian(mesh, positions);
-  // one slot a chunk, so that the sum hangs on no thread
+  // one slot a chunk, so that the sum depends on no thread
   std::vector<double> sums(static_cast<std::size_t>(mesh.vertex_count() / kDefaultGrain + 1));
   parallel_for(Index{0}, mesh.vertex_count(), [&](Index first, Index last) {
     double sum = 0;

@@ -81,11 +81,11 @@ Vector3d normal_at(const Mesh& mesh, const std::vector<Point3>& positions, Index
 }
 
 /// The tensor of a graph over the plane at the origin, from its slopes and second derivatives
-/// there; the orthonormal frame has the normal of the plane in its last column.
-SecondForm form_of_graph(const Eigen::Matrix3d& frame, const Vector2d& slopes,
+/// there; the last of the orthonormal axes is the normal of the plane.
+SecondForm form_of_graph(const Eigen::Matrix3d& axes, const Vector2d& slopes,
                          const Matrix2d& second) {
-  const Matrix<double, 3, 2> tangents = frame.leftCols<2>() + frame.col(2) * slopes.transpose();
-  const Vector3d normal = frame.col(2) - frame.leftCols<2>() * slopes;
+  const Matrix<double, 3, 2> tangents = axes.leftCols<2>() + axes.col(2) * slopes.transpose();
+  const Vector3d normal = axes.col(2) - axes.leftCols<2>() * slopes;
   const double length = normal.norm();
   const Matrix<double, 3, 2> dual = tangents * (tangents.transpose() * tangents).inverse();
   return {dual * (second / length) * dual.transpose(), normal / length, true, 0};
@@ -100,9 +100,9 @@ class Fit {
     if (mesh_.is_isolated(v)) return {};
     const Vector3d normal = normal_at(mesh_, positions_, v, chain_);
     if (normal.isZero(0)) return {};
-    frame_.col(2) = normal;
-    frame_.col(0) = frame_.col(2).unitOrthogonal();
-    frame_.col(1) = frame_.col(2).cross(frame_.col(0));
+    axes_.col(2) = normal;
+    axes_.col(0) = axes_.col(2).unitOrthogonal();
+    axes_.col(1) = axes_.col(2).cross(axes_.col(0));
     ring_.clear();
     append_ring(mesh_, v, ring_);
     SecondForm form = of_ring(v);
@@ -113,8 +113,8 @@ class Fit {
 
  private:
   [[nodiscard]] Vector3d offset(Index v, Index w) const {
-    return frame_.transpose() * vector_of(positions_[static_cast<std::size_t>(w)] -
-                                          positions_[static_cast<std::size_t>(v)]);
+    return axes_.transpose() * vector_of(positions_[static_cast<std::size_t>(w)] -
+                                         positions_[static_cast<std::size_t>(v)]);
   }
 
   /// The root of the ring's covariance in the tangent plane: in its inverse's coordinates the ring
@@ -154,7 +154,7 @@ class Fit {
     Matrix2d second;
     second << c[2], c[3], c[3], c[4];
     SecondForm form =
-        form_of_graph(frame_, back.transpose() * c.head<2>(), back.transpose() * second * back);
+        form_of_graph(axes_, back.transpose() * c.head<2>(), back.transpose() * second * back);
     // in the fit's coordinates the ring is about 1 wide
     form.gain = back.squaredNorm();
     return form;
@@ -162,7 +162,7 @@ class Fit {
 
   const Mesh& mesh_;
   const std::vector<Point3>& positions_;
-  Eigen::Matrix3d frame_;
+  Eigen::Matrix3d axes_;
   std::vector<Index> ring_;
   std::vector<std::array<double, 3>> chain_;
 };

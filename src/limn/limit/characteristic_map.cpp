@@ -13,7 +13,7 @@
 namespace limn {
 namespace {
 
-constexpr int kMoreRings = 2;  // than control the surface: what hangs on the rim stays outside
+constexpr int kMoreRings = 2;  // than control the surface: what depends on the rim stays outside
 
 std::vector<Point3> plane_points(const FrequencyBlocks& blocks, const Eigenvectors& vectors) {
   const auto coordinates = spatial_vectors(blocks, 1, vectors.right.col(0));

@@ -46,7 +46,7 @@ struct LimitOptions {
   bool curvatures = false;   ///< fill LimitPoints::curvatures
   RegularPart regular = {};  ///< of the scheme; where its curvature is unbounded none is given
   std::vector<Index> vertices = {};  ///< only these; empty: all. The results of others are zero
-  /// False where the mesh was cut out of a larger one: what hangs on its boundary then has no
+  /// False where the mesh was cut out of a larger one: what depends on its boundary then has no
   /// meaning, and no boundary rules are needed.
   bool boundary = true;
   /// Where a limit cannot be had at some vertices (the scheme does not converge there, or what

@@ -49,7 +49,7 @@ struct FanMatrix {
 };
 
 /// The forms at the images of the fan's vertices. At its rim, which stands for nothing, rules may
-/// be missing. Fails where one is that an image hangs on.
+/// be missing. Fails where one is that an image depends on.
 Result<std::vector<LinearForm<double>>> refined_forms(const Scheme& scheme, const FanStep& step) {
   PartialRules rules(scheme, Boundary::refined);
   RuleTables<double>& tables = rules.tables();

@@ -8,7 +8,7 @@
 namespace limn {
 
 /// The rules of a mesh that was cut out of another: one that is missing makes a value unknown (not
-/// a number), as whether anything hangs on it is not known beforehand. At the rim of the cut
+/// a number), as whether anything depends on it is not known beforehand. At the rim of the cut
 /// nothing does.
 class PartialRules {
  public:
@@ -22,7 +22,7 @@ class PartialRules {
   /// What is missing: the first, one of the interior before one of the boundary. Precondition: not
   /// complete.
   [[nodiscard]] const Error& missing() const { return *missing_; }
-  /// At a vertex whose limit hangs on what is missing.
+  /// At a vertex whose limit depends on what is missing.
   [[nodiscard]] Error error_at(Index vertex) const;
 
  private:

@@ -151,7 +151,7 @@ Result<std::vector<ClosedRoot>> quadratic_roots(const Polynomial& a, const Polyn
   return roots;
 }
 
-std::string polynomial_in(const std::map<int, Polynomial>& powers, const Symbol& unknown,
+std::string polynomial_in(const std::map<int, Polynomial>& powers, const Indeterminate& unknown,
                           Notation notation) {
   std::string text;
   for (auto power = powers.rbegin(); power != powers.rend(); ++power) {
@@ -178,7 +178,7 @@ std::string polynomial_in(const std::map<int, Polynomial>& powers, const Symbol&
 
 }  // namespace
 
-Result<ClosedRoots> closed_roots(const Polynomial& a, const Symbol& unknown) {
+Result<ClosedRoots> closed_roots(const Polynomial& a, const Indeterminate& unknown) {
   const Result<PolynomialFactors> product = factor(a);
   if (!product) return product.error();
   ClosedRoots result;

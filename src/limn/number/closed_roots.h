@@ -1,5 +1,5 @@
 #pragma once
-/// The roots of a polynomial whose coefficients are polynomials in symbols, as formulas.
+/// The roots of a polynomial whose coefficients are polynomials in indeterminates, as formulas.
 
 #include <vector>
 
@@ -19,8 +19,8 @@ struct ClosedRoots {
   std::vector<Left> left;
 };
 
-/// Factors over the rationals with all symbols independent, then solves what it can. `unknown` has
-/// no negative exponents in a, and a is not 0. Fails where factor() does.
-[[nodiscard]] Result<ClosedRoots> closed_roots(const Polynomial& a, const Symbol& unknown);
+/// Factors over the rationals with all indeterminates independent, then solves what it can.
+/// `unknown` has no negative exponents in a, and a is not 0. Fails where factor() does.
+[[nodiscard]] Result<ClosedRoots> closed_roots(const Polynomial& a, const Indeterminate& unknown);
 
 }  // namespace limn

@@ -2,9 +2,9 @@
 /// The exact numbers that a weight expression can denote: cyclotomic numbers, square roots
 /// over them, and rational multiples of π (which only cos and sin can consume).
 ///
-/// A square root that is not rational is a symbol t with t² = its radicand. Two such symbols
-/// are never related to one another, so `==` never calls different numbers equal, but may miss an
-/// equality between unlike roots, as between sqrt(2)*sqrt(3) and sqrt(6).
+/// A square root that is not rational is an indeterminate t with t² = its radicand. Two such
+/// indeterminates are never related to one another, so `==` never calls different numbers equal,
+/// but may miss an equality between unlike roots, as between sqrt(2)*sqrt(3) and sqrt(6).
 
 #include <memory>
 #include <vector>
@@ -52,7 +52,7 @@ class Exact {
   friend bool operator==(const Exact& a, const Exact& b) { return (a - b).is_zero(); }
 
  private:
-  using Root = std::shared_ptr<const Exact>;  // the symbol sqrt(*root)
+  using Root = std::shared_ptr<const Exact>;  // the indeterminate sqrt(*root)
   struct Term {
     std::vector<Root> roots;  // distinct
     Cyclotomic coefficient;   // not zero

@@ -7,14 +7,14 @@
 
 namespace limn {
 
-bool SymbolLess::operator()(const Symbol& a, const Symbol& b) const {
+bool IndeterminateLess::operator()(const Indeterminate& a, const Indeterminate& b) const {
   if (a == b) return false;
   if (a->kind != b->kind) return a->kind < b->kind;
   return a->name < b->name;
 }
 
 bool MonomialLess::operator()(const Monomial& a, const Monomial& b) const {
-  constexpr SymbolLess kLess;
+  constexpr IndeterminateLess kLess;
   const std::size_t common = std::min(a.size(), b.size());
   for (std::size_t i = 0; i < common; ++i) {
     if (kLess(a[i].first, b[i].first)) return true;
@@ -25,7 +25,7 @@ bool MonomialLess::operator()(const Monomial& a, const Monomial& b) const {
 }
 
 Monomial product(const Monomial& a, const Monomial& b) {
-  constexpr SymbolLess kLess;
+  constexpr IndeterminateLess kLess;
   Monomial result;
   result.reserve(a.size() + b.size());
   auto left = a.begin();
@@ -47,7 +47,7 @@ Monomial product(const Monomial& a, const Monomial& b) {
 
 Monomial power(Monomial a, int exponent) {
   if (exponent == 0) return {};
-  for (auto& [symbol, count] : a) count *= exponent;
+  for (auto& [indeterminate, count] : a) count *= exponent;
   return a;
 }
 
@@ -67,28 +67,29 @@ Rational Polynomial::rational() const {
   return terms_.empty() ? Rational(0) : terms_.begin()->second;
 }
 
-std::vector<Symbol> Polynomial::symbols() const {
-  std::set<Symbol, SymbolLess> found;
+std::vector<Indeterminate> Polynomial::indeterminates() const {
+  std::set<Indeterminate, IndeterminateLess> found;
   for (const auto& [monomial, coefficient] : terms_)
-    for (const auto& [symbol, exponent] : monomial) found.insert(symbol);
+    for (const auto& [indeterminate, exponent] : monomial) found.insert(indeterminate);
   return {found.begin(), found.end()};
 }
 
-bool Polynomial::hangs_on(const std::string& name) const {
-  const std::vector<Symbol> all = symbols();
-  return std::any_of(all.begin(), all.end(), [&](const Symbol& symbol) {
-    return symbol->name == name || (symbol->argument && symbol->argument->hangs_on(name));
+bool Polynomial::depends_on(const std::string& name) const {
+  const std::vector<Indeterminate> all = indeterminates();
+  return std::any_of(all.begin(), all.end(), [&](const Indeterminate& indeterminate) {
+    return indeterminate->name == name ||
+           (indeterminate->argument && indeterminate->argument->depends_on(name));
   });
 }
 
-std::map<int, Polynomial> Polynomial::powers_of(const Symbol& symbol) const {
-  constexpr SymbolLess kLess;
+std::map<int, Polynomial> Polynomial::powers_of(const Indeterminate& indeterminate) const {
+  constexpr IndeterminateLess kLess;
   std::map<int, Polynomial> powers;
   for (const auto& [monomial, coefficient] : terms_) {
     int exponent = 0;
     Monomial rest;
     for (const auto& factor : monomial)
-      if (!kLess(factor.first, symbol) && !kLess(symbol, factor.first))
+      if (!kLess(factor.first, indeterminate) && !kLess(indeterminate, factor.first))
         exponent = factor.second;
       else
         rest.push_back(factor);
@@ -98,11 +99,12 @@ std::map<int, Polynomial> Polynomial::powers_of(const Symbol& symbol) const {
 }
 
 Monomial Polynomial::common_monomial() const {
-  std::map<Symbol, int, SymbolLess> least;
-  for (const Symbol& symbol : symbols()) least.emplace(symbol, powers_of(symbol).begin()->first);
+  std::map<Indeterminate, int, IndeterminateLess> least;
+  for (const Indeterminate& indeterminate : indeterminates())
+    least.emplace(indeterminate, powers_of(indeterminate).begin()->first);
   Monomial result;
-  for (const auto& [symbol, exponent] : least)
-    if (exponent != 0) result.emplace_back(symbol, exponent);
+  for (const auto& [indeterminate, exponent] : least)
+    if (exponent != 0) result.emplace_back(indeterminate, exponent);
   return result;
 }
 
@@ -168,7 +170,7 @@ Polynomial chebyshev_of_sine(int j, const Polynomial& x) {
   return j < 0 ? -here : here;
 }
 
-std::map<int, Polynomial> chebyshev_coefficients(const Polynomial& a, const Symbol& x) {
+std::map<int, Polynomial> chebyshev_coefficients(const Polynomial& a, const Indeterminate& x) {
   std::map<int, Polynomial> result;
   Polynomial left = a;
   while (!left.is_zero()) {
@@ -182,11 +184,12 @@ std::map<int, Polynomial> chebyshev_coefficients(const Polynomial& a, const Symb
   return result;
 }
 
-Polynomial substituted(const Polynomial& a, const Symbol& symbol, const Polynomial& value) {
+Polynomial substituted(const Polynomial& a, const Indeterminate& indeterminate,
+                       const Polynomial& value) {
   Polynomial result;
   Polynomial raised(1);
   int exponent = 0;
-  for (const auto& [next, coefficient] : a.powers_of(symbol)) {
+  for (const auto& [next, coefficient] : a.powers_of(indeterminate)) {
     for (; exponent < next; ++exponent) raised = raised * value;
     result += coefficient * raised;
   }
@@ -194,18 +197,19 @@ Polynomial substituted(const Polynomial& a, const Symbol& symbol, const Polynomi
 }
 
 double approx(const Polynomial& a, const std::function<double(const std::string&)>& lookup) {
-  const auto value_of = [&](const SymbolData& symbol) {
-    switch (symbol.kind) {
-      case SymbolKind::cosine: return std::cos(std::numbers::pi * approx(*symbol.argument, lookup));
-      case SymbolKind::root: return std::sqrt(approx(*symbol.argument, lookup));
-      default: return lookup(symbol.name);
+  const auto value_of = [&](const IndeterminateData& indeterminate) {
+    switch (indeterminate.kind) {
+      case IndeterminateKind::cosine:
+        return std::cos(std::numbers::pi * approx(*indeterminate.argument, lookup));
+      case IndeterminateKind::root: return std::sqrt(approx(*indeterminate.argument, lookup));
+      default: return lookup(indeterminate.name);
     }
   };
   double sum = 0;
   for (const auto& [monomial, coefficient] : a.terms()) {
     double product = to_double(coefficient);
-    for (const auto& [symbol, exponent] : monomial)
-      product *= std::pow(value_of(*symbol), exponent);
+    for (const auto& [indeterminate, exponent] : monomial)
+      product *= std::pow(value_of(*indeterminate), exponent);
     sum += product;
   }
   return sum;

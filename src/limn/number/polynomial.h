@@ -1,9 +1,10 @@
 #pragma once
-/// Laurent polynomials over the rationals in named symbols: what formulas are made of.
+/// Laurent polynomials over the rationals in named indeterminates: what formulas are made of.
 ///
-/// A symbol is a free variable, a whole number that is not known yet (n, ω, k), a cosine, or a
-/// square root. Symbols are equal where their names are; nothing else relates them, so an identity
-/// such as that between cos(pi/n) and cos(2*pi/n) holds only where both are written by one symbol.
+/// An indeterminate is a free variable, a whole number that is not known yet (n, ω, k), a cosine,
+/// or a square root. Indeterminates are equal where their names are; nothing else relates them, so
+/// an identity such as that between cos(pi/n) and cos(2*pi/n) holds only where both are written by
+/// one indeterminate.
 
 #include <functional>
 #include <map>
@@ -18,10 +19,10 @@ namespace limn {
 
 class Polynomial;
 
-enum class SymbolKind { whole, variable, cosine, root };
+enum class IndeterminateKind { whole, variable, cosine, root };
 
-struct SymbolData {
-  SymbolKind kind = SymbolKind::variable;
+struct IndeterminateData {
+  IndeterminateKind kind = IndeterminateKind::variable;
   std::string name;   ///< as scheme files write it: "n", "cos(2*pi/n)", "sqrt(2)"
   std::string latex;  ///< the same as LaTeX
   /// Of a cosine the angle over π, of a square root the radicand; of others nothing.
@@ -29,14 +30,14 @@ struct SymbolData {
   /// Of a whole number: called with every bound that a decision supposed it to exceed.
   std::function<void(const Polynomial& supposed_positive)> suppose;
 };
-using Symbol = std::shared_ptr<const SymbolData>;
+using Indeterminate = std::shared_ptr<const IndeterminateData>;
 
-struct SymbolLess {
-  bool operator()(const Symbol& a, const Symbol& b) const;
+struct IndeterminateLess {
+  bool operator()(const Indeterminate& a, const Indeterminate& b) const;
 };
 
-/// The exponents of the symbols that occur, in the order of SymbolLess; none is 0.
-using Monomial = std::vector<std::pair<Symbol, int>>;
+/// The exponents of the indeterminates that occur, in the order of IndeterminateLess; none is 0.
+using Monomial = std::vector<std::pair<Indeterminate, int>>;
 struct MonomialLess {
   bool operator()(const Monomial& a, const Monomial& b) const;
 };
@@ -51,7 +52,7 @@ class Polynomial {
   Polynomial() = default;
   Polynomial(int value) : Polynomial(Rational(value)) {}
   Polynomial(const Rational& value) { add({}, value); }
-  Polynomial(const Symbol& symbol) { add({{symbol, 1}}, 1); }
+  Polynomial(const Indeterminate& indeterminate) { add({{indeterminate, 1}}, 1); }
   Polynomial(const Monomial& monomial, const Rational& coefficient) { add(monomial, coefficient); }
 
   [[nodiscard]] const Terms& terms() const { return terms_; }
@@ -59,12 +60,13 @@ class Polynomial {
   [[nodiscard]] bool is_rational() const;
   /// Precondition: is_rational().
   [[nodiscard]] Rational rational() const;
-  /// The symbols that occur, in the order of SymbolLess; not those within cosines and roots.
-  [[nodiscard]] std::vector<Symbol> symbols() const;
-  /// Whether a symbol of this name occurs, within cosines and roots too.
-  [[nodiscard]] bool hangs_on(const std::string& name) const;
+  /// The indeterminates that occur, in the order of IndeterminateLess; not those within cosines and
+  /// roots.
+  [[nodiscard]] std::vector<Indeterminate> indeterminates() const;
+  /// Whether an indeterminate of this name occurs, within cosines and roots too.
+  [[nodiscard]] bool depends_on(const std::string& name) const;
   /// a as the sum of coefficients[i] · symbolⁱ.
-  [[nodiscard]] std::map<int, Polynomial> powers_of(const Symbol& symbol) const;
+  [[nodiscard]] std::map<int, Polynomial> powers_of(const Indeterminate& indeterminate) const;
   /// The largest monomial that divides every term; negative exponents where those occur.
   [[nodiscard]] Monomial common_monomial() const;
 
@@ -92,12 +94,13 @@ class Polynomial {
 /// U_{j-1}(x) for j ≥ 1, 0 for j = 0: sin(jα) = sin α · U_{j-1}(cos α); odd in j.
 [[nodiscard]] Polynomial chebyshev_of_sine(int j, const Polynomial& x);
 
-/// Coefficients a_j with a(x) = Σ a_j T_j(x) in the symbol x, whose exponents are not negative.
+/// Coefficients a_j with a(x) = Σ a_j T_j(x) in the indeterminate x, whose exponents are not
+/// negative.
 [[nodiscard]] std::map<int, Polynomial> chebyshev_coefficients(const Polynomial& a,
-                                                               const Symbol& x);
+                                                               const Indeterminate& x);
 
-/// With `value` in place of a symbol whose exponents are not negative.
-[[nodiscard]] Polynomial substituted(const Polynomial& a, const Symbol& symbol,
+/// With `value` in place of an indeterminate whose exponents are not negative.
+[[nodiscard]] Polynomial substituted(const Polynomial& a, const Indeterminate& indeterminate,
                                      const Polynomial& value);
 
 /// The value where `lookup` gives that of each variable and whole number by name.

@@ -43,12 +43,13 @@ Status check_size(const Polynomial& a) {
   return Error{"a polynomial's coefficients are too long for it to be factored"};
 }
 
-/// FLINT's polynomials in some symbols, and the way there and back.
+/// FLINT's polynomials in some indeterminates, and the way there and back.
 class Ring {
  public:
-  explicit Ring(std::vector<Symbol> symbols) : symbols_(std::move(symbols)) {
-    fmpq_mpoly_ctx_init(context_, static_cast<slong>(std::max<std::size_t>(symbols_.size(), 1)),
-                        ORD_LEX);
+  explicit Ring(std::vector<Indeterminate> indeterminates)
+      : indeterminates_(std::move(indeterminates)) {
+    fmpq_mpoly_ctx_init(
+        context_, static_cast<slong>(std::max<std::size_t>(indeterminates_.size(), 1)), ORD_LEX);
   }
   ~Ring() { fmpq_mpoly_ctx_clear(context_); }
   Ring(const Ring&) = delete;
@@ -58,14 +59,14 @@ class Ring {
 
   /// a times a monomial that leaves no negative exponents.
   void assign(fmpq_mpoly_struct* to, const Polynomial& a) const {
-    std::vector<ulong> exponents(std::max<std::size_t>(symbols_.size(), 1));
+    std::vector<ulong> exponents(std::max<std::size_t>(indeterminates_.size(), 1));
     fmpq_t coefficient;
     fmpq_init(coefficient);
     fmpq_mpoly_zero(to, context_);
     for (const auto& [monomial, value] : a.terms()) {
       std::fill(exponents.begin(), exponents.end(), 0);
-      for (const auto& [symbol, exponent] : monomial)
-        exponents[position(symbol)] = static_cast<ulong>(exponent);
+      for (const auto& [indeterminate, exponent] : monomial)
+        exponents[position(indeterminate)] = static_cast<ulong>(exponent);
       fmpq_set_str(coefficient, to_string(value).c_str(), 10);
       fmpq_mpoly_set_coeff_fmpq_ui(to, coefficient, exponents.data(), context_);
     }
@@ -73,7 +74,7 @@ class Ring {
   }
 
   [[nodiscard]] Polynomial read(const fmpq_mpoly_struct* from) const {
-    std::vector<ulong> exponents(std::max<std::size_t>(symbols_.size(), 1));
+    std::vector<ulong> exponents(std::max<std::size_t>(indeterminates_.size(), 1));
     fmpq_t coefficient;
     fmpq_init(coefficient);
     Polynomial result;
@@ -81,8 +82,9 @@ class Ring {
       fmpq_mpoly_get_term_coeff_fmpq(coefficient, from, i, context_);
       fmpq_mpoly_get_term_exp_ui(exponents.data(), from, i, context_);
       Monomial monomial;
-      for (std::size_t s = 0; s < symbols_.size(); ++s)
-        if (exponents[s] != 0) monomial.emplace_back(symbols_[s], static_cast<int>(exponents[s]));
+      for (std::size_t s = 0; s < indeterminates_.size(); ++s)
+        if (exponents[s] != 0)
+          monomial.emplace_back(indeterminates_[s], static_cast<int>(exponents[s]));
       result += Polynomial(monomial, rational(coefficient));
     }
     fmpq_clear(coefficient);
@@ -97,13 +99,13 @@ class Ring {
   }
 
  private:
-  [[nodiscard]] std::size_t position(const Symbol& symbol) const {
-    return static_cast<std::size_t>(
-        std::lower_bound(symbols_.begin(), symbols_.end(), symbol, SymbolLess()) -
-        symbols_.begin());
+  [[nodiscard]] std::size_t position(const Indeterminate& indeterminate) const {
+    return static_cast<std::size_t>(std::lower_bound(indeterminates_.begin(), indeterminates_.end(),
+                                                     indeterminate, IndeterminateLess()) -
+                                    indeterminates_.begin());
   }
 
-  std::vector<Symbol> symbols_;
+  std::vector<Indeterminate> indeterminates_;
   fmpq_mpoly_ctx_t context_;
 };
 
@@ -125,9 +127,10 @@ Result<PolynomialFactors> factor(const Polynomial& a) {
   if (Status status = check_size(a); !status) return status.error();
   PolynomialFactors result;
   const Monomial common = a.common_monomial();
-  for (const auto& [symbol, exponent] : common) result.factors.emplace_back(symbol, exponent);
+  for (const auto& [indeterminate, exponent] : common)
+    result.factors.emplace_back(indeterminate, exponent);
   const Polynomial rest = a * Polynomial(power(common, -1), 1);
-  const Ring ring(rest.symbols());
+  const Ring ring(rest.indeterminates());
   const Value value(ring, rest);
   fmpq_mpoly_factor_t factors;
   fmpq_mpoly_factor_init(factors, ring.context());
@@ -152,10 +155,11 @@ Result<PolynomialFactors> factor(const Polynomial& a) {
 Result<Coprime> without_common_divisor(const Polynomial& a, const Polynomial& b) {
   for (const Polynomial* one : {&a, &b})
     if (Status status = check_size(*one); !status) return status.error();
-  std::set<Symbol, SymbolLess> symbols;
+  std::set<Indeterminate, IndeterminateLess> indeterminates;
   for (const Polynomial* one : {&a, &b})
-    for (Symbol& symbol : one->symbols()) symbols.insert(std::move(symbol));
-  const Ring ring({symbols.begin(), symbols.end()});
+    for (Indeterminate& indeterminate : one->indeterminates())
+      indeterminates.insert(std::move(indeterminate));
+  const Ring ring({indeterminates.begin(), indeterminates.end()});
   const Value left(ring, a);
   const Value right(ring, b);
   Value divisor(ring);

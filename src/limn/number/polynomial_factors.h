@@ -1,6 +1,6 @@
 #pragma once
-/// Factors and greatest common divisors of polynomials in symbols, by FLINT. Without FLINT (see
-/// LIMN_FORMULAS in CMakeLists.txt) each of these is an error that says so.
+/// Factors and greatest common divisors of polynomials in indeterminates, by FLINT. Without FLINT
+/// (see LIMN_FORMULAS in CMakeLists.txt) each of these is an error that says so.
 
 #include <utility>
 #include <vector>
@@ -10,8 +10,8 @@
 
 namespace limn {
 
-/// content · ∏ factorᵉ. Factors are irreducible over the rationals with their symbols taken as
-/// independent, have coprime integer coefficients and, as single symbols, may have e < 0.
+/// content · ∏ factorᵉ. Factors are irreducible over the rationals with their indeterminates taken
+/// as independent, have coprime integer coefficients and, as single indeterminates, may have e < 0.
 struct PolynomialFactors {
   Rational content = 1;
   std::vector<std::pair<Polynomial, int>> factors;

@@ -55,21 +55,22 @@ std::string with_coefficient(const Rational& coefficient, Parts parts, Notation 
   return fraction(joined(parts.above, notation), parts.below, notation);
 }
 
-void append(Parts& parts, const Symbol& symbol, int exponent, Notation notation) {
-  const std::string& name = notation == Notation::text ? symbol->name : symbol->latex;
+void append(Parts& parts, const Indeterminate& indeterminate, int exponent, Notation notation) {
+  const std::string& name = notation == Notation::text ? indeterminate->name : indeterminate->latex;
   (exponent > 0 ? parts.above : parts.below)
       .push_back(with_exponent(name, std::abs(exponent), notation));
 }
 
 std::string term_text(const Rational& size, const Monomial& monomial, Notation notation) {
   Parts parts;
-  for (const auto& [symbol, exponent] : monomial) append(parts, symbol, exponent, notation);
+  for (const auto& [indeterminate, exponent] : monomial)
+    append(parts, indeterminate, exponent, notation);
   return with_coefficient(size, std::move(parts), notation);
 }
 
 int total_degree(const Monomial& monomial) {
   int sum = 0;
-  for (const auto& [symbol, exponent] : monomial) sum += exponent;
+  for (const auto& [indeterminate, exponent] : monomial) sum += exponent;
   return sum;
 }
 
@@ -79,12 +80,13 @@ std::vector<std::pair<Monomial, Rational>> ordered(const Polynomial& a, TermOrde
     const int left = total_degree(x.first);
     const int right = total_degree(y.first);
     if (left != right) return order == TermOrder::rising ? left < right : left > right;
-    // of one degree: in the order of the symbols, whole numbers first
-    constexpr SymbolLess kLess;
+    // of one degree: in the order of the indeterminates, whole numbers first
+    constexpr IndeterminateLess kLess;
     for (std::size_t i = 0; i < x.first.size() && i < y.first.size(); ++i) {
-      const auto& [a_symbol, a_exponent] = x.first[i];
-      const auto& [b_symbol, b_exponent] = y.first[i];
-      if (kLess(a_symbol, b_symbol) || kLess(b_symbol, a_symbol)) return kLess(a_symbol, b_symbol);
+      const auto& [a_indeterminate, a_exponent] = x.first[i];
+      const auto& [b_indeterminate, b_exponent] = y.first[i];
+      if (kLess(a_indeterminate, b_indeterminate) || kLess(b_indeterminate, a_indeterminate))
+        return kLess(a_indeterminate, b_indeterminate);
       if (a_exponent != b_exponent) return a_exponent > b_exponent;
     }
     return x.first.size() < y.first.size();
@@ -96,13 +98,14 @@ std::string in_parentheses(const std::string& text, Notation notation) {
   return notation == Notation::text ? "(" + text + ")" : "\\left(" + text + "\\right)";
 }
 
-/// a as a sum of cosines of multiples of this symbol's angle.
-Polynomial with_multiple_angles(const Polynomial& a, const Symbol& cosine) {
+/// a as a sum of cosines of multiples of this indeterminate's angle.
+Polynomial with_multiple_angles(const Polynomial& a, const Indeterminate& cosine) {
   if (a.is_zero() || a.powers_of(cosine).begin()->first < 0) return a;
   const auto [q, monomial] = angle_of(cosine);
   Polynomial result;
   for (const auto& [j, coefficient] : chebyshev_coefficients(a, cosine))
-    result += j == 0 ? coefficient : coefficient * Polynomial(cosine_symbol(q * j, monomial));
+    result +=
+        j == 0 ? coefficient : coefficient * Polynomial(cosine_indeterminate(q * j, monomial));
   return result;
 }
 
@@ -171,24 +174,25 @@ std::string latex_name(const std::string& name) {
   return "\\mathit{" + text + "}";
 }
 
-Symbol cosine_symbol(const Rational& q, const Monomial& monomial) {
+Indeterminate cosine_indeterminate(const Rational& q, const Monomial& monomial) {
   const auto angle = [&](Notation notation) {
     Parts parts;
     if (numerator(q) != 1) parts.above.push_back(numerator(q).str());
     parts.above.emplace_back(notation == Notation::text ? "pi" : "\\pi");
     if (denominator(q) != 1) parts.below.push_back(denominator(q).str());
-    for (const auto& [symbol, exponent] : monomial) append(parts, symbol, exponent, notation);
+    for (const auto& [indeterminate, exponent] : monomial)
+      append(parts, indeterminate, exponent, notation);
     return fraction(joined(parts.above, notation), parts.below, notation);
   };
-  SymbolData data;
-  data.kind = SymbolKind::cosine;
+  IndeterminateData data;
+  data.kind = IndeterminateKind::cosine;
   data.name = "cos(" + angle(Notation::text) + ")";
   data.latex = "\\cos" + angle(Notation::latex);
   data.argument = std::make_shared<const Polynomial>(monomial, q);
-  return std::make_shared<const SymbolData>(std::move(data));
+  return std::make_shared<const IndeterminateData>(std::move(data));
 }
 
-CosineAngle angle_of(const Symbol& cosine) {
+CosineAngle angle_of(const Indeterminate& cosine) {
   const auto& [monomial, q] = *cosine->argument->terms().begin();
   return {q, monomial};
 }
@@ -209,18 +213,18 @@ std::string sum_text(const Polynomial& a, Notation notation, TermOrder order) {
 
 Polynomial with_double_angles(const Polynomial& a) {
   Polynomial result = a;
-  std::vector<Symbol> open = result.symbols();
+  std::vector<Indeterminate> open = result.indeterminates();
   while (!open.empty()) {
-    const Symbol symbol = open.back();
+    const Indeterminate indeterminate = open.back();
     open.pop_back();
-    if (symbol->kind != SymbolKind::cosine) continue;
-    const std::map<int, Polynomial> powers = result.powers_of(symbol);
+    if (indeterminate->kind != IndeterminateKind::cosine) continue;
+    const std::map<int, Polynomial> powers = result.powers_of(indeterminate);
     const bool even = std::all_of(powers.begin(), powers.end(), [](const auto& power) {
       return power.first >= 0 && power.first % 2 == 0;
     });
     if (!even || powers.size() < 2) continue;
-    const auto [q, monomial] = angle_of(symbol);
-    const Symbol twice = cosine_symbol(2 * q, monomial);
+    const auto [q, monomial] = angle_of(indeterminate);
+    const Indeterminate twice = cosine_indeterminate(2 * q, monomial);
     const Polynomial square = (Polynomial(1) + Polynomial(twice)) * Polynomial(Rational(1, 2));
     result = Polynomial();
     for (const auto& [exponent, coefficient] : powers)
@@ -232,8 +236,9 @@ Polynomial with_double_angles(const Polynomial& a) {
 
 Polynomial with_multiple_angles(const Polynomial& a) {
   Polynomial summed = a;
-  for (const Symbol& symbol : a.symbols())
-    if (symbol->kind == SymbolKind::cosine) summed = with_multiple_angles(summed, symbol);
+  for (const Indeterminate& indeterminate : a.indeterminates())
+    if (indeterminate->kind == IndeterminateKind::cosine)
+      summed = with_multiple_angles(summed, indeterminate);
   return summed;
 }
 

@@ -1,5 +1,5 @@
 #pragma once
-/// Polynomials in symbols as text that scheme files could hold, and as LaTeX.
+/// Polynomials in indeterminates as text that scheme files could hold, and as LaTeX.
 
 #include <string>
 
@@ -34,12 +34,12 @@ enum class TermOrder { rising, falling };
 [[nodiscard]] std::string latex_name(const std::string& name);
 
 /// cos(π q m) of a monomial m. No multiple of an angle is resolved.
-[[nodiscard]] Symbol cosine_symbol(const Rational& q, const Monomial& monomial);
-/// The q and m of a cosine's symbol.
+[[nodiscard]] Indeterminate cosine_indeterminate(const Rational& q, const Monomial& monomial);
+/// The q and m of a cosine's indeterminate.
 struct CosineAngle {
   Rational q;
   Monomial monomial;
 };
-[[nodiscard]] CosineAngle angle_of(const Symbol& cosine);
+[[nodiscard]] CosineAngle angle_of(const Indeterminate& cosine);
 
 }  // namespace limn

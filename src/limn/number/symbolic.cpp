@@ -25,7 +25,7 @@ Status bounded(const Polynomial& a) {
   for (const auto& [monomial, value] : a.terms()) {
     if (bits(numerator(value)) > kMostBits || bits(denominator(value)) > kMostBits)
       return fault("the number is too large");
-    for (const auto& [symbol, exponent] : monomial)
+    for (const auto& [indeterminate, exponent] : monomial)
       if (std::abs(exponent) > kLargestExponent) return fault("a formula's degree is too high");
   }
   return Done{};
@@ -39,28 +39,29 @@ Result<Polynomial> bounded_product(const Polynomial& a, const Polynomial& b) {
   return result;
 }
 
-int nesting(const SymbolData& symbol) {
+int nesting(const IndeterminateData& indeterminate) {
   int deepest = 0;
-  if (symbol.argument)
-    for (const Symbol& inner : symbol.argument->symbols())
+  if (indeterminate.argument)
+    for (const Indeterminate& inner : indeterminate.argument->indeterminates())
       deepest = std::max(deepest, nesting(*inner));
   return deepest + 1;
 }
 
 /// The square root that holds the most others within it.
-std::optional<Symbol> outer_root(const Polynomial& a, int least_exponent) {
-  std::optional<Symbol> found;
-  for (const Symbol& symbol : a.symbols()) {
-    if (symbol->kind != SymbolKind::root || a.powers_of(symbol).rbegin()->first < least_exponent)
+std::optional<Indeterminate> outer_root(const Polynomial& a, int least_exponent) {
+  std::optional<Indeterminate> found;
+  for (const Indeterminate& indeterminate : a.indeterminates()) {
+    if (indeterminate->kind != IndeterminateKind::root ||
+        a.powers_of(indeterminate).rbegin()->first < least_exponent)
       continue;
-    if (!found || nesting(*symbol) > nesting(**found)) found = symbol;
+    if (!found || nesting(*indeterminate) > nesting(**found)) found = indeterminate;
   }
   return found;
 }
 
 /// With the radicand in place of every square of a root.
 Result<Polynomial> without_squares(Polynomial a) {
-  for (std::optional<Symbol> root = outer_root(a, 2); root; root = outer_root(a, 2)) {
+  for (std::optional<Indeterminate> root = outer_root(a, 2); root; root = outer_root(a, 2)) {
     Polynomial result;
     for (const auto& [exponent, coefficient] : a.powers_of(*root)) {
       Polynomial term = coefficient;
@@ -110,10 +111,12 @@ double magnitude(const Polynomial& a) {
 
 /// Whether it holds but numbers, cosines and roots of such, and π.
 bool is_constant(const Polynomial& a) {
-  const std::vector<Symbol> symbols = a.symbols();
-  return std::all_of(symbols.begin(), symbols.end(), [](const Symbol& symbol) {
-    return symbol->argument ? is_constant(*symbol->argument) : symbol->name == "pi";
-  });
+  const std::vector<Indeterminate> indeterminates = a.indeterminates();
+  return std::all_of(indeterminates.begin(), indeterminates.end(),
+                     [](const Indeterminate& indeterminate) {
+                       return indeterminate->argument ? is_constant(*indeterminate->argument)
+                                                      : indeterminate->name == "pi";
+                     });
 }
 
 Result<int> constant_sign(const Polynomial& a) {
@@ -125,8 +128,8 @@ Result<int> constant_sign(const Polynomial& a) {
 }
 
 /// Of a polynomial in one whole number alone: that beyond its roots.
-Result<int> eventual_sign(const Polynomial& a, const Symbol& symbol) {
-  const std::map<int, Polynomial> powers = a.powers_of(symbol);
+Result<int> eventual_sign(const Polynomial& a, const Indeterminate& indeterminate) {
+  const std::map<int, Polynomial> powers = a.powers_of(indeterminate);
   const auto& [degree, leading] = *powers.rbegin();
   const Rational lead = leading.rational();
   const bool linear = degree == 1 && powers.begin()->first == 0;
@@ -136,12 +139,12 @@ Result<int> eventual_sign(const Polynomial& a, const Symbol& symbol) {
     if (exponent != degree)
       bound = linear ? Rational(-ratio) : std::max(bound, Rational(abs(ratio) + 1));
   }
-  if (symbol->suppose) symbol->suppose(Polynomial(symbol) - Polynomial(bound));
+  if (indeterminate->suppose) indeterminate->suppose(Polynomial(indeterminate) - Polynomial(bound));
   return lead < 0 ? -1 : 1;
 }
 
 /// Of a·k + b·n + c amid k = 0 … n-1, for large n.
-Result<int> sign_amid(const Polynomial& a, const Symbol& inner, const Symbol& outer) {
+Result<int> sign_amid(const Polynomial& a, const Indeterminate& inner, const Indeterminate& outer) {
   std::map<int, Polynomial> powers = a.powers_of(inner);
   std::map<int, Polynomial> rest = powers[0].powers_of(outer);
   const bool linear = powers.rbegin()->first == 1 && powers.begin()->first == 0 &&
@@ -167,7 +170,7 @@ Symbolic Symbolic::negated() const {
 
 Result<Symbolic> Symbolic::reduced(Polynomial numerator, Polynomial denominator) {
   // (p + q t)(p - q t) = p² - q² t²
-  for (std::optional<Symbol> root = outer_root(denominator, 1); root;
+  for (std::optional<Indeterminate> root = outer_root(denominator, 1); root;
        root = outer_root(denominator, 1)) {
     const std::map<int, Polynomial> powers = denominator.powers_of(*root);
     const Polynomial q = powers.at(1) * Polynomial(*root);
@@ -259,32 +262,33 @@ Result<Symbolic> Symbolic::sqrt(const Symbolic& square) {
   const Rational outside = square_part(abs(content(*radicand)));
   *radicand *= 1 / (outside * outside);
   if (*radicand == Polynomial(1)) return divide(Symbolic(outside * *below), square.denominator_);
-  SymbolData data;
-  data.kind = SymbolKind::root;
+  IndeterminateData data;
+  data.kind = IndeterminateKind::root;
   data.name = "sqrt(" + sum_text(*radicand, Notation::text) + ")";
   data.latex = "\\sqrt{" + sum_text(*radicand, Notation::latex) + "}";
   data.argument = std::make_shared<const Polynomial>(std::move(*radicand));
-  const Symbol symbol = std::make_shared<const SymbolData>(std::move(data));
-  return divide(Polynomial({{symbol, 1}}, outside * *below), square.denominator_);
+  const Indeterminate indeterminate = std::make_shared<const IndeterminateData>(std::move(data));
+  return divide(Polynomial({{indeterminate, 1}}, outside * *below), square.denominator_);
 }
 
-Symbol variable(const std::string& name) {
-  SymbolData data;
+Indeterminate variable(const std::string& name) {
+  IndeterminateData data;
   data.name = name;
   data.latex = latex_name(name);
-  return std::make_shared<const SymbolData>(std::move(data));
+  return std::make_shared<const IndeterminateData>(std::move(data));
 }
 
-Symbol whole_number(const std::string& name, std::function<void(const Polynomial&)> suppose) {
-  SymbolData data;
-  data.kind = SymbolKind::whole;
+Indeterminate whole_number(const std::string& name,
+                           std::function<void(const Polynomial&)> suppose) {
+  IndeterminateData data;
+  data.kind = IndeterminateKind::whole;
   data.name = name;
   data.latex = latex_name(name);
   data.suppose = std::move(suppose);
-  return std::make_shared<const SymbolData>(std::move(data));
+  return std::make_shared<const IndeterminateData>(std::move(data));
 }
 
-Symbol pi_symbol() { return variable("pi"); }
+Indeterminate pi_indeterminate() { return variable("pi"); }
 
 double approx(const Symbolic& a) {
   return approx(a, [](const std::string&) { return std::numeric_limits<double>::quiet_NaN(); });
@@ -307,14 +311,16 @@ Result<int> Arithmetic<Symbolic>::sign(const Symbolic& a) {
   }
   const Polynomial& value = a.numerator();
   if (is_constant(value)) return constant_sign(value);
-  std::vector<Symbol> symbols = value.symbols();
-  if (!std::all_of(symbols.begin(), symbols.end(),
-                   [](const Symbol& symbol) { return symbol->kind == SymbolKind::whole; }))
+  std::vector<Indeterminate> indeterminates = value.indeterminates();
+  if (!std::all_of(indeterminates.begin(), indeterminates.end(),
+                   [](const Indeterminate& indeterminate) {
+                     return indeterminate->kind == IndeterminateKind::whole;
+                   }))
     return fault("cannot decide the sign of a formula");
-  if (symbols.size() == 1) return eventual_sign(value, symbols.front());
+  if (indeterminates.size() == 1) return eventual_sign(value, indeterminates.front());
   // k stands before n
-  if (symbols.size() == 2 && symbols[1]->name == "n")
-    return sign_amid(value, symbols[0], symbols[1]);
+  if (indeterminates.size() == 2 && indeterminates[1]->name == "n")
+    return sign_amid(value, indeterminates[0], indeterminates[1]);
   return fault("cannot decide the sign of a formula");
 }
 

@@ -1,11 +1,12 @@
 #pragma once
-/// Quotients of polynomials in symbols, as numbers that a weight expression can be evaluated in:
-/// the weights as formulas in n and the parameters.
+/// Quotients of polynomials in indeterminates, as numbers that a weight expression can be evaluated
+/// in: the weights as formulas in n and the parameters.
 ///
-/// A square root that is no rational is a symbol t with t² = its radicand; a cosine is one symbol
-/// for each angle 1/q of its kind, with Chebyshev's polynomials for its multiples. Such symbols are
-/// not related to one another, so that `==` never calls different numbers equal but may miss an
-/// equality. Without FLINT (number/polynomial_factors.h) quotients are not brought to lowest terms.
+/// A square root that is no rational is an indeterminate t with t² = its radicand; a cosine is one
+/// indeterminate for each angle 1/q of its kind, with Chebyshev's polynomials for its multiples.
+/// Such indeterminates are not related to one another, so that `==` never calls different numbers
+/// equal but may miss an equality. Without FLINT (number/polynomial_factors.h) quotients are not
+/// brought to lowest terms.
 
 #include <string>
 
@@ -29,8 +30,8 @@ class Symbolic {
   [[nodiscard]] bool is_rational() const {
     return numerator_.is_rational() && denominator_ == Polynomial(1);
   }
-  [[nodiscard]] bool hangs_on(const std::string& name) const {
-    return numerator_.hangs_on(name) || denominator_.hangs_on(name);
+  [[nodiscard]] bool depends_on(const std::string& name) const {
+    return numerator_.depends_on(name) || denominator_.depends_on(name);
   }
 
   /// These fail, with the reason in the message, where the answer is no such number, and where it
@@ -54,21 +55,21 @@ class Symbolic {
 };
 
 /// A free variable: a parameter.
-[[nodiscard]] Symbol variable(const std::string& name);
+[[nodiscard]] Indeterminate variable(const std::string& name);
 /// A whole number, n, k or omega, that is larger than any number that it is compared with: each
 /// comparison calls `suppose` with what it took to be positive (as n - 5).
-[[nodiscard]] Symbol whole_number(const std::string& name,
-                                  std::function<void(const Polynomial&)> suppose = {});
+[[nodiscard]] Indeterminate whole_number(const std::string& name,
+                                         std::function<void(const Polynomial&)> suppose = {});
 
 /// cos and sin of multiples of π: the angle is a sum of rational multiples of π, of π/n and of
 /// others like it. The sine of an angle whose place in the circle is not known has no sign, and
 /// fails.
 [[nodiscard]] Result<Symbolic> symbolic_cos(const Symbolic& angle);
 [[nodiscard]] Result<Symbolic> symbolic_sin(const Symbolic& angle);
-/// The symbol of π, whose multiples are what those take.
-[[nodiscard]] Symbol pi_symbol();
+/// The indeterminate of π, whose multiples are what those take.
+[[nodiscard]] Indeterminate pi_indeterminate();
 
-/// Numerically; NaN where it hangs on a free variable or a whole number.
+/// Numerically; NaN where it depends on a free variable or a whole number.
 [[nodiscard]] double approx(const Symbolic& a);
 [[nodiscard]] double approx(const Symbolic& a,
                             const std::function<double(const std::string&)>& lookup);
@@ -76,7 +77,7 @@ class Symbolic {
 template <>
 struct Arithmetic<Symbolic> {
   static Symbolic from(const Rational& q) { return {Polynomial(q)}; }
-  static Symbolic pi() { return {Polynomial(pi_symbol())}; }
+  static Symbolic pi() { return {Polynomial(pi_indeterminate())}; }
   static Result<Symbolic> add(const Symbolic& a, const Symbolic& b) { return Symbolic::add(a, b); }
   static Result<Symbolic> subtract(const Symbolic& a, const Symbolic& b) {
     return Symbolic::add(a, b.negated());
@@ -90,9 +91,8 @@ struct Arithmetic<Symbolic> {
   static Result<Symbolic> cos(const Symbolic& a) { return symbolic_cos(a); }
   static Result<Symbolic> sin(const Symbolic& a) { return symbolic_sin(a); }
   static Result<Symbolic> sqrt(const Symbolic& a) { return Symbolic::sqrt(a); }
-  /// Of what hangs on no symbol but cosines and roots of numbers: decided from 1e-9 up. Of a·n +
-  /// b·k
-  /// + c: that for large n and k amid 0 … n-1. Of others: an error.
+  /// Of what depends on no indeterminate but cosines and roots of numbers: decided from 1e-9 up. Of
+  /// a·n + b·k + c: that for large n and k amid 0 … n-1. Of others: an error.
   static Result<int> sign(const Symbolic& a);
   static Result<long long> integer(const Symbolic& a);
   static double approx(const Symbolic& a) { return limn::approx(a); }

@@ -26,11 +26,11 @@ bool in_upper_half(const Rational& q, const Monomial& monomial) {
   if (q > 1) return false;
   int above = 0;
   int below = 0;
-  for (const auto& [symbol, exponent] : monomial) {
-    if (symbol->kind != SymbolKind::whole) return false;
-    if (exponent == -1 && symbol->name == "n")
+  for (const auto& [indeterminate, exponent] : monomial) {
+    if (indeterminate->kind != IndeterminateKind::whole) return false;
+    if (exponent == -1 && indeterminate->name == "n")
       ++below;
-    else if (exponent == 1 && symbol->name != "n")
+    else if (exponent == 1 && indeterminate->name != "n")
       ++above;
     else
       return false;
@@ -49,7 +49,7 @@ Result<Symbolic> cosine_of_fraction(const Integer& d) {
     return root ? Symbolic::add(*root, Polynomial(Rational(1, 4))) : root;
   }
   if (d == 6) return Symbolic::sqrt(Polynomial(Rational(3, 4)));
-  return Symbolic(Polynomial(cosine_symbol(Rational(Integer(1), d), {})));
+  return Symbolic(Polynomial(cosine_indeterminate(Rational(Integer(1), d), {})));
 }
 
 Result<CosineAndSine> of_one_angle(const Rational& q, const Monomial& monomial) {
@@ -72,7 +72,7 @@ Result<CosineAndSine> of_one_angle(const Rational& q, const Monomial& monomial) 
   const Rational unit(Integer(1), d);
   Result<Symbolic> base = monomial.empty()
                               ? cosine_of_fraction(d)
-                              : Result<Symbolic>(Polynomial(cosine_symbol(unit, monomial)));
+                              : Result<Symbolic>(Polynomial(cosine_indeterminate(unit, monomial)));
   if (!base) return base.error();
   const int j = turns.convert_to<int>();
   // a product has the radicands in place of the squares of roots
@@ -102,7 +102,7 @@ Result<Symbolic> two_products(const Symbolic& a, const Symbolic& b, const Symbol
 Result<CosineAndSine> cosine_and_sine(const Symbolic& angle) {
   CosineAndSine sum{1, Symbolic(0)};
   if (angle.is_zero()) return sum;
-  const Symbol pi = pi_symbol();
+  const Indeterminate pi = pi_indeterminate();
   if (!(angle.denominator() == Polynomial(1)))
     return fault("cos and sin take sums of multiples of pi, of pi/n and the like");
   const std::map<int, Polynomial> powers = angle.numerator().powers_of(pi);

@@ -16,7 +16,7 @@ struct Factorization {
 };
 
 /// The factors that divide the mask exactly over the rationals; the polynomial ring factors
-/// uniquely, so their counts do not hang on the order. Directions with coordinates up to 2 are
+/// uniquely, so their counts do not depend on the order. Directions with coordinates up to 2 are
 /// tried.
 [[nodiscard]] Factorization factor(const Mask& mask);
 

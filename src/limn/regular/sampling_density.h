@@ -16,7 +16,7 @@ struct DirectionalDensity {
   double direction = 0;             ///< of f, in degrees from the x axis, 0 ≤ direction < 180
   double frequency = 0;             ///< the largest |f| up to which the tolerance is kept
   double edges_per_wavelength = 0;  ///< 1/|f|
-  bool reached = true;              ///< false: kept in the whole Nyquist region, |f| is its rim
+  bool reached = true;              ///< false: kept in the whole Nyquist region, |f| is its border
 };
 
 /// The densities over all directions.
@@ -31,7 +31,7 @@ struct SamplingDensity {
 inline constexpr double kLeastTolerance = 1e-6;
 
 /// In each direction the |f| where the measure first exceeds the tolerance, to 1e-12 once it is
-/// enclosed by steps of 1/256 of the way to the rim. Fails on a tolerance outside
+/// enclosed by steps of 1/256 of the way to the border. Fails on a tolerance outside
 /// [kLeastTolerance, 100] percent, and where the limit does not exist.
 /// Cost: in each of 180 directions up to 256 evaluations of the measure and some forty more.
 [[nodiscard]] Result<SamplingDensity> sampling_density(const ArtifactAnalysis& analysis,

@@ -14,7 +14,7 @@ constexpr std::size_t kLargestSquare = 12;  // whose determinant is expanded
 constexpr int kEverySlope = 2;              // half sectors in a sector
 
 /// e^{iπω/n}
-Symbol half_sector() { return variable("half-sector"); }
+Indeterminate half_sector() { return variable("half-sector"); }
 
 /// Sums that stop at the first error.
 class Sum {
@@ -34,8 +34,8 @@ Result<Symbolic> turned(const Symbolic& value, int half_sectors) {
   return Symbolic::multiply(value, Polynomial({{half_sector(), half_sectors}}, 1));
 }
 
-/// Sets of rows, each of which hangs on itself and earlier ones alone: the strongly connected parts
-/// of a square of the matrix.
+/// Sets of rows, each of which depends on itself and earlier ones alone: the strongly connected
+/// parts of a square of the matrix.
 std::vector<std::vector<std::size_t>> connected_parts(const SymbolicMatrix& matrix,
                                                       std::size_t first, std::size_t last) {
   const std::size_t size = last - first;
@@ -87,7 +87,7 @@ Result<Symbolic> determinant(const SymbolicMatrix& matrix) {
 
 Result<Polynomial> characteristic_polynomial(const SymbolicMatrix& matrix,
                                              const std::vector<std::size_t>& part,
-                                             const Symbol& unknown) {
+                                             const Indeterminate& unknown) {
   SymbolicMatrix square(part.size(), std::vector<Symbolic>(part.size()));
   for (std::size_t i = 0; i < part.size(); ++i)
     for (std::size_t j = 0; j < part.size(); ++j) {
@@ -103,7 +103,7 @@ Result<Polynomial> characteristic_polynomial(const SymbolicMatrix& matrix,
 }
 
 /// Phases as cosines. A mirror maps the block of ω to that of -ω, so that z and 1/z come alike.
-Result<Polynomial> with_cosines(const Polynomial& a, const Frequency& frequency,
+Result<Polynomial> with_cosines(const Polynomial& a, const SymbolicFrequency& frequency,
                                 const Symbolic& n) {
   std::map<int, Polynomial> powers = a.powers_of(half_sector());
   Sum sum;
@@ -113,7 +113,7 @@ Result<Polynomial> with_cosines(const Polynomial& a, const Frequency& frequency,
       return Error{"the scheme has no mirror symmetry, which formulas need"};
     if (j < 0) continue;
     Result<Symbolic> angle =
-        Symbolic::multiply(Polynomial(pi_symbol()) * Polynomial(j), frequency.value);
+        Symbolic::multiply(Polynomial(pi_indeterminate()) * Polynomial(j), frequency.value);
     if (angle) angle = Symbolic::divide(*angle, n);
     if (angle) angle = symbolic_cos(*angle);
     if (angle) angle = Symbolic::multiply(*angle, coefficient * Polynomial(j == 0 ? 1 : 2));
@@ -189,7 +189,7 @@ int BlockFormulas::highest_harmonic() const {
   return highest;
 }
 
-Result<SymbolicMatrix> BlockFormulas::block(const Frequency& frequency) const {
+Result<SymbolicMatrix> BlockFormulas::block(const SymbolicFrequency& frequency) const {
   const bool constant = frequency.number == 0;
   const int shift = pattern_.has_center && constant ? 1 : 0;
   const std::size_t size = pattern_.orbits.size() + static_cast<std::size_t>(shift);
@@ -208,7 +208,7 @@ Result<SymbolicMatrix> BlockFormulas::block(const Frequency& frequency) const {
 }
 
 Result<Symbolic> BlockFormulas::term_value(const SectorTerm& term,
-                                           const Frequency& frequency) const {
+                                           const SymbolicFrequency& frequency) const {
   Result<Symbolic> value = Symbolic(Polynomial(Rational(term.coefficient)));
   for (const int name : term.names)
     if (value) value = Symbolic::multiply(*value, plain_[static_cast<std::size_t>(name)]);
@@ -231,7 +231,8 @@ int BlockFormulas::half_sectors(const SectorTerm& term) const {
 }
 
 /// Σ w(k) e^{2πi slope ω k/n}
-Result<Symbolic> BlockFormulas::along(const SectorTerm& term, const Frequency& frequency) const {
+Result<Symbolic> BlockFormulas::along(const SectorTerm& term,
+                                      const SymbolicFrequency& frequency) const {
   const RepeatedWeight& weight = repeated_[static_cast<std::size_t>(term.repeated)];
   const bool level = term.slope == 0 || frequency.number == 0;
   const std::optional<int> omega = level ? 0 : frequency.number;
@@ -247,7 +248,7 @@ Result<Symbolic> BlockFormulas::along(const SectorTerm& term, const Frequency& f
   return sum.value();
 }
 
-Result<FrequencyFormulas> BlockFormulas::eigenvalues(const Frequency& frequency) const {
+Result<FrequencyFormulas> BlockFormulas::eigenvalues(const SymbolicFrequency& frequency) const {
   FrequencyFormulas formulas;
   const Result<SymbolicMatrix> matrix = block(frequency);
   if (!matrix) return matrix.error();

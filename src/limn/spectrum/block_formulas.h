@@ -9,8 +9,8 @@
 
 namespace limn {
 
-/// A frequency: a number, or a symbol for all others.
-struct Frequency {
+/// A rotational frequency: a number, or an indeterminate for all others.
+struct SymbolicFrequency {
   std::optional<int> number;
   Symbolic value;
 };
@@ -30,24 +30,25 @@ class BlockFormulas {
   [[nodiscard]] int highest_harmonic() const;
 
   /// Similar to the block of frequency_blocks.h: the points' phases within their sectors, a
-  /// diagonal matrix, are left out. Phases are powers of one symbol, e^{iπω/n}.
-  [[nodiscard]] Result<SymbolicMatrix> block(const Frequency& frequency) const;
+  /// diagonal matrix, are left out. Phases are powers of one indeterminate, e^{iπω/n}.
+  [[nodiscard]] Result<SymbolicMatrix> block(const SymbolicFrequency& frequency) const;
 
   /// The block's eigenvalues, ring by ring. Fails where the scheme has no mirror symmetry, and
   /// where a formula grows too large.
-  [[nodiscard]] Result<FrequencyFormulas> eigenvalues(const Frequency& frequency) const;
+  [[nodiscard]] Result<FrequencyFormulas> eigenvalues(const SymbolicFrequency& frequency) const;
 
  private:
   BlockFormulas(const SectorPattern& pattern, Symbolic n, const std::string& unknown)
       : pattern_(pattern), n_(std::move(n)), unknown_(variable(unknown)) {}
   [[nodiscard]] Result<Symbolic> term_value(const SectorTerm& term,
-                                            const Frequency& frequency) const;
+                                            const SymbolicFrequency& frequency) const;
   [[nodiscard]] int half_sectors(const SectorTerm& term) const;
-  [[nodiscard]] Result<Symbolic> along(const SectorTerm& term, const Frequency& frequency) const;
+  [[nodiscard]] Result<Symbolic> along(const SectorTerm& term,
+                                       const SymbolicFrequency& frequency) const;
 
   const SectorPattern& pattern_;
   Symbolic n_;
-  Symbol unknown_;
+  Indeterminate unknown_;
   std::vector<Symbolic> plain_;
   std::vector<RepeatedWeight> repeated_;
 };

@@ -283,7 +283,7 @@ class SpectrumReader::Work {
   std::vector<std::pair<std::size_t, std::size_t>> partners_;  // orbits that the mirror exchanges
   Eigen::MatrixXcd block_;
   Eigen::MatrixXd real_block_;
-  Pattern pattern_, known_;
+  BoolMatrix pattern_, known_;
   ConnectedParts connected_;  // of known_
   std::vector<int> rings_;    // by part
   Values values_;

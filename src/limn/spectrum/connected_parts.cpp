@@ -4,10 +4,10 @@
 
 namespace limn {
 
-ConnectedParts connected_parts(const Pattern& entries) {
+ConnectedParts connected_parts(const BoolMatrix& entries) {
   const Eigen::Index size = entries.rows();
   ConnectedParts result{{}, std::vector<std::size_t>(static_cast<std::size_t>(size)), entries};
-  Pattern& reaches = result.reaches;
+  BoolMatrix& reaches = result.reaches;
   for (Eigen::Index i = 0; i < size; ++i) reaches(i, i) = true;
   for (Eigen::Index via = 0; via < size; ++via)
     for (Eigen::Index j = 0; j < size; ++j)
@@ -27,7 +27,7 @@ ConnectedParts connected_parts(const Pattern& entries) {
 
 std::vector<Eigen::Index> rows_between(const ConnectedParts& connected,
                                        const std::vector<Eigen::Index>& ends) {
-  const Pattern& reaches = connected.reaches;
+  const BoolMatrix& reaches = connected.reaches;
   std::vector<Eigen::Index> rows;
   for (Eigen::Index i = 0; i < reaches.rows(); ++i)
     if (std::any_of(ends.begin(), ends.end(), [&](Eigen::Index end) { return reaches(i, end); }) &&

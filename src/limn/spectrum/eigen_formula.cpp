@@ -63,9 +63,9 @@ class CaseFormulas {
     const int special = blocks.highest_harmonic();
     for (int omega = 0; omega <= special + 1; ++omega) {
       const bool general = omega > special;
-      const Frequency frequency =
-          general ? Frequency{std::nullopt, Polynomial(whole_number(kept_.frequency))}
-                  : Frequency{omega, omega};
+      const SymbolicFrequency frequency =
+          general ? SymbolicFrequency{std::nullopt, Polynomial(whole_number(kept_.frequency))}
+                  : SymbolicFrequency{omega, omega};
       Result<FrequencyFormulas> found = blocks.eigenvalues(frequency);
       if (!found) return found.error();
       found->frequency = omega;
@@ -98,14 +98,14 @@ class CaseFormulas {
 };
 
 /// Whether `name` is in the definition, or in that of a name in it.
-bool hangs_on(const Scheme& scheme, const Formula& formula, const std::string& name) {
+bool depends_on(const Scheme& scheme, const Formula& formula, const std::string& name) {
   const std::vector<std::string>& names = formula.expression.names();
   return std::any_of(names.begin(), names.end(), [&](const std::string& used) {
     if (used == name) return true;
     for (const auto& [let, value] : scheme.lets)
-      if (let == used) return hangs_on(scheme, value, name);
+      if (let == used) return depends_on(scheme, value, name);
     for (const Parameter& parameter : scheme.parameters)
-      if (parameter.name == used) return hangs_on(scheme, parameter.value, name);
+      if (parameter.name == used) return depends_on(scheme, parameter.value, name);
     return false;
   });
 }
@@ -129,7 +129,7 @@ NamesKept names_kept(const Scheme& scheme, const std::set<std::string>& evaluate
   for (const Parameter& parameter : scheme.parameters) {
     if (evaluated.count(parameter.name) > 0) continue;
     kept.parameters.insert(parameter.name);
-    if (hangs_on(scheme, parameter.value, "n")) kept.hanging_on_n.insert(parameter.name);
+    if (depends_on(scheme, parameter.value, "n")) kept.depending_on_n.insert(parameter.name);
   }
   return kept;
 }
@@ -138,7 +138,7 @@ NamesKept names_kept(const Scheme& scheme, const std::set<std::string>& evaluate
 std::set<std::string> lets_of_n(const Scheme& scheme) {
   std::set<std::string> found;
   for (const auto& [let, value] : scheme.lets)
-    if (hangs_on(scheme, value, "n") && !hangs_on(scheme, value, "k")) found.insert(let);
+    if (depends_on(scheme, value, "n") && !depends_on(scheme, value, "k")) found.insert(let);
   return found;
 }
 
@@ -149,7 +149,7 @@ std::vector<RegularName> regular_names(const Scheme& scheme, const NamesKept& ke
     if (const auto kind = static_cast<RuleKind>(i); rule_has_valence(kind))
       valences.insert(regular_valence(kind, scheme.split->lattice));
   std::vector<RegularName> names;
-  for (const std::string& parameter : kept.hanging_on_n)
+  for (const std::string& parameter : kept.depending_on_n)
     for (const int n : valences) names.push_back({regular_name(parameter, n), parameter, n});
   return names;
 }

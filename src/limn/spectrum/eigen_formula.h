@@ -4,7 +4,8 @@
 ///
 /// The star is refined once with all weights as names (sector_pattern.h); evaluated as formulas
 /// they make the block of a frequency, entry by entry, whose characteristic polynomial is factored
-/// over the rationals with n, the parameters and one cosine for each angle as independent symbols.
+/// over the rationals with n, the parameters and one cosine for each angle as independent
+/// indeterminates.
 
 #include <optional>
 #include <set>
@@ -59,7 +60,7 @@ struct ValenceFormulas {
   std::vector<FrequencyFormulas> frequencies;
 };
 
-/// A parameter that hangs on n has one value at the centre, and another one in the regular rules
+/// A parameter that depends on n has one value at the centre, and another one in the regular rules
 /// round it, where it goes by the name `name`.
 struct RegularName {
   std::string name;       ///< in the formulas

@@ -28,13 +28,13 @@ Error not_invariant(const Scheme& scheme, int rings) {
 }
 
 /// A vertex of a star as sector and orbit (kCenter: the centre).
-struct Seat {
+struct OrbitPosition {
   int orbit, sector;
 };
 
-class Seats {
+class OrbitPositions {
  public:
-  Seats(const Split& split, int rings) : center_(!split.births.corners) {
+  OrbitPositions(const Split& split, int rings) : center_(!split.births.corners) {
     for (int ring = 1; ring <= rings; ++ring) {
       first_orbit_.push_back(static_cast<int>(orbits_.size()));
       const int size =
@@ -47,7 +47,7 @@ class Seats {
   [[nodiscard]] const std::vector<Orbit>& orbits() const { return orbits_; }
 
   /// Of vertex v < star_size, numbered as in mesh/lattice.h.
-  [[nodiscard]] Seat of(Index v) const {
+  [[nodiscard]] OrbitPosition of(Index v) const {
     int left = static_cast<int>(v) - (center_ ? 1 : 0);
     if (left < 0) return {kCenter, 0};
     for (std::size_t r = 0;; ++r) {
@@ -144,16 +144,16 @@ Result<Row<WeightForm>> constant_row(const Scheme& scheme, RuleKind kind, int n)
 /// The terms of one row from its linear form.
 class RowTerms {
  public:
-  RowTerms(const Namer& namer, const Seats& places, int row, double row_angle)
+  RowTerms(const Namer& namer, const OrbitPositions& places, int row, double row_angle)
       : namer_(namer), places_(places), row_(row), row_angle_(row_angle) {}
 
   /// False where what was found has no such pattern.
   [[nodiscard]] bool add(Index vertex, const WeightForm& form) {
-    const Seat seat = places_.of(vertex);
-    const int sector = seat.sector > kSectors / 2 ? seat.sector - kSectors : seat.sector;
+    const OrbitPosition place = places_.of(vertex);
+    const int sector = place.sector > kSectors / 2 ? place.sector - kSectors : place.sector;
     for (const auto& [indices, coefficient] : form.terms()) {
       if (coefficient == 0) continue;
-      Key key{seat.orbit, {}, -1, coefficient};
+      Key key{place.orbit, {}, -1, coefficient};
       int k = -1;
       for (const int index : indices) {
         const Namer::Position& position = namer_.positions[static_cast<std::size_t>(index)];
@@ -244,7 +244,7 @@ class RowTerms {
   }
 
   const Namer& namer_;
-  const Seats& places_;
+  const OrbitPositions& places_;
   int row_;
   double row_angle_;
   std::map<Key, std::vector<Position>> found_;
@@ -299,14 +299,14 @@ Result<CenterCases> center_cases(const Scheme& scheme, int n) {
 
 Result<int> control_rings(const Scheme& scheme, const CenterCases& cases,
                           const RegularNames& named) {
-  // D(r): the farthest ring that ring r of the refined star hangs on. It grows more slowly than
+  // D(r): the farthest ring that ring r of the refined star depends on. It grows more slowly than
   // r, so that what controls the faces round the centre at every level is the last r ≤ D(r).
   const Result<StarForms> star = refined_star(scheme, cases, kMostRings, named);
   if (!star) return star.error();
-  const Seats seats(*scheme.split, kMostRings + kSeenBeyond);
+  const OrbitPositions places(*scheme.split, kMostRings + kSeenBeyond);
   const auto ring = [&](Index v) {
-    const Seat seat = seats.of(v);
-    return seat.orbit == kCenter ? 0 : seats.orbits()[static_cast<std::size_t>(seat.orbit)].ring;
+    const OrbitPosition place = places.of(v);
+    return place.orbit == kCenter ? 0 : places.orbits()[static_cast<std::size_t>(place.orbit)].ring;
   };
   std::array<int, kMostRings + 1> farthest{};
   for (Index v = 0; v < star->step.size; ++v)
@@ -330,16 +330,16 @@ Result<SectorPattern> sector_pattern(const Scheme& scheme, const CenterCases& ca
   const Split& split = *scheme.split;
   const Result<StarForms> star = refined_star(scheme, cases, rings, named);
   if (!star) return star.error();
-  const Seats seats(split, rings);
+  const OrbitPositions places(split, rings);
   const double turn = split.dilation.rows[0][1] == 0 ? 0 : 0.5;
-  SectorPattern pattern{rings, seats.orbits(), !split.births.corners, star->namer.names, {}};
+  SectorPattern pattern{rings, places.orbits(), !split.births.corners, star->namer.names, {}};
   for (Index v = 0; v < star->step.size; ++v) {
-    const Seat seat = seats.of(v);
-    if (seat.sector != 0) continue;
-    const double angle = seat.orbit == kCenter
+    const OrbitPosition place = places.of(v);
+    if (place.sector != 0) continue;
+    const double angle = place.orbit == kCenter
                              ? 0
-                             : seats.orbits()[static_cast<std::size_t>(seat.orbit)].angle + turn;
-    RowTerms terms(star->namer, seats, seat.orbit, angle);
+                             : places.orbits()[static_cast<std::size_t>(place.orbit)].angle + turn;
+    RowTerms terms(star->namer, places, place.orbit, angle);
     for (const auto& [vertex, form] : star->forms[star->step.images[v]].terms)
       if (vertex >= star->step.size || !terms.add(vertex, form))
         return not_invariant(scheme, rings);

@@ -57,7 +57,7 @@ Result<Symbolic> harmonic_at(const RepeatedWeight& weight, int j, const Symbolic
   Result<Symbolic> sum = Symbolic(0);
   for (const auto& [m, coefficient] : weight.harmonics) {
     Result<Symbolic> angle =
-        Symbolic::divide(Symbolic(Polynomial(pi_symbol()) * Polynomial(2 * m * j)), n);
+        Symbolic::divide(Symbolic(Polynomial(pi_indeterminate()) * Polynomial(2 * m * j)), n);
     if (angle) angle = symbolic_cos(*angle);
     if (angle) angle = Symbolic::multiply(*angle, coefficient);
     if (angle && sum) angle = Symbolic::add(*sum, *angle);
@@ -105,7 +105,7 @@ Result<Symbolic> SymbolicWeights::value(const NamedWeight& name, const std::opti
   if (!name.regular)
     for (const std::string& let : kept_.lets) scope.give(let, Polynomial(variable(let)));
   for (const std::string& one : kept_.parameters) {
-    const bool regular = name.regular && kept_.hanging_on_n.count(one) > 0;
+    const bool regular = name.regular && kept_.depending_on_n.count(one) > 0;
     if (regular && *name.regular == 0) continue;  // an edge has no n; the error will say so
     scope.give(one, Polynomial(variable(regular ? regular_name(one, *name.regular) : one)));
   }
@@ -149,18 +149,20 @@ Result<RepeatedWeight> SymbolicWeights::one_by_one(const NamedWeight& name) cons
 
 Result<RepeatedWeight> SymbolicWeights::of_every_valence(const NamedWeight& name) {
   Apart apart;
-  const Symbol k = whole_number("k", [&](const Polynomial& positive) { apart.suppose(positive); });
+  const Indeterminate k =
+      whole_number("k", [&](const Polynomial& positive) { apart.suppose(positive); });
   const Result<Symbolic> amid = value(name, n_, Symbolic(Polynomial(k)));
   if (!amid) return amid.error();
   if (!apart.bounded) return no_sum(name, "a comparison treats too many k apart");
 
   RepeatedWeight result;
-  const Symbol cosine =
-      cosine_symbol(1, product({{k, 1}}, power(n_.numerator().terms().begin()->first, -1)));
+  const Indeterminate cosine =
+      cosine_indeterminate(1, product({{k, 1}}, power(n_.numerator().terms().begin()->first, -1)));
   const std::map<int, Polynomial> powers = amid->numerator().powers_of(cosine);
   const bool plain = std::none_of(powers.begin(), powers.end(),
-                                  [](const auto& one) { return one.second.hangs_on("k"); });
-  if (!plain || amid->denominator().hangs_on("k") || (!powers.empty() && powers.begin()->first < 0))
+                                  [](const auto& one) { return one.second.depends_on("k"); });
+  if (!plain || amid->denominator().depends_on("k") ||
+      (!powers.empty() && powers.begin()->first < 0))
     return no_sum(name, "amid k = 0 … n-1 it is " + sum_text(amid->numerator(), Notation::text));
   int highest = 0;
   for (const auto& [j, coefficient] : chebyshev_coefficients(amid->numerator(), cosine)) {

@@ -23,17 +23,17 @@ struct RepeatedWeight {
 struct NamesKept {
   std::set<std::string> parameters;
   std::set<std::string> lets;  ///< in the rules of the centre
-  /// Those parameters that hang on n: where a regular rule has one at its own n, that is another
+  /// Those parameters that depend on n: where a regular rule has one at its own n, that is another
   /// number and has another name.
-  std::set<std::string> hanging_on_n;
+  std::set<std::string> depending_on_n;
   std::string frequency, unknown;  ///< what these are called
 };
 [[nodiscard]] std::string regular_name(const std::string& name, int n);
 
-/// Evaluates weights where n is a symbol or a number. Scheme and names must outlive it.
+/// Evaluates weights where n is an indeterminate or a number. Scheme and names must outlive it.
 class SymbolicWeights {
  public:
-  /// n: a symbol, for all n from `least_valence` on.
+  /// n: an indeterminate, for all n from `least_valence` on.
   SymbolicWeights(const Scheme& scheme, const NamesKept& kept);
   /// One n.
   SymbolicWeights(const Scheme& scheme, const NamesKept& kept, int n);

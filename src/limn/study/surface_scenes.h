@@ -5,13 +5,13 @@
 
 #include "limn/figure/space/surface_scene.h"
 #include "limn/mesh/mesh.h"
-#include "limn/surface/limit_gaps.h"
 #include "limn/scheme/scheme.h"
+#include "limn/surface/limit_gaps.h"
 
 namespace limn {
 
 /// The limit surface of a control mesh, sampled after so many steps, with limit normals; faces are
-/// cut into triangles by fans. By the quick engine where it has the limit (fast_limit.h), else by
+/// cut into triangles by fans. By the fast engine where it has the limit (fast_limit.h), else by
 /// the plain one. Fails as `refine` and `approx_limit_points` do, and before the work where that
 /// and a picture of it need more memory than there is. With `gaps`, a vertex that has no limit
 /// point is no failure: it stays where the steps have put it (LimitOptions::partial), and is told

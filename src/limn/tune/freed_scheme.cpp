@@ -53,7 +53,7 @@ bool may_be_center(RuleKind kind) { return rule_has_valence(kind) && kind != Rul
 
 struct Use {
   Names at_center, elsewhere, in_guards;  // of rules
-  Names with_n, with_k;                   // definitions that hang on n, on k
+  Names with_n, with_k;                   // definitions that depend on n, on k
 };
 
 Use uses_of(const Scheme& scheme) {

@@ -2,7 +2,7 @@
 /// A scheme with one of its names freed: frequency blocks as functions of a number x that a
 /// parameter or a let takes.
 ///
-/// Where the name's definition hangs on n and only rules at the star's centre use it (the vertex
+/// Where the name's definition depends on n and only rules at the star's centre use it (the vertex
 /// and edge-end rules; corner rules of dual splits), it is a number for each valence: x is its
 /// value at the valence analysed, and the regular neighbours keep the scheme's own definition.
 /// Else, or on demand, it is one number everywhere. At a regular valence the neighbours have x in
@@ -37,7 +37,7 @@ struct SearchRange {
 };
 
 /// Lets and parameters that the rules of interior vertices use, in the order of the file, and that
-/// no guard and no index k hangs on.
+/// no guard and no index k depends on.
 [[nodiscard]] std::vector<std::string> freeable_names(const Scheme& scheme);
 
 /// Where the freed name takes the number x.

@@ -227,7 +227,7 @@ class RangeSearch {
     const auto [low, high] = result_.searched;
     double most = -HUGE_VAL;
     for (const Sample& sample : samples_) most = std::max(most, sample.margin);
-    std::vector<double> best;  // a plateau, as a rule, of what does not hang on x
+    std::vector<double> best;  // a plateau, as a rule, of what does not depend on x
     for (const Sample& sample : samples_)
       if (sample.margin >= most - kEqualBelow) best.push_back(sample.x);
     const double x = best[best.size() / 2];

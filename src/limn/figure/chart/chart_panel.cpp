@@ -179,7 +179,7 @@ void ChartPanel::draw(Canvas& canvas, const Box& box) const {
   const double left = std::clamp(centred, box.x, std::max(box.x, box.right() - legend.width()));
   draw_legend(canvas, *this, legend, left, box.y + title_height(title));
   draw_grid(canvas, y_axis, plot);
-  // Markers at the rim stay whole.
+  // Markers at the border stay whole.
   constexpr double kOver = kMarker + kMarkers * kMarkerGrowth;
   canvas.begin_clip(Path::rectangle(
       {plot.x - kOver, plot.y - kOver, plot.width + 2 * kOver, plot.height + 2 * kOver}));

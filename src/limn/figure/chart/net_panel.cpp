@@ -10,7 +10,7 @@
 namespace limn {
 namespace {
 
-constexpr double kMargin = 10;        // also for labels at the rim
+constexpr double kMargin = 10;        // also for labels at the border
 constexpr double kPlacedMargin = 16;  // where they are free to go outwards
 constexpr double kLabelText = 7.5;
 constexpr double kHead = 5;  // of an arrow

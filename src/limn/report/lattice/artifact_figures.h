@@ -18,13 +18,13 @@ namespace limn {
 [[nodiscard]] Result<DataTable> artifact_table(const ArtifactAnalysis& analysis, Stage stage,
                                                const TriangleGrid& grid);
 
-/// The same along a ray from 0 to the rim of the Nyquist region, `points` ≥ 2 of them. First column
-/// "frequency", |f|; then as above.
+/// The same along a ray from 0 to the border of the Nyquist region, `points` ≥ 2 of them. First
+/// column "frequency", |f|; then as above.
 [[nodiscard]] Result<DataTable> artifact_curve(const ArtifactAnalysis& analysis, Stage stage,
                                                double direction_degrees, int points);
 
-/// The two principal directions, in degrees: towards the nearest point of the rim, where waves are
-/// perpendicular to a grid line (Y1), and towards a corner.
+/// The two principal directions, in degrees: towards the nearest point of the border, where waves
+/// are perpendicular to a grid line (Y1), and towards a corner.
 struct PrincipalDirection {
   double degrees;
   std::string name;

@@ -1,0 +1,27 @@
+# Tests of documents: what they name is there, and what the walk-throughs say is done, to the letter;
+# and of one thing that they say of the code: all headers can be included together.
+
+find_package(Python3 COMPONENTS Interpreter)
+if(Python3_FOUND)
+  add_test(NAME tools:documents_name_existing_files
+    COMMAND Python3::Interpreter ${PROJECT_SOURCE_DIR}/tests/tools/documents_test.py)
+  add_test(NAME tools:follow_walkthrough
+    COMMAND Python3::Interpreter ${PROJECT_SOURCE_DIR}/tests/tools/follow_walkthrough_test.py)
+  set_tests_properties(tools:documents_name_existing_files tools:follow_walkthrough
+    PROPERTIES TIMEOUT 60 LABELS tools)
+  if(CMAKE_EXPORT_COMPILE_COMMANDS)
+    add_test(NAME tools:headers_together
+      COMMAND Python3::Interpreter ${PROJECT_SOURCE_DIR}/tests/tools/headers_together_test.py
+              ${PROJECT_BINARY_DIR})
+    set_tests_properties(tools:headers_together PROPERTIES TIMEOUT 180 LABELS tools)
+  endif()
+  # They take the flags and objects of this build folder, from what Ninja knows.
+  if(CMAKE_EXPORT_COMPILE_COMMANDS AND CMAKE_GENERATOR STREQUAL "Ninja" AND NOT LIMN_SANITIZE)
+    foreach(page split role report)
+      add_test(NAME tools:walkthrough_add_a_${page}
+        COMMAND Python3::Interpreter ${PROJECT_SOURCE_DIR}/tools/follow_walkthrough
+                ${PROJECT_SOURCE_DIR}/docs/walkthroughs/add-a-${page}.md --build ${PROJECT_BINARY_DIR})
+      set_tests_properties(tools:walkthrough_add_a_${page} PROPERTIES TIMEOUT 180 LABELS tools)
+    endforeach()
+  endif()
+endif()
