@@ -10,6 +10,7 @@
 #include <set>
 
 #include "limn/regular/formula.h"
+#include "limn/scheme/evaluate.h"
 #include "limn/scheme/expression.h"
 #include "regular/wave_oracle.h"
 
@@ -167,7 +168,7 @@ double value_of(const std::string& formula, const Mask& mask, Frequency f) {
   EXPECT_TRUE(parsed.ok()) << formula << ": " << parsed.error().text();
   if (!parsed) return std::nan("");
   const Result<double> value =
-      parsed->evaluate<double>([&](const std::string& name) -> Result<double> {
+      limn::evaluate<double>(*parsed, [&](const std::string& name) -> Result<double> {
         const auto found = names.find(name);
         if (found == names.end()) return Error{"no such name: " + name};
         return found->second;

@@ -1,7 +1,7 @@
 /// The grammar of weight expressions, by values that another reading would not give.
 
 #include "limn/scheme/expression.h"
-#include "limn/number/exact.h"
+#include "limn/scheme/evaluate.h"
 
 #include <gtest/gtest.h>
 
@@ -18,7 +18,7 @@ std::string value(const std::string& text) {
   };
   if (!expression) return failed(expression.error());
   const Result<Exact> result =
-      expression->evaluate<Exact>([](const std::string& name) -> Result<Exact> {
+      limn::evaluate<Exact>(*expression, [](const std::string& name) -> Result<Exact> {
         const std::map<std::string, Rational> values{{"n", 7}, {"k", 3}, {"w", Rational(1, 16)}};
         const auto found = values.find(name);
         if (found == values.end()) return Error{"unknown " + name};
