@@ -16,25 +16,31 @@ namespace limn {
 class Rational {
  public:
   Rational() noexcept;  ///< 0
+  /// That number.
   template <std::integral T>
   Rational(T value) : Rational(Integer(value)) {}
-  Rational(const Integer& value);
+  Rational(const Integer& value);  ///< that number
   /// Throws std::overflow_error where the denominator is 0.
   Rational(const Integer& numerator, const Integer& denominator);
   /// The number that the double is, exactly. Precondition: finite.
   explicit Rational(double value);
   /// From "3" or "-7/24". Throws std::runtime_error where it is something else.
   explicit Rational(const std::string& text);
+  /// @{
+  /// Copies and moves; what was moved from is valid and of no known value.
   Rational(const Rational& other);
   Rational(Rational&& other) noexcept;
   Rational& operator=(const Rational& other);
   Rational& operator=(Rational&& other) noexcept;
+  /// @}
   ~Rational();
 
+  /// @{
+  /// Exact. Division throws std::overflow_error where b is 0.
   Rational& operator+=(const Rational& b);
   Rational& operator-=(const Rational& b);
   Rational& operator*=(const Rational& b);
-  Rational& operator/=(const Rational& b);  ///< Throws std::overflow_error where b is 0.
+  Rational& operator/=(const Rational& b);
   Rational operator-() const;
 
   friend Rational operator+(Rational a, const Rational& b) { return a += b; }
@@ -45,6 +51,8 @@ class Rational {
   friend std::strong_ordering operator<=>(const Rational& a, const Rational& b) {
     return a.compare(b) <=> 0;
   }
+  /// @}
+  /// @{
   /// With a number of the machine, without making a fraction of it.
   template <std::signed_integral T>
   friend bool operator==(const Rational& a, T b) {
@@ -54,15 +62,17 @@ class Rational {
   friend std::strong_ordering operator<=>(const Rational& a, T b) {
     return a.compare(static_cast<long long>(b)) <=> 0;
   }
+  /// @}
 
   explicit operator double() const;       ///< the nearest, as by to_double, but slower
   [[nodiscard]] int sign() const;         ///< -1, 0 or 1
   [[nodiscard]] std::string str() const;  ///< "3", "-7/24"
 
+  /// Without its sign.
   friend Rational abs(const Rational& q) { return q.sign() < 0 ? -q : q; }
-  friend Integer numerator(const Rational& q);
+  friend Integer numerator(const Rational& q);    ///< in lowest terms, with the sign
   friend Integer denominator(const Rational& q);  ///< positive
-  friend std::ostream& operator<<(std::ostream& out, const Rational& q);
+  friend std::ostream& operator<<(std::ostream& out, const Rational& q);  ///< as `str`
 
  private:
   friend struct ExactAccess;
@@ -73,9 +83,9 @@ class Rational {
   alignas(16) std::byte parts_[64];  // a cpp_rational lives here
 };
 
-Integer numerator(const Rational& q);
-Integer denominator(const Rational& q);
-std::ostream& operator<<(std::ostream& out, const Rational& q);
+Integer numerator(const Rational& q);                            ///< in lowest terms, with the sign
+Integer denominator(const Rational& q);                          ///< positive
+std::ostream& operator<<(std::ostream& out, const Rational& q);  ///< as `str`
 
 /// The nearest double (to within one unit in the last place).
 [[nodiscard]] double to_double(const Rational& q);

@@ -2,7 +2,6 @@
 /// Limit positions and normals by the quick engine (fast/fast_refiner.h).
 
 #include "limn/fast/fast_refiner.h"
-#include "limn/limit/limit_stencil.h"
 
 namespace limn {
 
@@ -15,8 +14,9 @@ namespace limn {
 
 /// A refined mesh with limit positions and unit normals at its vertices.
 struct FastLimitMesh {
-  Polygons refined;
-  std::vector<Point3> limit, normals;
+  Polygons refined;             ///< with the points where refinement puts them
+  std::vector<Point3> limit;    ///< one for each vertex
+  std::vector<Point3> normals;  ///< of length 1, or zero; one for each vertex
 };
 /// All of it in one call. Nothing as approx_fast_limit; fails as FastRefiner::make, too.
 [[nodiscard]] Result<std::optional<FastLimitMesh>> approx_fast_limit_mesh(

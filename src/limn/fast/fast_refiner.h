@@ -40,12 +40,12 @@ class FastRefiner {
   /// What `fast_refine` will make and need at most, by counting.
   [[nodiscard]] static RefineEstimate estimate(const Split& split, const Mesh& control, int levels);
 
-  FastRefiner(FastRefiner&&) noexcept;
-  FastRefiner& operator=(FastRefiner&&) noexcept;
+  FastRefiner(FastRefiner&&) noexcept;             ///< the other may then only be destroyed
+  FastRefiner& operator=(FastRefiner&&) noexcept;  ///< as the constructor
   ~FastRefiner();
 
-  [[nodiscard]] Index vertex_count() const;  ///< of the refined mesh
-  [[nodiscard]] Index face_count() const;
+  [[nodiscard]] Index vertex_count() const;      ///< of the refined mesh
+  [[nodiscard]] Index face_count() const;        ///< of the refined mesh
   [[nodiscard]] Index corner_count() const;      ///< of all faces together
   [[nodiscard]] Index corners_per_face() const;  ///< or 0 where faces differ
   /// How many of the steps the plain engine makes: as a rule 0 or 1; all of them, where
@@ -57,7 +57,7 @@ class FastRefiner {
   /// result's. One is for one thread at a time.
   template <class Real>
   struct Scratch {
-    HugeArray<Real> numbers;
+    HugeArray<Real> numbers;  ///< of the levels in between
     HugeArray<Real> refined;  ///< where the limit is evaluated
   };
 
@@ -67,6 +67,7 @@ class FastRefiner {
   /// many give the same bits. Not-a-numbers pass through.
   template <class Real>
   void evaluate(std::span<const Real> control, std::span<Real> fine, Scratch<Real>& scratch) const;
+  /// The same with memory of its own, for one evaluation.
   template <class Real>
   void evaluate(std::span<const Real> control, std::span<Real> fine) const {
     Scratch<Real> scratch;
@@ -76,8 +77,8 @@ class FastRefiner {
   /// The limit surface at the refined vertices; built once, evaluated often.
   class Limit {
    public:
-    Limit(Limit&&) noexcept;
-    Limit& operator=(Limit&&) noexcept;
+    Limit(Limit&&) noexcept;             ///< the other may then only be destroyed
+    Limit& operator=(Limit&&) noexcept;  ///< as the constructor
     ~Limit();
     [[nodiscard]] std::size_t bytes() const;  ///< what it holds
 

@@ -6,8 +6,7 @@
 #include <vector>
 
 #include "limn/base/error.h"
-#include "limn/limit/limit_curvature.h"
-#include "limn/limit/limit_stencil.h"
+#include "limn/limit/no_curvature.h"
 #include "limn/mesh/mesh.h"
 #include "limn/scheme/regular_part.h"
 #include "limn/scheme/scheme.h"

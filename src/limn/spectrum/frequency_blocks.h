@@ -41,6 +41,7 @@ struct FrequencyBlocks {
 
 struct SectorPattern;  // sector_pattern.h
 
+/// That FrequencyAnalysis::blocks makes all ⌊n/2⌋ + 1 blocks.
 inline constexpr int kAllFrequencies = std::numeric_limits<int>::max();
 
 /// Frequency blocks of one scheme at any number of valences.

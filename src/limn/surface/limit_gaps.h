@@ -9,14 +9,15 @@ namespace limn {
 
 /// Vertices at which something is missing, in ascending order.
 struct LimitGaps {
-  std::vector<LimitPoints::Refused> limits;
-  std::vector<Index> normals;
+  std::vector<LimitPoints::Refused> limits;  ///< without a limit point, and why
+  std::vector<Index> normals;                ///< without a normal
   struct Curvatures {
-    NoCurvature reason;
-    std::vector<Index> vertices;
+    NoCurvature reason;           ///< why
+    std::vector<Index> vertices;  ///< where
   };
   std::vector<Curvatures> curvatures;  ///< by reason
 
+  /// Whether anything is missing anywhere.
   [[nodiscard]] bool any() const {
     return !limits.empty() || !normals.empty() || !curvatures.empty();
   }
