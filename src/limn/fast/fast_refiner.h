@@ -29,6 +29,7 @@ class LimitReader;  // families/family.h
 /// Whether there is a quick engine for schemes of this split.
 [[nodiscard]] bool has_fast_layout(const Split& split);
 
+/// A control mesh's topology, worked out for a scheme and a number of steps.
 class FastRefiner {
  public:
   /// Precondition: has_fast_layout(*scheme.split); `scheme` must outlive the refiner. Fails as

@@ -11,6 +11,7 @@ namespace limn {
 struct LimitGaps {
   std::vector<LimitPoints::Refused> limits;  ///< without a limit point, and why
   std::vector<Index> normals;                ///< without a normal
+  /// Vertices that have no curvature for one reason.
   struct Curvatures {
     NoCurvature reason;           ///< why
     std::vector<Index> vertices;  ///< where
