@@ -42,6 +42,22 @@ set(test_folders ${test_sources})
 list(TRANSFORM test_folders REPLACE "/[^/]*$" "")
 list(REMOVE_DUPLICATES test_folders)
 
+# limn_discover_tests(TARGET PREFIX LABEL): each TEST in it is a ctest PREFIX:Suite.Name. Sanitizers
+# make programs up to ten times as slow, which must not end a test.
+function(limn_discover_tests target prefix label)
+  set(seconds 300)
+  if(LIMN_SANITIZE)
+    set(seconds 1500)
+  endif()
+  gtest_discover_tests(${target}
+    TEST_PREFIX "${prefix}:"
+    NO_PRETTY_VALUES
+    DISCOVERY_MODE PRE_TEST
+    DISCOVERY_TIMEOUT 60
+    # Random input is the same in every run; by itself, a test program draws anew.
+    PROPERTIES TIMEOUT ${seconds} LABELS ${label} ENVIRONMENT RC_PARAMS=seed=2026)
+endfunction()
+
 foreach(folder IN LISTS test_folders)
   cmake_path(RELATIVE_PATH folder BASE_DIRECTORY ${PROJECT_SOURCE_DIR}/tests OUTPUT_VARIABLE name)
   if(name MATCHES "^consumer" OR (name MATCHES "^peers" AND NOT LIMN_PEERS))
@@ -71,13 +87,7 @@ foreach(folder IN LISTS test_folders)
     target_compile_definitions(${target} PRIVATE LIMN_COMMAND="$<TARGET_FILE:limn_command>")
     add_dependencies(${target} limn_command)
   endif()
-  gtest_discover_tests(${target}
-    TEST_PREFIX "${name}:"
-    NO_PRETTY_VALUES
-    DISCOVERY_MODE PRE_TEST
-    DISCOVERY_TIMEOUT 60
-    # Random input is the same in every run; by itself, a test program draws anew.
-    PROPERTIES TIMEOUT 300 LABELS ${name} ENVIRONMENT RC_PARAMS=seed=2026)
+  limn_discover_tests(${target} ${name} ${name})
 endforeach()
 
 # The quick engine without vector instructions: its sources and tests once more, with one lane.
@@ -89,9 +99,7 @@ target_compile_definitions(limn_test_fast_one_lane PRIVATE LIMN_ONE_LANE)
 target_compile_options(limn_test_fast_one_lane PRIVATE -Wno-dangling-else -Wno-shadow)
 target_link_libraries(limn_test_fast_one_lane PRIVATE limn_test_support)
 limn_reuse_precompiled(limn_test_fast_one_lane)
-gtest_discover_tests(limn_test_fast_one_lane
-  TEST_PREFIX "fast_one_lane:" NO_PRETTY_VALUES DISCOVERY_MODE PRE_TEST DISCOVERY_TIMEOUT 60
-  PROPERTIES TIMEOUT 300 LABELS fast ENVIRONMENT RC_PARAMS=seed=2026)
+limn_discover_tests(limn_test_fast_one_lane fast_one_lane fast)
 
 # Somebody else's project that finds an installed limn; sanitizers would have to be theirs too.
 if(PROJECT_IS_TOP_LEVEL AND NOT LIMN_SANITIZE)

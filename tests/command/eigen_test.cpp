@@ -4,11 +4,13 @@
 #include <nlohmann/json.hpp>
 
 #include "run_command.h"
+#include "support/sanitized.h"
 
 namespace limn::test {
 namespace {
 
 TEST(EigenCommand, DrawsManyMapsInBoundedMemoryOrRefusesThemBeforeTheWork) {
+  LIMN_SKIP_IF_SANITIZED();
   const Folder folder;
   if (folder.limn("eigen loop --valence 3 --map m.pdf").code != 0) GTEST_SKIP() << "no figures";
   // 1.2 GB where every map kept all its faces

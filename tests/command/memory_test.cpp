@@ -11,6 +11,7 @@
 #include "limn/mesh/io/mesh_file.h"
 #include "limn/surface/surface_estimate.h"
 #include "run_command.h"
+#include "support/sanitized.h"
 
 namespace limn::test {
 namespace {
@@ -41,6 +42,7 @@ double peak_of(const Folder& folder, const std::vector<std::string>& arguments) 
 }
 
 TEST(Memory, TheForecastBoundsWhatIsTaken) {
+  LIMN_SKIP_IF_SANITIZED();
   const Folder folder;
   folder.write("loop.obj", kTetrahedron);
   folder.write("sqrt3.obj", kTetrahedron);
@@ -72,6 +74,7 @@ TEST(Memory, TheForecastBoundsWhatIsTaken) {
 }
 
 TEST(Memory, IsRefusedBeforeTheWorkWhereAUlimitLeavesLess) {
+  LIMN_SKIP_IF_SANITIZED();
   const Folder folder;
   folder.write("t.obj", kTetrahedron);
   for (const std::string limit : {"ulimit -v 3000000", "ulimit -d 3000000"})
@@ -87,6 +90,7 @@ TEST(Memory, IsRefusedBeforeTheWorkWhereAUlimitLeavesLess) {
 }
 
 TEST(Memory, WhatRunsOutOfItNamesTheStep) {
+  LIMN_SKIP_IF_SANITIZED();
   const Folder folder;
   folder.write("t.obj", kTetrahedron);
   std::filesystem::resize_file(folder.file("t.obj"), 900'000'000);

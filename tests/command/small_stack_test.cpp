@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "command/run_command.h"
+#include "support/sanitized.h"
 
 namespace limn::test {
 namespace {
@@ -21,7 +22,7 @@ class SmallStack : public ::testing::TestWithParam<std::string> {};
 
 TEST_P(SmallStack, Suffices) {
   const Folder folder;
-  const Outcome outcome = folder.limn(GetParam(), "ulimit -s 256;");
+  const Outcome outcome = folder.limn(GetParam(), stack_of(256));
   EXPECT_EQ(outcome.code, 0) << outcome.err;
 }
 
@@ -44,11 +45,11 @@ TEST(SmallStackTest, NestedInputIsRefusedBeforeItRunsOut) {
   for (const char* opening : {"(", "sqrt(", "1-(", "1/(", "cos("}) {
     const std::string nested = repeated(opening, 2000) + "1" + repeated(")", 2000);
     expect_refused(
-        folder.limn("show laplacian-loop -p 'a=" + nested.substr(0, 3000) + "'", "ulimit -s 256;"),
+        folder.limn("show laplacian-loop -p 'a=" + nested.substr(0, 3000) + "'", stack_of(256)),
         "nested too deeply");
   }
   folder.write("deep.toml", "split = \"triangle-dyadic\"\nx = " + repeated("[", 5000));
-  expect_refused(folder.limn("show deep.toml", "ulimit -s 256;"), "depth");
+  expect_refused(folder.limn("show deep.toml", stack_of(256)), "depth");
 }
 
 }  // namespace
