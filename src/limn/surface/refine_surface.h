@@ -1,7 +1,7 @@
 #pragma once
 /// The surface that a scheme makes of a control mesh: refined points, points of the limit surface,
-/// normals, curvatures. The front of refinement: it chooses the engine. For the same mesh
-/// at many positions see fast/fast_refiner.h, for values other than points refine/refine.h.
+/// normals, curvatures. The front of refinement: it chooses the engine. For the same mesh at many
+/// positions see fast/fast_refiner.h.
 
 #include <functional>
 #include <optional>

@@ -8,6 +8,7 @@
 #include "limn/base/printable.h"
 #include "limn/refine/refine.h"
 #include "limn/report/compare/compare_rows.h"
+#include "limn/report/compare/record_json.h"
 #include "limn/study/surface_scenes.h"
 
 namespace limn {
