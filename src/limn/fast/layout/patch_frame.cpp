@@ -1,7 +1,7 @@
 #include "limn/fast/layout/patch_frame.h"
 
 #include <algorithm>
-#include <array>
+#include <cstring>
 
 #include "limn/base/parallel.h"
 
@@ -16,49 +16,83 @@ PatchTopology::PatchTopology(const Mesh& control, Index sides)
     for (Index h = first; h < first + sides; ++h) *out++ = edge_code(control, h);
     for (Index h = first; h < first + sides; ++h, out += 2 * sides - 1) {
       const Index twin = control.twin(h);
-      out[0] = twin == kNone ? kNone : control.face(twin);
+      out[0] = kNone;
       if (twin == kNone) continue;
-      out[1] = twin - sides * out[0];
-      Index g = control.next(twin);
-      for (Index k = 1; k < sides; ++k, g = control.next(g)) {
-        if (k > 1) out[k] = control.origin(g);
-        out[sides + k - 1] = edge_code(control, g);
+      out[0] = control.face(twin);
+      Index k = twin - sides * out[0];
+      out[1] = k;
+      for (Index i = 1; i < sides; ++i) {
+        k = k + 1 == sides ? 0 : k + 1;
+        const Index g = sides * out[0] + k;
+        if (i > 1) out[i] = control.origin(g);
+        out[sides + i - 1] = edge_code(control, g);
       }
     }
   });
 }
 
-/// Where the series of one face begin, for one level.
+void PatchFrame::Entries::add(Entry entry) {
+  if (parts.empty() || parts.back().series != entry.series) {
+    parts.push_back({entry.series, count, 0});
+    if (std::find(series.begin(), series.end(), entry.series) == series.end())
+      series.push_back(entry.series);
+  }
+  ++parts.back().count;
+  at.resize(static_cast<std::size_t>(count) + 4);
+  at[static_cast<std::size_t>(count++)] = entry.at;
+}
+
+/// The series of one face, for one level.
 class PatchFrame::Series {
  public:
-  explicit Series(const GridLayout& layout) : layout_(layout), sides_(layout.sides()) {
-    step_.fill(1);
-  }
+  explicit Series(const GridLayout& layout) : layout_(layout), sides_(layout.sides()) {}
 
-  /// Corners from number `corner` on, and sides from number `side` on.
-  void set(Index f, const Index* corners, Index corner, const EdgeCode* codes, Index side) {
-    std::copy(corners, corners + sides_ - corner, origin_.begin() + corner);
-    for (Index k = side; k < sides_; ++k) {
-      const EdgeCode code = codes[k - side];
-      origin_[at(sides_ + k)] = layout_.point_along(code, 0);
-      step_[at(sides_ + k)] = 2 * (code & 1) - 1;
+  /// Sets what the entries use, from the face's corners and codes, given from some number on, and
+  /// writes their numbers, and unless these are the `last` some more, that are to be overwritten;
+  /// returns past the entries.
+  Index* write(const Entries& entries, Index f, const Index* corners, const EdgeCode* codes,
+               bool last, Index* out) {
+    for (const Index i : entries.series) set(i, f, corners, codes);
+    const Index* at = entries.at.data();
+    const Part* part = entries.parts.data();
+    const Part* const end = part + entries.parts.size();
+    for (; part != (last ? end - 1 : end); ++part) {
+      const Four origin = Four{} + origin_[part->series], sign = Four{} + sign_[part->series];
+      for (Index i = 0; i < part->count; i += 4) {
+        Four numbers;
+        std::memcpy(&numbers, at + part->begin + i, sizeof numbers);
+        numbers = origin + ((numbers ^ sign) - sign);
+        std::memcpy(out + i, &numbers, sizeof numbers);
+      }
+      out += part->count;
     }
-    origin_[at(2 * sides_)] = layout_.face_begin(f);
-    origin_[at(2 * sides_ + 1)] = layout_.centre_begin(f);
-  }
-
-  Index* write(const std::vector<Entry>& entries, Index* out) const {
-    for (const Entry& entry : entries)
-      *out++ = origin_[at(entry.series)] + step_[at(entry.series)] * entry.at;
+    for (; part != end; ++part)
+      for (Index i = 0; i < part->count; ++i) {
+        const Index sign = sign_[part->series];
+        *out++ = origin_[part->series] + ((at[part->begin + i] ^ sign) - sign);
+      }
     return out;
   }
 
  private:
-  static std::size_t at(Index i) { return static_cast<std::size_t>(i); }
+  typedef Index Four __attribute__((vector_size(16)));
 
-  const GridLayout& layout_;
-  Index sides_;
-  std::array<Index, 10> origin_{}, step_{};
+  void set(Index i, Index f, const Index* corners, const EdgeCode* codes) {
+    sign_[i] = 0;
+    if (i < sides_) {
+      origin_[i] = corners[i];
+    } else if (i < 2 * sides_) {
+      const EdgeCode code = codes[i - sides_];
+      origin_[i] = layout_.point_along(code, 0);
+      sign_[i] = (code & 1) - 1;
+    } else {
+      origin_[i] = i == 2 * sides_ ? layout_.face_begin(f) : layout_.centre_begin(f);
+    }
+  }
+
+  const GridLayout layout_;
+  const Index sides_;
+  Index origin_[10], sign_[10];  // a sign: 0, or -1 where numbers descend
 };
 
 PatchFrame::Entry PatchFrame::entry(Index k, Index x, Index y) const {
@@ -78,7 +112,7 @@ PatchFrame::PatchFrame(const GridLayout& layout, Index halo) : layout_(layout) {
   const Index side = layout.side(), unit = layout.unit(), sides = layout.sides();
   const auto add_own = [&](Offset p) {
     places_.push_back(p);
-    own_.push_back(entry(0, p.a, p.b));
+    own_.add(entry(0, p.a, p.b));
   };
   for (Index k = 0; k < sides; ++k) add_own(in_patch(lattice, side, k, {0, 0}));
   for (Index k = 0; k < sides; ++k)
@@ -91,23 +125,21 @@ PatchFrame::PatchFrame(const GridLayout& layout, Index halo) : layout_(layout) {
       for (Index x = 0; x <= (lattice == Lattice::triangle ? side - r : side); ++x) {
         if (!layout.has_point(x, r)) continue;  // in the neighbour's frame
         places_.push_back(in_patch(lattice, side, k, {side - x, -r}));
-        beyond_[static_cast<std::size_t>(k)].push_back(entry(k, x, r));
+        beyond_[static_cast<std::size_t>(k)].add(entry(k, x, r));
       }
 }
 
 void PatchFrame::number(Index f, const PatchTopology::Face& face, Index* out) const {
-  const GridLayout layout = layout_;  // here, as the numbers that are written might be its own
-  Series series(layout);
-  series.set(f, face.corners(), 0, face.codes(), 0);
-  out = series.write(own_, out);
-  for (Index k = 0; k < layout.sides(); ++k) {
+  Series series(layout_);
+  const auto halo = static_cast<std::size_t>(beyond_.front().count);
+  out = series.write(own_, f, face.corners(), face.codes(), halo == 0, out);
+  for (Index k = 0; k < layout_.sides() && halo > 0; ++k) {
     const PatchTopology::Face::Neighbour across = face.across(k);
-    if (across.face == kNone) {
-      out = std::fill_n(out, beyond_.front().size(), face.corners()[0]);
-      continue;
-    }
-    series.set(across.face, across.corners, 2, across.codes, 1);
-    out = series.write(beyond_[static_cast<std::size_t>(across.side)], out);
+    if (across.face == kNone)
+      out = std::fill_n(out, halo, face.corners()[0]);
+    else  // its corners are given from number 2 on, the codes from 1 on
+      out = series.write(beyond_[static_cast<std::size_t>(across.side)], across.face,
+                         across.corners - 2, across.codes - 1, k + 1 == layout_.sides(), out);
   }
 }
 

@@ -59,18 +59,29 @@ class PatchFrame {
   void number(Index f, const PatchTopology::Face& face, Index* out) const;
 
  private:
-  /// A number is origin + step · at of one of a face's series: a corner, the points of a side, the
-  /// inner points, the centres.
+  /// A number is origin ± at of one of a face's series: a corner, the points of a side, the inner
+  /// points, the centres.
   struct Entry {
     Index series = 0, at = 0;
+  };
+  /// Entries in a row that are of one series: numbers `begin` … of the list `at`.
+  struct Part {
+    Index series = 0, begin = 0, count = 0;
+  };
+  struct Entries {
+    std::vector<Part> parts;
+    std::vector<Index> at;      ///< and what vectors may read after them
+    std::vector<Index> series;  ///< that are in use
+    Index count = 0;
+    void add(Entry entry);
   };
   class Series;
   [[nodiscard]] Entry entry(Index k, Index x, Index y) const;
 
   GridLayout layout_;
   std::vector<Offset> places_;
-  std::vector<Entry> own_;
-  std::vector<std::vector<Entry>> beyond_;  ///< a side, by the number of its half-edge there
+  Entries own_;
+  std::vector<Entries> beyond_;  ///< a side, by the number of its half-edge there
 };
 
 }  // namespace limn::fast

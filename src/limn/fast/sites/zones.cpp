@@ -1,5 +1,6 @@
 #include "limn/fast/sites/zones.h"
 
+#include <array>
 #include <cassert>
 
 #include "limn/base/parallel.h"
@@ -35,25 +36,35 @@ ZoneGroup make_group(VertexKind kind, const Mesh& control) {
 
 /// A point round any vertex of a group: where its number is found.
 struct Finder {
-  enum From { vertex, edge, end, patch } from = vertex;
+  enum From { vertex, spoke, patch, beyond } from = vertex;
   std::size_t sector = 0;
   Index x = 0, y = 0;
+  GridLayout::Spot spot{};    ///< in the sector's frame
+  std::array<Index, 4> at{};  ///< inside, by the number of the sector's half-edge in its face
 };
 
-std::vector<Finder> finders(const GridLayout& layout, const std::vector<SectorPoint>& points) {
-  std::vector<Finder> finders;
-  for (const SectorPoint& p : points) {
-    const auto sector = static_cast<std::size_t>(p.sector);
-    if (p.x == 0 && p.y == 0)
-      finders.push_back({Finder::vertex});
-    else if (p.y == 0 && p.x == layout.side())
-      finders.push_back({Finder::end, sector});
-    else if (p.y == 0 && p.x < layout.side())
-      finders.push_back({Finder::edge, sector, p.x / layout.unit()});
-    else
-      finders.push_back({Finder::patch, sector, p.x, p.y});
+Finder make_finder(const GridLayout& layout, const SectorPoint& p) {
+  Finder finder{Finder::vertex, static_cast<std::size_t>(p.sector), p.x, p.y};
+  if (p.x == 0 && p.y == 0) return finder;
+  if (!patch_holds(layout.lattice(), layout.side(), {p.x, p.y})) {
+    finder.from = Finder::beyond;
+    return finder;
   }
-  return finders;
+  finder.spot = layout.spot(0, p.x, p.y);
+  finder.from = p.y == 0 ? Finder::spoke : Finder::patch;
+  for (Index k = 0; k < layout.sides(); ++k)
+    finder.at[static_cast<std::size_t>(k)] = layout.spot(k, p.x, p.y).at;
+  return finder;
+}
+
+/// The number of a point in the frame of h.
+Index number_in_patch(const GridLayout& layout, Index h, const Finder& p) {
+  using Spot = GridLayout::Spot;
+  if (p.spot.on == Spot::corner) return layout.control().origin(layout.turned(h, p.spot.side));
+  if (p.spot.on == Spot::edge) return layout.edge_point(layout.turned(h, p.spot.side), p.spot.at);
+  const Index f = layout.control().face(h);
+  const Index at = p.at[static_cast<std::size_t>(h - layout.sides() * f)];
+  return at + (p.spot.on == Spot::inner ? layout.face_begin(f) : layout.centre_begin(f));
 }
 
 /// The numbers of the points round each of a group's vertices.
@@ -63,7 +74,8 @@ HugeArray<Index> number_points(const ZoneGroup& group, GridLayout layout,
     for (SectorPoint& p : points) p = {p.sector, p.x / layout.unit(), p.y / layout.unit()};
     layout = layout.grid();
   }
-  const std::vector<Finder> list = finders(layout, points);
+  std::vector<Finder> list;
+  for (const SectorPoint& point : points) list.push_back(make_finder(layout, point));
   HugeArray<Index> numbers(group.kind.vertices.size() * points.size());
   parallel_for(
       Index{0}, static_cast<Index>(group.kind.vertices.size()),
@@ -76,9 +88,13 @@ HugeArray<Index> number_points(const ZoneGroup& group, GridLayout layout,
             const std::size_t s = sector + p.sector;
             switch (p.from) {
               case Finder::vertex: *number++ = group.kind.vertices[at]; break;
-              case Finder::edge: *number++ = layout.point_along(group.codes[s], p.x); break;
-              case Finder::end: *number++ = group.ends[s]; break;
-              case Finder::patch: *number++ = layout.point_beyond(group.sectors[s], p.x, p.y);
+              case Finder::spoke:
+                *number++ = p.spot.on == GridLayout::Spot::corner
+                                ? group.ends[s]
+                                : layout.point_along(group.codes[s], p.spot.at);
+                break;
+              case Finder::patch: *number++ = number_in_patch(layout, group.sectors[s], p); break;
+              case Finder::beyond: *number++ = layout.point_beyond(group.sectors[s], p.x, p.y);
             }
           }
         }
