@@ -1,16 +1,13 @@
 #include "limn/fast/families/dual_steps.h"
 
-#include <algorithm>
 #include <cassert>
 #include <numeric>
+#include <utility>
 
-#include "limn/base/parallel.h"
 #include "limn/fast/layout/dual_frame.h"
 
 namespace limn::fast {
 namespace {
-
-constexpr Index kNumberGrain = 16384;  // numbers that one call of a parallel loop makes
 
 /// All fine points of a patch.
 std::vector<FinePoint> fine_points(Index n) {
@@ -33,8 +30,7 @@ class StepPlanner {
   StepPlan plan() {
     plan_patches();
     if (tables_.own_face) {
-      plan_arms(false);
-      plan_arms(true);
+      plan_arms();
     } else if (tables_.rims) {
       add_dual_rims(*tables_.rims, coarse_, fine_, plan_.rows);
     }
@@ -50,65 +46,16 @@ class StepPlanner {
     plan_.patches.stencils.assign(tables_.interior.begin(), tables_.interior.end());
   }
 
-  /// Rims have no inner points. Each arm reads itself and the line beside it, up to the first
-  /// points beyond the edge's midpoint.
-  void plan_arms(bool along_x) {
-    const std::vector<Index>& arms = along_x ? corners_.x_arms() : corners_.y_arms();
-    if (arms.empty()) return;
-    RowPlan plan;
-    plan.table = arm_table(along_x);
-    plan.sources = HugeArray<Index>(arms.size() * static_cast<std::size_t>(plan.table.sources));
-    plan.targets = HugeArray<Index>(arms.size() * static_cast<std::size_t>(plan.table.targets()));
-    parallel_for(
-        Index{0}, static_cast<Index>(arms.size()),
-        [&](Index first, Index last) {
-          for (std::ptrdiff_t i = first; i < last; ++i) {
-            const Index h = arms[static_cast<std::size_t>(i)];
-            Index* sources = plan.sources.data() + i * plan.table.sources;
-            Index* targets = plan.targets.data() + i * plan.table.targets();
-            if (along_x)
-              number_x_arm(h, sources, targets);
-            else
-              number_y_arm(h, sources, targets);
-          }
-        },
-        std::max<Index>(1, kNumberGrain / (4 * n_)));
-    plan_.rows.push_back(std::move(plan));
-  }
-
-  /// Sources are the arm's points 0 … n, then those beside it; targets its points 1 … 2n-1.
-  [[nodiscard]] RowTable arm_table(bool along_x) const {
-    RowTable table;
-    table.sources = 2 * (n_ + 1);
-    for (Index t = 1; t < 2 * n_; ++t) {
-      for (const auto& [place, weight] :
-           tables_.interior[along_x ? class_of(t, 0) : class_of(0, t)]) {
-        const Index along = t / 2 + (along_x ? place.a : place.b);
-        const Index aside = along_x ? place.b : place.a;
-        assert(along >= 0 && along <= n_ && (aside == 0 || aside == -1));
-        table.terms.push_back({static_cast<int>(along - aside * (n_ + 1)), weight});
+  /// Rims have no inner points: their arms are the ends of lines, along which the regular stencils
+  /// hold but at the first and last point.
+  void plan_arms() {
+    std::vector<Stencil> narrow;
+    for (const Index x : {0, 1})
+      for (const Index t : {0, 1}) {
+        narrow.push_back(tables_.interior[class_of(x, t)]);
+        for (Tap& tap : narrow.back()) std::swap(tap.place.a, tap.place.b);
       }
-      table.row_begin.push_back(static_cast<int>(table.terms.size()));
-    }
-    return table;
-  }
-
-  void number_y_arm(Index h, Index* sources, Index* targets) const {
-    const Index twin = mesh_.twin(h);
-    coarse_.column(h, 0, sources);
-    sources[n_] = coarse_.point(mesh_.next(twin), n_ - 1, 0);
-    coarse_.row(mesh_.next(h), 0, sources + n_ + 1);
-    sources[2 * n_ + 1] = coarse_.point(twin, 0, n_ - 1);
-    for (Index t = 1; t < 2 * n_; ++t) *targets++ = fine_.point(h, 0, t);
-  }
-
-  void number_x_arm(Index h, Index* sources, Index* targets) const {
-    const Index below = mesh_.prev(h), twin = mesh_.twin(below);
-    coarse_.row(h, 0, sources);
-    sources[n_] = coarse_.point(twin, 0, n_ - 1);
-    coarse_.column(below, 0, sources + n_ + 1);
-    sources[2 * n_ + 1] = coarse_.point(mesh_.next(twin), n_ - 1, 0);
-    for (Index t = 1; t < 2 * n_; ++t) *targets++ = fine_.point(h, t, 0);
+    add_dual_lines({narrow[0], narrow[1]}, narrow, 1, coarse_, fine_, plan_.rows);
   }
 
   /// The centres of so many sides. Regular ones are done by the patches but for rims' own points.

@@ -46,18 +46,18 @@ Index* write_between(const Index* low, const Index* high, Index n, Index* out) {
 }
 
 /// The numbers of a patch's grid points, row by row.
+template <bool kTriangles>
 class Rows {
  public:
   explicit Rows(const GridLayout& layout)
       : layout_(layout),
-        triangles_(layout.sides() == 3),
         numbers_(static_cast<std::size_t>((layout.n() + 1) * (layout.n() + 1)) + 2) {}
 
   void fill(Index f) {
     const Mesh& mesh = layout_.control();
-    const Index n = layout_.n(), sides = layout_.sides(), h = sides * f;
+    const Index n = layout_.n(), sides = kTriangles ? 3 : 4, h = sides * f;
     const auto along = [&](Index k) { return AlongEdge(layout_, edge_code(mesh, h + k)); };
-    const AlongEdge bottom = along(0), right = along(1), top = along(2), left = along(sides - 1);
+    const AlongEdge bottom = along(0), right = along(1), left = along(sides - 1);
     Index inside = layout_.face_begin(f);
     Index* row = numbers_.data();
     row[0] = mesh.origin(h);
@@ -65,7 +65,7 @@ class Rows {
     row[n] = mesh.origin(h + 1);
     row += n + 1;
     for (Index y = 1; y < n; ++y) {
-      const Index last = triangles_ ? n - y : n;
+      const Index last = kTriangles ? n - y : n;
       row[0] = left(n - y);
       for (Index x = 1; x < last; ++x) row[x] = inside + x - 1;
       row[last] = right(y);
@@ -73,7 +73,8 @@ class Rows {
       row += last + 1;
     }
     row[0] = mesh.origin(h + sides - 1);
-    if (triangles_) return;
+    if (kTriangles) return;
+    const AlongEdge top = along(2);
     for (Index x = 1; x < n; ++x) row[x] = top(n - x);
     row[n] = mesh.origin(h + 2);
   }
@@ -81,7 +82,7 @@ class Rows {
   void swap(Rows& other) { numbers_.swap(other.numbers_); }
 
   /// The corners of the patch's faces; returns past the last.
-  Index* write(Index* out) const { return triangles_ ? write_triangles(out) : write_quads(out); }
+  Index* write(Index* out) const { return kTriangles ? write_triangles(out) : write_quads(out); }
 
  private:
   Index* write_triangles(Index* out) const {
@@ -107,7 +108,6 @@ class Rows {
   }
 
   const GridLayout& layout_;
-  bool triangles_;
   std::vector<Index> numbers_;  // and what the writers may read after them
 };
 
@@ -209,22 +209,26 @@ class CentreFaces {
   std::array<std::vector<Index>, 3> sides_, across_;
 };
 
-}  // namespace
-
-void GridLayout::write_faces(Index first, Index last, Index* out) const {
-  if (centres_) {
-    CentreFaces faces(*this);
-    for (Index f = first; f < last; ++f) out = faces.patch(f, out);
-    return;
-  }
+template <bool kTriangles>
+void write_grid(const GridLayout& layout, Index first, Index last, Index* out) {
   // vectors are read of what was written in single numbers: not at once
-  Rows patch(*this), next(*this);
+  Rows<kTriangles> patch(layout), next(layout);
   patch.fill(first);
   for (Index f = first; f < last; ++f) {
     if (f + 1 < last) next.fill(f + 1);
     out = patch.write(out);
     patch.swap(next);
   }
+}
+
+}  // namespace
+
+void GridLayout::write_faces(Index first, Index last, Index* out) const {
+  if (!centres_)
+    return sides_ == 3 ? write_grid<true>(*this, first, last, out)
+                       : write_grid<false>(*this, first, last, out);
+  CentreFaces faces(*this);
+  for (Index f = first; f < last; ++f) out = faces.patch(f, out);
 }
 
 }  // namespace limn::fast

@@ -42,6 +42,8 @@ class PatchTopology {
   [[nodiscard]] Face face(Index f) const { return {data_.data() + f * size(sides_), sides_}; }
 
  private:
+  template <int kSides>
+  void fill(const Mesh& control);
   static std::ptrdiff_t size(Index sides) { return sides * (2 * sides + 1); }
   Index sides_ = 0;
   HugeArray<Index> data_;
@@ -55,33 +57,30 @@ class PatchFrame {
   PatchFrame(const GridLayout& layout, Index halo);
 
   [[nodiscard]] const std::vector<Offset>& places() const { return places_; }
-  /// Where there is no neighbour, a corner's number. Cost some ns a number.
+  /// Where there is no neighbour, a corner's number. Cost some ns a side, and for each number less
+  /// than one.
   void number(Index f, const PatchTopology::Face& face, Index* out) const;
 
  private:
-  /// A number is origin ± at of one of a face's series: a corner, the points of a side, the inner
-  /// points, the centres.
-  struct Entry {
+  /// A number on a neighbour's corner or side: `series` counts its corners, then its sides.
+  struct Loose {
     Index series = 0, at = 0;
   };
-  /// Entries in a row that are of one series: numbers `begin` … of the list `at`.
-  struct Part {
-    Index series = 0, begin = 0, count = 0;
+  /// The inner points and centres of a neighbour, from its first ones on, by the number of the
+  /// common side there; and what vectors may read after them.
+  struct Inside {
+    std::vector<Index> points, centres;
   };
-  struct Entries {
-    std::vector<Part> parts;
-    std::vector<Index> at;      ///< and what vectors may read after them
-    std::vector<Index> series;  ///< that are in use
-    Index count = 0;
-    void add(Entry entry);
-  };
-  class Series;
-  [[nodiscard]] Entry entry(Index k, Index x, Index y) const;
+  template <int kSides>
+  void number(Index f, const PatchTopology::Face& face, Index* out) const;
+  void add_beyond(Index k, Index halo);
 
   GridLayout layout_;
   std::vector<Offset> places_;
-  Entries own_;
-  std::vector<Entries> beyond_;  ///< a side, by the number of its half-edge there
+  std::vector<Index> steps_;  // 1, 2, …
+  std::vector<Loose> loose_;  // of any neighbour
+  std::vector<Inside> inside_;
+  Index points_ = 0, centres_ = 0;  // of a neighbour
 };
 
 }  // namespace limn::fast

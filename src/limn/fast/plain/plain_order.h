@@ -1,6 +1,7 @@
 #pragma once
 /// Where the plain engine has the vertices of a level of grids.
 
+#include <span>
 #include <vector>
 
 #include "limn/fast/layout/lattice_step.h"

@@ -196,16 +196,15 @@ class RimReader {
 };
 
 /// `lines`: half-edges whose origins, and maybe targets, lie on the boundary.
-void add_strips(const DualRims& rims, const std::vector<Stencil>& strip,
-                const std::vector<Index>& lines, const DualLayout& coarse, const DualLayout& fine,
-                std::vector<RowPlan>& rows) {
-  const Index from = 2 * rims.reach, to = 2 * fine.n() - from;
+void add_strips(const std::vector<Stencil>& strip, const std::vector<Index>& lines, Index from,
+                const DualLayout& coarse, const DualLayout& fine, std::vector<RowPlan>& rows) {
+  const Index to = 2 * fine.n() - from;
   for (Index i = 0; i < std::ssize(strip) && !lines.empty(); ++i) {
     const Stencil& stencil = strip[static_cast<std::size_t>(i)];
     const Index depth = i / 2;
     std::vector<Index> sources, targets;
     for (const Index h : lines)
-      for (Index t = from + i % 2; t < to; t += 2) {
+      for (Index t = from + (from + i) % 2; t < to; t += 2) {
         for (const Tap& tap : stencil)
           sources.push_back(
               coarse.line_point(h, t / 2 + tap.place.a, tap.place.b - (depth + 1) / 2));
@@ -221,22 +220,28 @@ Result<DualRims> read_dual_rims(const Scheme& scheme, const Mesh& control, Index
   return RimReader(scheme, reach).read(control);
 }
 
+void add_dual_lines(const std::vector<Stencil>& strip, const std::vector<Stencil>& narrow,
+                    Index from, const DualLayout& coarse, const DualLayout& fine,
+                    std::vector<RowPlan>& rows) {
+  const DualCorners& corners = coarse.corners();
+  const Mesh& mesh = corners.control();
+  std::vector<Index> wide_lines, narrow_lines;
+  for (const Index h : corners.y_arms()) {
+    if (corners.is_whole(mesh.next(h)))
+      wide_lines.push_back(h);
+    else if (h < mesh.twin(h))
+      narrow_lines.push_back(h);
+  }
+  add_strips(strip, wide_lines, from, coarse, fine, rows);
+  add_strips(narrow, narrow_lines, from, coarse, fine, rows);
+}
+
 void add_dual_rims(const DualRims& rims, const DualLayout& coarse, const DualLayout& fine,
                    std::vector<RowPlan>& rows) {
   assert(coarse.n() >= 2 * rims.reach);
+  add_dual_lines(rims.strip, rims.narrow, 2 * rims.reach, coarse, fine, rows);
   const DualCorners& corners = coarse.corners();
   const Mesh& mesh = corners.control();
-  std::vector<Index> lines, narrow;
-  for (const Index h : corners.y_arms()) {
-    const Index twin = mesh.twin(h);
-    if (corners.is_whole(mesh.next(h))) {
-      lines.push_back(h);
-    } else if (h < twin) {
-      narrow.push_back(h);
-    }
-  }
-  add_strips(rims, rims.strip, lines, coarse, fine, rows);
-  add_strips(rims, rims.narrow, narrow, coarse, fine, rows);
   struct Places {
     std::vector<Index> sources, targets;
   };

@@ -37,6 +37,13 @@ struct DualRims {
 [[nodiscard]] Result<DualRims> read_dual_rims(const Scheme& scheme, const Mesh& control,
                                               Index reach);
 
+/// Rows for the points along sides of the mesh, from the `from`-th fine point of a line to the one
+/// before as many are left: by `strip`, or where the mesh is two points wide by `narrow`
+/// (DualRims).
+void add_dual_lines(const std::vector<Stencil>& strip, const std::vector<Stencil>& narrow,
+                    Index from, const DualLayout& coarse, const DualLayout& fine,
+                    std::vector<RowPlan>& rows);
+
 /// Rows for the points of one step. coarse.n() is at least 2 · reach.
 void add_dual_rims(const DualRims& rims, const DualLayout& coarse, const DualLayout& fine,
                    std::vector<RowPlan>& rows);
