@@ -87,15 +87,20 @@ TEST(LimitCommand, NamesAllThatIsMissingInJson) {
   const Outcome outcome = folder.limn(
       "refine line.obj -s loop -n 2 --limit --normals --curvatures k.csv --json -o out.obj");
   ASSERT_EQ(outcome.code, 0) << outcome.err;
-  EXPECT_NE(outcome.err.find("k.csv: no curvature at 34 vertices"), std::string::npos)
+  EXPECT_NE(outcome.err.find("k.csv: no curvature at 30 vertices"), std::string::npos)
       << outcome.err;
-  EXPECT_NE(outcome.err.find("and 24 more (counted from 0): no normal there"), std::string::npos)
+  EXPECT_NE(outcome.err.find("and 20 more (counted from 0): no normal there"), std::string::npos)
       << outcome.err;
   const auto json = nlohmann::json::parse(outcome.out);
   EXPECT_EQ(json.at("missing").at("normals").at("vertices").size(), 34);
   EXPECT_EQ(json.at("missing").at("curvatures").at("vertices").size(), 34);
-  EXPECT_EQ(json.at("missing").at("curvatures").at("reasons").at(0).at("vertices").size(), 34);
-  ASSERT_EQ(json.at("warnings").size(), 2);
+  // control vertices have three faces, where Loop's curvature is unbounded
+  EXPECT_NE(outcome.err.find("k.csv: no curvature at 4 vertices: 0, 1, 2, 3 "), std::string::npos);
+  std::size_t with_reasons = 0;
+  for (const auto& one : json.at("missing").at("curvatures").at("reasons"))
+    with_reasons += one.at("vertices").size();
+  EXPECT_EQ(with_reasons, 34);
+  ASSERT_EQ(json.at("warnings").size(), 3);
   EXPECT_EQ(json.at("warnings").at(0).at("file"), "out.obj");
   EXPECT_EQ(json.at("warnings").at(1).at("file"), "k.csv");
 }

@@ -121,16 +121,17 @@ TEST(CommandText, HelpExplainsOutputsAlike) {
   struct Option {
     std::string command, option, text;
   };
-  const Option options[] = {{"artifacts", "--map FILE", "into FILE (" + figure + ")"},
-                            {"eigen", "--map FILE", "into FILE (" + figure + ")"},
-                            {"eigen", "--chart FILE", "into FILE (" + figure + ")"},
-                            {"eigen", "--table FILE", "to FILE (.csv, .json or .tex)"},
-                            {"fairness", "--chart FILE", "into FILE (" + figure + ")"},
-                            {"draw", "--output FILE", "into FILE (" + figure + ")"},
-                            {"compare", "--output FILE", "into FILE (" + figure + ")"},
-                            {"refine", "--output FILE", "to FILE (.obj"},
-                            {"prescribe", "--output FILE", "to FILE (.toml)"},
-                            {"tune", "--output FILE", "to FILE (.toml)"}};
+  const Option options[] = {
+      {"artifacts", "--map FILE", "into FILE (" + figure + ")"},
+      {"eigen", "--map FILE", "into FILE (" + figure + ")"},
+      {"eigen", "--chart FILE", "into FILE (" + figure + ")"},
+      {"eigen", "--table FILE", "to FILE (.csv, .json or .tex)"},
+      {"fairness", "--chart FILE", "into FILE (" + figure + ")"},
+      {"draw", "--output FILE", "into FILE (" + figure + "; - is standard output)"},
+      {"compare", "--output FILE", "into FILE (" + figure + "; - is standard output)"},
+      {"refine", "--output FILE", "to FILE (.obj"},
+      {"prescribe", "--output FILE", "to FILE (.toml)"},
+      {"tune", "--output FILE", "to FILE (.toml)"}};
   for (const Option& option : options) {
     const std::string text = help(option.command);
     const std::size_t at = text.find(option.option);

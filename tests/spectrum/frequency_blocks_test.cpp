@@ -107,9 +107,11 @@ TEST(FrequencyBlocks, FindTheRingsThatControlTheSurface) {
   EXPECT_GE(rings("sqrt3", 5), 2);
 }
 
-TEST(FrequencyBlocks, AreRefusedBelowValence3AndOnTooFewRings) {
+TEST(FrequencyBlocks, AreRefusedBelowTheLeastValenceAndOnTooFewRings) {
   FrequencyAnalysis loop(shipped("loop"));
-  EXPECT_FALSE(loop.blocks(2).ok());
+  EXPECT_FALSE(loop.blocks(1).ok());
+  FrequencyAnalysis dual(shipped("doo-sabin"));
+  EXPECT_FALSE(dual.blocks(2).ok());
   FrequencyAnalysis butterfly(shipped("butterfly"), 1);
   const Result<FrequencyBlocks> blocks = butterfly.blocks(5);
   ASSERT_FALSE(blocks.ok());

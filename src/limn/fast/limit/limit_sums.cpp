@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <utility>
 
 namespace limn::fast {
 namespace {
@@ -34,10 +36,20 @@ Stencil rounded_stencil(const std::vector<Offset>& places, std::vector<double> w
   double largest = 0;
   for (const double w : weights) largest = std::max(largest, std::abs(w));
   const double unit = unit_of(largest);
+  // weights that are alike get their mean, so that rounding moves no sum
+  std::map<double, std::pair<double, int>> alike;  // by size in units: sum and number
+  const auto size_of = [&](double weight) { return std::round(std::abs(weight) / unit); };
+  for (const double w : weights) {
+    auto& [sum, count] = alike[size_of(w)];
+    sum += std::abs(w);
+    ++count;
+  }
   Stencil stencil;
-  for (std::size_t i = 0; i < weights.size(); ++i)
-    if (std::abs(weights[i]) > unit)
-      stencil.push_back({places[i], unit * std::round(weights[i] / unit)});
+  for (std::size_t i = 0; i < weights.size(); ++i) {
+    if (std::abs(weights[i]) <= unit) continue;
+    const auto& [sum, count] = alike[size_of(weights[i])];
+    stencil.push_back({places[i], std::copysign(sum / count, weights[i])});
+  }
   std::sort(stencil.begin(), stencil.end(),
             [](const Tap& p, const Tap& q) { return p.place < q.place; });
   return stencil;
