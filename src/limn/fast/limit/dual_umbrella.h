@@ -15,7 +15,11 @@ namespace limn::fast {
 struct Umbrella {
   bool open = false;
   std::vector<Index> degrees;
-  friend auto operator<=>(const Umbrella&, const Umbrella&) = default;
+  friend bool operator==(const Umbrella&, const Umbrella&) = default;
+  // no <=>: em++'s vectors have none
+  friend bool operator<(const Umbrella& a, const Umbrella& b) {
+    return a.open != b.open ? b.open : a.degrees < b.degrees;
+  }
 
   /// Vertices: the middle one, then those of the faces counterclockwise, from the first face's
   /// first edge on.
@@ -39,7 +43,8 @@ template <class Vertex, class UmbrellaOf, class Number>
   constexpr std::ptrdiff_t kVertexGrain = 1024;
   std::map<Umbrella, std::vector<Vertex>> groups;
   for (const Vertex& vertex : vertices) groups[umbrella_of(vertex)].push_back(vertex);
-  for (const auto& [umbrella, group] : groups) {
+  for (const auto& [umbrella, members] : groups) {
+    const std::vector<Vertex>& group = members;  // em++ captures no part of a binding
     Result<std::optional<RowTable>> table = read_umbrella(reader, level, umbrella);
     if (!table) return table.error();
     if (!*table) return false;

@@ -11,8 +11,8 @@ namespace limn {
 namespace {
 
 constexpr double kBarGap = 8;
-constexpr Stroke kOutline = {0.6, {}};
-constexpr Stroke kContour = {0.35, {}};
+const Stroke kOutline = {0.6, {}};
+const Stroke kContour = {0.35, {}};
 
 ColourScale scale_of(const MapPanel& panel) {
   const Range data = range_of(panel.values);
