@@ -31,8 +31,11 @@ class Judge {
   void judge() {
     convergence();
     if (found_.valence == 2) {
-      verdict_.c1_necessary = verdict_.bounded_curvature = Truth::no;
-      reasons().push_back("not C1: at valence 2 frequency 1 is real, so there is no tangent pair");
+      verdict_.c1_necessary = verdict_.curvature_necessary = Truth::undecided;
+      verdict_.bounded_curvature = Truth::undecided;
+      reasons().push_back(
+          "undecided: at valence 2 frequency 1 is real, so there is no tangent pair, of which the "
+          "theorems speak");
       return;
     }
     if (!found_.tangent || !(*found_.tangent > 0)) {
