@@ -15,8 +15,10 @@ using Fraction = boost::multiprecision::number<
     boost::multiprecision::et_off>;
 
 struct ExactAccess {
-  static_assert(sizeof(Digits) <= sizeof(Integer) && alignof(Digits) <= alignof(Integer));
-  static_assert(sizeof(Fraction) <= sizeof(Rational) && alignof(Fraction) <= alignof(Rational));
+  static_assert(sizeof(Digits) <= sizeof(Integer));
+  static_assert(alignof(Digits) <= alignof(Integer));
+  static_assert(sizeof(Fraction) <= sizeof(Rational));
+  static_assert(alignof(Fraction) <= alignof(Rational));
 
   static void* place(Integer& a) { return a.digits_; }
   static void* place(Rational& a) { return a.parts_; }

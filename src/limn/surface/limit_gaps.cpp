@@ -18,6 +18,7 @@ std::vector<LimitGaps::Curvatures> without_curvature(const std::vector<NoCurvatu
   for (std::size_t v = 0; v < reasons.size(); ++v)
     if (reasons[v] != NoCurvature::none) found[reasons[v]].push_back(static_cast<Index>(v));
   std::vector<LimitGaps::Curvatures> gaps;
+  gaps.reserve(found.size());
   for (auto& [reason, vertices] : found) gaps.push_back({reason, std::move(vertices)});
   return gaps;
 }

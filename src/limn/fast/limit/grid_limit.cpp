@@ -35,7 +35,7 @@ class LimitPlanner {
     for (const auto read :
          {&LimitPlanner::find_rings, &LimitPlanner::read_plane, &LimitPlanner::read_sides,
           &LimitPlanner::read_kinds, &LimitPlanner::read_near}) {
-      const Known found = (this->*read)();
+      Known found = (this->*read)();
       // a coarse mesh may have no regular vertex to fail at
       if (!found && step_.n() > 1) return found.error();
       if (!found || !*found) return Found();
@@ -156,7 +156,7 @@ class LimitPlanner {
   Known read_sides() {
     if (control_.sides.empty()) return true;
     for (Index seen = is_near_boundary() ? 0 : kFewestSeen; seen <= kMostSeen; seen *= 2) {
-      const Known found = read_sides(seen * edge_);
+      Known found = read_sides(seen * edge_);
       const Index depth = side_rows_.empty() ? 0 : side_rows_.rbegin()->first;
       if (!found || !*found || seen == 0 || depth <= (seen - 1) * edge_) return found;
     }
@@ -232,7 +232,7 @@ class LimitPlanner {
       const StarShape shape{lattice_, group.kind.faces, group.kind.open};
       if (shape.sectors == 0) continue;
       LimitZone& zone = zones_[shape.open ? 1 : 0][shape.sectors];
-      const Known found = read_kind(shape, zone);
+      Known found = read_kind(shape, zone);
       if (!found || !*found) return found;
       if (!fits(shape, zone)) return false;
     }
@@ -243,7 +243,7 @@ class LimitPlanner {
     const bool near = shape.open ? is_near_boundary() : inner_ <= 1;
     if (!near && shape.sectors > kLargestZone) return false;
     for (Index seen = near ? 0 : kFewestSeen; seen <= kMostSeen; seen *= 2) {
-      const Known found = read_zone(shape, seen * edge_, zone);
+      Known found = read_zone(shape, seen * edge_, zone);
       if (!found || !*found || seen == 0 || zone.size <= (seen - 1) * edge_) return found;
     }
     return false;

@@ -108,10 +108,8 @@ void Site::place_new(Step& step) const {
     Index home = kNone, divisor = 0;
     for (const auto& [weight, old] : from) {
       const SectorPoint& p = step.places[at(old)];
-      if (p.x > 0 && p.y > 0)
-        home = p.sector;
-      else if (home == kNone && p.x + p.y > 0)
-        home = p.sector;
+      const bool within = p.x > 0 && p.y > 0;
+      if (within || (home == kNone && p.x + p.y > 0)) home = p.sector;
       divisor += weight;
     }
     PlaceSum sum(shape_, home == kNone ? 0 : home);

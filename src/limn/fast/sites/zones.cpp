@@ -75,6 +75,7 @@ HugeArray<Index> number_points(const ZoneGroup& group, GridLayout layout,
     layout = layout.grid();
   }
   std::vector<Finder> list;
+  list.reserve(points.size());
   for (const SectorPoint& point : points) list.push_back(make_finder(layout, point));
   HugeArray<Index> numbers(group.kind.vertices.size() * points.size());
   parallel_for(
