@@ -115,6 +115,14 @@ struct LimitPlace {
   const std::vector<Index>& neighbourhood;  ///< the vertices that the stencils weigh
   Index vertex;                             ///< of the control mesh
   std::span<const Index> others;            ///< vertices that share it
+
+  /// The sum of the neighbourhood's values with these weights, one for each of its vertices.
+  [[nodiscard]] Value weighted(const std::vector<double>& weights) const {
+    Value sum{};
+    for (std::size_t i = 0; i < weights.size(); ++i)
+      if (weights[i] != 0) add_scaled(sum, weights[i], values[neighbourhood[i]]);
+    return sum;
+  }
 };
 
 /// Puts one result where all vertices of a place have theirs.

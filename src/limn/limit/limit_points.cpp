@@ -52,14 +52,6 @@ Point3 normal_of_faces(const Mesh& mesh, const std::vector<Point3>& values, Inde
   return normal_of(chain, size);
 }
 
-Point3 weighted(const std::vector<double>& weights, const std::vector<Index>& vertices,
-                const std::vector<Point3>& values) {
-  Point3 sum;
-  for (std::size_t i = 0; i < weights.size(); ++i)
-    if (weights[i] != 0) add_scaled(sum, weights[i], values[vertices[i]]);
-  return sum;
-}
-
 /// Principal curvatures of u t1 + v t2 + cup (u² + v²) + saddle1 (u² − v²) + saddle2 2uv at 0.
 LimitPoints::Curvatures principal(const Point3& t1, const Point3& t2, const Point3& normal,
                                   const std::array<Point3, 3>& quadratics) {
@@ -89,16 +81,15 @@ using Spot = LimitPlace<Point3>;
 
 void take_limit(const Spot& at, bool dual, LimitPoints& out) {
   const LimitStencil& limit = at.kind.limit;
-  put(at, weighted(limit.position, at.neighbourhood, at.values), out.positions);
+  put(at, at.weighted(limit.position), out.positions);
   if (!limit.has_plane) return;
   const double size = size_of(at.neighbourhood, at.values);
   if (limit.first_tangent.empty()) {
     put(at, normal_of_faces(at.mesh, at.values, at.start, dual, size), out.normals);
     return;
   }
-  const std::array<Tangent, 2> tangents{
-      tangent_of(weighted(limit.first_tangent, at.neighbourhood, at.values)),
-      tangent_of(weighted(limit.second_tangent, at.neighbourhood, at.values))};
+  const std::array<Tangent, 2> tangents{tangent_of(at.weighted(limit.first_tangent)),
+                                        tangent_of(at.weighted(limit.second_tangent))};
   put(at, normal_of(tangents, size), out.normals);
 }
 
@@ -119,9 +110,7 @@ void take_curvature(const Spot& at, LimitPoints& out) {
   if (normal == Point3{}) return none(NoCurvature::no_normal);
   const LimitStencil& limit = at.kind.limit;
   const CurvatureStencil& stencil = at.kind.curvature->stencil;
-  const auto sum = [&](const std::vector<double>& weights) {
-    return weighted(weights, at.neighbourhood, at.values);
-  };
+  const auto sum = [&](const std::vector<double>& weights) { return at.weighted(weights); };
   if (!stencil.jumps.empty()) {
     const double size = size_of(at.neighbourhood, at.values);
     for (const std::vector<double>& jump : stencil.jumps)

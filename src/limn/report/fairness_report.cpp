@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "limn/base/printable.h"
+#include "limn/report/json_number.h"
 #include "limn/report/limit_report.h"
 
 namespace limn {
@@ -86,8 +87,6 @@ std::vector<std::size_t> fairest(const std::vector<FairnessRecord>& records,
   if (best.size() == records.size()) best.clear();
   return best;
 }
-
-Json finite(double value) { return std::isfinite(value) ? Json(value) : Json(); }
 
 Json record_json(const FairnessRecord& record) {
   Json json{{"scheme", record.scheme},

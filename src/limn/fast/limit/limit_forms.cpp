@@ -8,14 +8,6 @@ namespace {
 using Form = LinearForm<double>;
 using Spot = LimitPlace<Form>;
 
-Form weighted(const std::vector<double>& weights, const std::vector<Index>& vertices,
-              const std::vector<Form>& values) {
-  Form sum;
-  for (std::size_t i = 0; i < weights.size(); ++i)
-    if (weights[i] != 0) add_scaled(sum, weights[i], values[vertices[i]]);
-  return sum;
-}
-
 Form difference(const Form& to, const Form& from) {
   Form sum = to;
   add_scaled(sum, -1.0, from);
@@ -97,13 +89,12 @@ Result<std::vector<std::optional<fast::LimitForms>>> ApproxLimitReader::read(
   const bool dual = scheme_.split->births.corners;
   const auto read = [&](const Spot& at) {
     const LimitStencil& limit = at.kind.limit;
-    const Form position = weighted(limit.position, at.neighbourhood, at.values);
+    const Form position = at.weighted(limit.position);
     std::optional<fast::LimitForms>& forms = found[slot[at.vertex]];
     if (!limit.has_plane)
       forms = {position, Form(), Form()};
     else if (!limit.first_tangent.empty())
-      forms = {position, weighted(limit.first_tangent, at.neighbourhood, at.values),
-               weighted(limit.second_tangent, at.neighbourhood, at.values)};
+      forms = {position, at.weighted(limit.first_tangent), at.weighted(limit.second_tangent)};
     else if (auto tangents = tangents_of_face(at.mesh, at.values, at.start, dual))
       forms = {position, std::move((*tangents)[0]), std::move((*tangents)[1])};
     for (const Index v : at.others) found[slot[v]] = forms;
@@ -118,7 +109,7 @@ Result<fast::LimitChain> ApproxLimitReader::read_chain(const Mesh& mesh, int ste
   fast::LimitChain chain;
   const bool dual = scheme_.split->births.corners;
   const auto read = [&](const Spot& at) {
-    chain.forms = {weighted(at.kind.limit.position, at.neighbourhood, at.values)};
+    chain.forms = {at.weighted(at.kind.limit.position)};
     add_chain(at.mesh, at.values, at.start, dual, chain.forms);
     chain.rings = at.kind.shape;
   };

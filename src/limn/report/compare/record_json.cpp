@@ -1,10 +1,9 @@
 #include "limn/report/compare/record_json.h"
 
-#include <cmath>
-
 #include <nlohmann/json.hpp>
 
 #include "limn/report/eigen/eigen_report.h"
+#include "limn/report/json_number.h"
 #include "limn/report/lattice/artifact_report.h"
 #include "limn/report/lattice/regularity_report.h"
 
@@ -12,8 +11,6 @@ namespace limn {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-Json finite(double value) { return std::isfinite(value) ? Json(value) : Json(); }
 
 Json wave_json(const WaveArtifacts& wave) {
   return {{"edges_per_wavelength", wave.edges_per_wavelength},

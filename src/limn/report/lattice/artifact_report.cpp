@@ -7,12 +7,12 @@
 #include <nlohmann/json.hpp>
 
 #include "limn/base/printable.h"
+#include "limn/report/json_number.h"
+
 namespace limn {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-Json finite(double value) { return std::isfinite(value) ? Json(value) : Json(); }
 
 Json direction_json(const DirectionalDensity& density) {
   return {{"direction_degrees", density.direction},
