@@ -12,9 +12,6 @@
 namespace limn {
 namespace {
 
-constexpr Index kPieceVertices = 8192;  // as many as stay in the caches of a processor
-constexpr Index kPieceFaces = 16384;
-
 /// The most that is in memory at once: `before`, `earlier` vertices of the last two levels but one,
 /// `whole` of the last if it is there, patches of `patch` vertices.
 double needed_bytes(double vertices, double before, double earlier, double patch,
@@ -25,7 +22,7 @@ double needed_bytes(double vertices, double before, double earlier, double patch
   constexpr double kInHand = 150;    // a vertex that a thread works on: it, its faces, their text
   const int limit = thread_limit();
   const double threads = limit > 0 ? limit : std::max(1U, std::thread::hardware_concurrency());
-  const double in_hand = threads * kInHand * std::max<double>(kPieceVertices, patch);
+  const double in_hand = threads * kInHand * std::max<double>(wanted.most, patch);
   const double last = wanted.limit || wanted.normals ? vertices * (kPoint + kLimitPlan) : 0;
   return (before + earlier) * kPoint + vertices * kPlan + last + in_hand;
 }
@@ -81,10 +78,10 @@ Result<std::optional<FastPieces>> FastPieces::make(const Scheme& scheme, Mesh co
   FastRefiner::Scratch<double> scratch;
   steps.evaluate(positions.data(), made, state->level.data(), scratch);
   state->level[numbers] = 0;
-  state->pieces.emplace(last->plan, last->program, steps.size.vertices, kPieceVertices);
+  state->pieces.emplace(last->plan, last->program, steps.size.vertices, wanted.most);
   const Index blocks = std::max<Index>(1, steps.family->face_blocks(levels));
-  state->blocks_each =
-      std::clamp<Index>(kPieceFaces / std::max<Index>(1, steps.size.faces / blocks), 1, blocks);
+  const Index block = std::max<Index>(1, steps.size.faces / blocks);
+  state->blocks_each = std::clamp<Index>(2 * wanted.most / block, 1, blocks);
   return std::optional<FastPieces>(FastPieces(std::move(state)));
 }
 

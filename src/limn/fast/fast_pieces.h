@@ -24,10 +24,14 @@ struct FacePiece {
 /// the same bits.
 class FastPieces {
  public:
-  /// What is wanted of the limit surface. With either, the last level is in memory, too.
+  /// What is wanted of the limit surface: with either, the last level is in memory, too; and how
+  /// large pieces are.
   struct Wanted {
     bool limit = false;    ///< positions are limit points
     bool normals = false;  ///< StepPiece::normals
+    /// Vertices of a piece, or half as many as faces, but at least those of a patch: what stays in
+    /// the caches of a processor.
+    Index most = 8192;
   };
 
   /// Makes all levels that must be in memory. Precondition: has_fast_layout(*scheme.split);
