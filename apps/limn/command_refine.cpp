@@ -197,7 +197,7 @@ int refine_mesh(const RefineOptions& options) {
 }  // namespace
 
 void declare_refine(CLI::App& parser, Action& action) {
-  CLI::App* command = parser.add_subcommand("refine", "refine a mesh with a scheme");
+  CLI::App* command = add_command(parser, "refine", "refine a mesh with a scheme");
   const auto options = std::make_shared<RefineOptions>();
   command->add_option("MESH", options->mesh, kMeshArgumentHelp)->required();
   command->add_option("-s,--scheme", options->scheme.name, kSchemeArgumentHelp)->required();
