@@ -26,14 +26,14 @@ struct Whole {
 };
 
 /// All pieces put together; each vertex and each face must come once.
-Whole together(const FastPieces& pieces, bool normals) {
+Whole together(FastPieces& pieces, bool normals) {
   Whole whole;
   const auto vertices = static_cast<std::size_t>(pieces.vertex_count());
   whole.positions.resize(vertices);
   whole.normals.resize(normals ? vertices : 0);
   std::vector<int> times(vertices, 0);
   fast::StepPiece piece;  // its memory is used again
-  for (Index p = pieces.vertex_pieces() - 1; p >= 0; --p) {
+  const auto put = [&](Index p) {
     pieces.make_vertices(p, piece);
     std::size_t at = 0;
     for (const fast::Extent& extent : piece.extents)
@@ -46,6 +46,10 @@ Whole together(const FastPieces& pieces, bool normals) {
         const double* const n3 = &piece.normals[at];
         whole.normals[to] = {n3[0], n3[1], n3[2]};
       }
+  };
+  for (Index group = pieces.groups() - 1; group >= 0; --group) {
+    const FastPieces::Range range = pieces.enter(group);
+    for (Index p = range.last - 1; p >= range.first; --p) put(p);
   }
   EXPECT_TRUE(std::all_of(times.begin(), times.end(), [](int n) { return n == 1; }));
   FacePiece faces;
@@ -65,7 +69,8 @@ Whole together(const FastPieces& pieces, bool normals) {
 /// Whether there were pieces; if so, they are compared.
 bool expect_same_pieces(const Scheme& scheme, const Mesh& control, int levels, Index most) {
   const std::vector<Point3> points = random_points(control.vertex_count(), 3);
-  const auto pieces = FastPieces::make(scheme, control, numbers_of(points), levels, {.most = most});
+  auto pieces = FastPieces::make(scheme, control, numbers_of(points), levels,
+                                 {.most = most, .whole_bytes = most < 200 ? 0 : 64e6});
   const Result<Polygons> whole = fast_refine(scheme, control, points, levels);
   if (pieces && !*pieces) {  // whoever asks the plain engine will know of faults
     if (whole) EXPECT_EQ(FastRefiner::make(scheme, control, levels)->plain_steps(), levels);
@@ -88,8 +93,9 @@ bool expect_same_limit_pieces(const Scheme& scheme, const Mesh& control, int lev
   const auto whole = approx_fast_limit_mesh(scheme, control, points, levels);
   bool found = false;
   for (const bool limit : {true, false}) {
-    const auto pieces = FastPieces::make(scheme, control, numbers_of(points), levels,
-                                         {.limit = limit, .normals = true, .most = most});
+    auto pieces =
+        FastPieces::make(scheme, control, numbers_of(points), levels,
+                         {.limit = limit, .normals = true, .most = most, .whole_bytes = 0});
     if (pieces && !*pieces) continue;
     EXPECT_EQ(pieces.ok(), whole.ok());
     if (!pieces || !whole) continue;
@@ -128,7 +134,7 @@ TEST_P(FastPiecesOf, HaveTheBitsOfTheWhole) {
   for (unsigned seed = 0; seed < 12; ++seed) {
     const Mesh mesh = random_control(*scheme_.split, seed);
     const int levels = 1 + static_cast<int>(seed % 4);
-    for (const Index most : {1, 300}) {
+    for (const Index most : {1, 70, 300}) {
       SCOPED_TRACE(testing::Message() << "seed " << seed << ", pieces of " << most);
       compared += expect_same_pieces(scheme_, mesh, levels, most) ? 1 : 0;
     }
@@ -152,27 +158,31 @@ TEST(FastPieces, AreTheSameInManyThreads) {
   const Scheme& loop = shipped("loop");
   const Mesh mesh = torus(Lattice::triangle, 20, 20);
   const std::vector<Point3> points = random_points(mesh.vertex_count(), 1);
-  const FastPieces pieces =
-      *FastPieces::make(loop, mesh, numbers_of(points), 4, {.most = 1000}).value();
-  EXPECT_GT(pieces.vertex_pieces(), 50);
+  FastPieces pieces =
+      *FastPieces::make(loop, mesh, numbers_of(points), 4, {.most = 1000, .whole_bytes = 0})
+           .value();
+  EXPECT_GT(pieces.groups(), 5);
   EXPECT_GT(pieces.face_pieces(), 20);
   const Whole whole = together(pieces, false);
-  parallel_for(
-      Index{0}, pieces.vertex_pieces(),
-      [&](Index first, Index last) {
-        fast::StepPiece piece;
-        for (Index p = first; p < last; ++p) {
-          pieces.make_vertices(p, piece);
-          const double* from = piece.positions.data();
-          for (const fast::Extent& e : piece.extents) {
-            ASSERT_EQ(std::memcmp(&whole.positions[static_cast<std::size_t>(e.first)], from,
-                                  static_cast<std::size_t>(e.count) * sizeof(Point3)),
-                      0);
-            from += 3 * e.count;
+  for (Index group = 0; group < pieces.groups(); ++group) {
+    const FastPieces::Range range = pieces.enter(group);
+    parallel_for(
+        range.first, range.last,
+        [&](Index first, Index last) {
+          fast::StepPiece piece;
+          for (Index p = first; p < last; ++p) {
+            pieces.make_vertices(p, piece);
+            const double* from = piece.positions.data();
+            for (const fast::Extent& e : piece.extents) {
+              ASSERT_EQ(std::memcmp(&whole.positions[static_cast<std::size_t>(e.first)], from,
+                                    static_cast<std::size_t>(e.count) * sizeof(Point3)),
+                        0);
+              from += 3 * e.count;
+            }
           }
-        }
-      },
-      1);
+        },
+        1);
+  }
 }
 
 /// A piece of a mesh in a sensible order is few stretches of the file.
@@ -181,12 +191,16 @@ TEST(FastPieces, HaveFewExtents) {
     const Scheme& scheme = shipped(name);
     const Mesh mesh = torus(scheme.split->lattice, 20, 20);
     const std::vector<Point3> points = random_points(mesh.vertex_count(), 1);
-    const FastPieces pieces =
-        *FastPieces::make(scheme, mesh, numbers_of(points), 4, {.most = 4000}).value();
+    FastPieces pieces =
+        *FastPieces::make(scheme, mesh, numbers_of(points), 4, {.most = 4000, .whole_bytes = 0})
+             .value();
     fast::StepPiece piece;
-    for (Index p = 0; p < pieces.vertex_pieces(); ++p) {
-      pieces.make_vertices(p, piece);
-      EXPECT_LE(piece.extents.size(), 3U) << name;
+    for (Index group = 0; group < pieces.groups(); ++group) {
+      const FastPieces::Range range = pieces.enter(group);
+      for (Index p = range.first; p < range.last; ++p) {
+        pieces.make_vertices(p, piece);
+        EXPECT_LE(piece.extents.size(), 3U) << name;
+      }
     }
   }
 }

@@ -48,7 +48,7 @@ class MemoryPool {
 /// Makes the pieces and writes them.
 class PieceWriter {
  public:
-  PieceWriter(const FastPieces& pieces, bool normals) : pieces_(pieces), normals_(normals) {
+  PieceWriter(FastPieces& pieces, bool normals) : pieces_(pieces), normals_(normals) {
     if (pieces.corners_per_face() == 0) make_all_faces();
   }
 
@@ -60,12 +60,17 @@ class PieceWriter {
 
   void write(MeshPieceSink& sink) {
     const Clock::time_point start = Clock::now();
-    for_pieces(pieces_.vertex_pieces(),
-               [&](Index piece, Memory& memory) { write_vertices(piece, memory, sink); });
+    for (Index group = 0; group < pieces_.groups(); ++group) {
+      const Clock::time_point entered = Clock::now();
+      const FastPieces::Range range = pieces_.enter(group);
+      making_ += (Clock::now() - entered).count();
+      for_pieces(range.first, range.last,
+                 [&](Index piece, Memory& memory) { write_vertices(piece, memory, sink); });
+    }
     if (pieces_.face_pieces() == 1) {
       write_all_faces(sink);
     } else {
-      for_pieces(pieces_.face_pieces(),
+      for_pieces(0, pieces_.face_pieces(),
                  [&](Index piece, Memory& memory) { write_faces(piece, memory, sink); });
     }
     // how long the last step would take without writing, by the shares of all threads
@@ -84,9 +89,9 @@ class PieceWriter {
 
  private:
   template <class Work>
-  void for_pieces(Index count, const Work& work) {
+  void for_pieces(Index begin, Index end, const Work& work) {
     parallel_for(
-        Index{0}, count,
+        begin, end,
         [&](Index first, Index last) {
           std::unique_ptr<Memory> memory = pool_.take();
           for (Index piece = first; piece < last; ++piece) work(piece, *memory);
@@ -165,7 +170,7 @@ class PieceWriter {
         kFaces);
   }
 
-  const FastPieces& pieces_;
+  FastPieces& pieces_;
   bool normals_;
   FacePiece all_faces_;
   Index largest_ = 0;

@@ -42,44 +42,6 @@ class Places {
   std::vector<Index> begin_;
 };
 
-/// Which piece makes a vertex.
-class PieceFinder {
- public:
-  /// Piece p has the extents begin[p] … begin[p + 1] - 1.
-  PieceFinder(const std::vector<Extent>& extents, const std::vector<Index>& begin, Index vertices) {
-    owned_.reserve(extents.size());
-    for (std::size_t piece = 0; piece + 1 < begin.size(); ++piece)
-      for (Index e = begin[piece]; e < begin[piece + 1]; ++e)
-        owned_.push_back({extents[static_cast<std::size_t>(e)].first, piece});
-    std::sort(owned_.begin(), owned_.end(),
-              [](const Owned& a, const Owned& b) { return a.first < b.first; });
-    near_.resize((static_cast<std::size_t>(vertices) >> kShift) + 1);
-    std::size_t found = 0;
-    for (std::size_t i = 0; i < near_.size(); ++i)
-      near_[i] = found = from(found, static_cast<Index>(i << kShift));
-  }
-
-  std::size_t operator()(Index vertex) const {
-    return owned_[from(near_[static_cast<std::size_t>(vertex) >> kShift], vertex)].piece;
-  }
-
- private:
-  /// An extent, by its first vertex.
-  struct Owned {
-    Index first = 0;
-    std::size_t piece = 0;
-  };
-  static constexpr unsigned kShift = 10;
-
-  [[nodiscard]] std::size_t from(std::size_t extent, Index vertex) const {
-    while (extent + 1 < owned_.size() && owned_[extent + 1].first <= vertex) ++extent;
-    return extent;
-  }
-
-  std::vector<Owned> owned_;       // ascending
-  std::vector<std::size_t> near_;  // the extent of every 1024th vertex
-};
-
 }  // namespace
 
 Index StepPiece::vertex_count() const {
@@ -95,7 +57,8 @@ StepPieces::StepPieces(const StepPlan& plan, const PatchProgram& program, Index 
   for (const RowPlan& rows : plan.rows) rows_.emplace_back(rows);
   cut_patches(piece_vertices);
   cut_the_rest(vertices, piece_vertices);
-  find_touches(vertices);
+  finder_ = PieceFinder(extents_, begin_, vertices);
+  find_touches();
 }
 
 std::vector<Index> StepPieces::run_sizes() const {
@@ -136,11 +99,13 @@ void StepPieces::cut_the_rest(Index vertices, Index piece_vertices) {
   std::sort(made.begin(), made.end(),
             [](const Extent& a, const Extent& b) { return a.first < b.first; });
   made.push_back({vertices, 0});
+  // what lies round them lies anywhere: small pieces, so that none reads far more than it makes
+  const Index most = std::max<Index>(1, piece_vertices / 32);
   Index next = 0;
   for (const Extent& extent : made) {
     assert(extent.first >= next);  // no vertex is made twice
     while (next < extent.first) {
-      const Index count = std::min(extent.first - next, piece_vertices);
+      const Index count = std::min(extent.first - next, most);
       extents_.push_back({next, count});
       begin_.push_back(static_cast<Index>(extents_.size()));
       next += count;
@@ -149,8 +114,7 @@ void StepPieces::cut_the_rest(Index vertices, Index piece_vertices) {
   }
 }
 
-void StepPieces::find_touches(Index vertices) {
-  const PieceFinder piece_of(extents_, begin_, vertices);
+void StepPieces::find_touches() {
   // each place once for each piece that it has targets in: counted first, then listed
   const auto for_each_touch = [&](const auto& use) {
     std::vector<std::size_t> seen(static_cast<std::size_t>(count()), 0);
@@ -161,7 +125,7 @@ void StepPieces::find_touches(Index vertices) {
       for (std::size_t place = 0; place < places; ++place) {
         ++stamp;
         for (std::size_t t = place * each; t < (place + 1) * each; ++t) {
-          const std::size_t piece = piece_of(rows.targets[t]);
+          const auto piece = static_cast<std::size_t>(finder_.piece(rows.targets[t]));
           if (seen[piece] == stamp) continue;
           seen[piece] = stamp;
           use(piece, Touch{static_cast<Index>(p), static_cast<Index>(place)});
@@ -178,6 +142,46 @@ void StepPieces::find_touches(Index vertices) {
   }
   touches_.resize(touch_begin_.back());
   for_each_touch([&](std::size_t piece, Touch touch) { touches_[ends[piece]++] = touch; });
+}
+
+std::vector<Index> StepPieces::sources(Index piece, const StepPieces& before,
+                                       bool own_vertices) const {
+  std::vector<Index> found;
+  const auto add = [&](Index first, Index count) {
+    for (const Index end = first + count; first < end; first = before.finder_.extent_end(first))
+      if (const Index made = before.finder_.piece(first); found.empty() || found.back() != made)
+        found.push_back(made);
+  };
+  const PatchPlan& plan = plan_->patches;
+  if (piece < patch_pieces_) {
+    const Index first = piece * patches_each_;
+    const Index patches = std::min(plan.patches - first, patches_each_);
+    const std::size_t each = plan.shape.frame.size();
+    const Index* frame = plan.frame.data() + static_cast<std::size_t>(first) * each;
+    for (std::size_t i = 0; i < static_cast<std::size_t>(patches) * each; ++i) add(frame[i], 1);
+    const auto inner = static_cast<Index>(plan.shape.inner.size());
+    add(plan.inner_begin + first * inner, patches * inner);
+  }
+  const auto at = static_cast<std::size_t>(piece);
+  for (std::size_t t = touch_begin_[at]; t < touch_begin_[at + 1]; ++t) {
+    const RowPlan& rows = plan_->rows[static_cast<std::size_t>(touches_[t].plan)];
+    const auto each = static_cast<std::size_t>(rows.table.sources);
+    const Index* from = rows.sources.data() + static_cast<std::size_t>(touches_[t].place) * each;
+    for (std::size_t i = 0; i < each; ++i) add(from[i], 1);
+  }
+  for (Index e = begin_[at]; own_vertices && e < begin_[at + 1]; ++e)
+    add(extents_[static_cast<std::size_t>(e)].first, extents_[static_cast<std::size_t>(e)].count);
+  std::sort(found.begin(), found.end());
+  found.erase(std::unique(found.begin(), found.end()), found.end());
+  return found;
+}
+
+Index StepPieces::vertices_of(Index piece) const {
+  const auto at = static_cast<std::size_t>(piece);
+  Index count = 0;
+  for (Index e = begin_[at]; e < begin_[at + 1]; ++e)
+    count += extents_[static_cast<std::size_t>(e)].count;
+  return count;
 }
 
 void StepPieces::lay_out(Index piece, StepPiece& out) const {

@@ -5,14 +5,10 @@
 #include <vector>
 
 #include "limn/fast/kernel/patch_step.h"
+#include "limn/fast/kernel/piece_finder.h"
 #include "limn/fast/kernel/row_step.h"
 
 namespace limn::fast {
-
-/// Vertices with consecutive numbers.
-struct Extent {
-  Index first = 0, count = 0;
-};
 
 /// What one piece makes, extent after extent.
 struct StepPiece {
@@ -42,6 +38,13 @@ class StepPieces {
   /// Of a limit plan (step_plan.h): positions and normals.
   void make_limit(Index piece, const double* in, StepPiece& out) const;
 
+  /// The pieces of the step before that make what a piece reads, ascending; with `own_vertices`,
+  /// also those that make the points of its own vertices' numbers (of a limit plan).
+  [[nodiscard]] std::vector<Index> sources(Index piece, const StepPieces& before,
+                                           bool own_vertices) const;
+  /// How many a piece makes.
+  [[nodiscard]] Index vertices_of(Index piece) const;
+
   /// What it holds, in bytes.
   [[nodiscard]] std::size_t bytes() const;
 
@@ -53,7 +56,7 @@ class StepPieces {
 
   void cut_patches(Index piece_vertices);
   void cut_the_rest(Index vertices, Index piece_vertices);
-  void find_touches(Index vertices);
+  void find_touches();
   [[nodiscard]] std::vector<Index> run_sizes() const;
   /// The patches of a piece, the runs' beginnings being places in its memory.
   [[nodiscard]] PatchRange patches_of(Index piece, const StepPiece& out,
@@ -70,6 +73,7 @@ class StepPieces {
   Index patch_pieces_ = 0;    // the first pieces, which have patches
   std::vector<Index> begin_;  // of each piece: its first extent
   std::vector<Extent> extents_;
+  PieceFinder finder_;
   std::vector<std::size_t> touch_begin_;  // of each piece: its first touch
   std::vector<Touch> touches_;
 };
