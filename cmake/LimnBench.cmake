@@ -23,6 +23,10 @@ foreach(source IN LISTS bench_sources)
   limn_add_bench(${name} ${source})
   target_link_libraries(limn_bench_${name} PRIVATE
     benchmark::benchmark benchmark::benchmark_main)
+  if(name STREQUAL "file_to_file")
+    target_compile_definitions(limn_bench_${name} PRIVATE LIMN_COMMAND="$<TARGET_FILE:limn_command>")
+    add_dependencies(limn_bench_${name} limn_command)
+  endif()
 endforeach()
 
 if(LIMN_PEERS)

@@ -23,6 +23,10 @@ std::string current_step = "limn";
 
 }  // namespace
 
+CLI::App* add_command(CLI::App& parser, const std::string& name, const std::string& help) {
+  return parser.add_subcommand(name, help);
+}
+
 int report(const Error& error) {
   const std::string text = error.text();
   for (std::size_t begin = 0; begin <= text.size();) {  // a line for each fault

@@ -20,6 +20,11 @@ inline constexpr int kDone = 0;
 inline constexpr int kBadInput = 2;
 inline constexpr int kUndecided = 3;  // some answer is "undecided"
 
+/// A command of the parser. Here, as whoever creates a CLI::App itself compiles all of it once
+/// more: its help, its configuration files.
+[[nodiscard]] CLI::App* add_command(CLI::App& parser, const std::string& name,
+                                    const std::string& help);
+
 /// What the chosen command runs once the whole command line is parsed; returns the exit code.
 using Action = std::function<int()>;
 

@@ -165,7 +165,7 @@ int analyse(const ArtifactOptions& options) {
 
 void declare_artifacts(CLI::App& parser, Action& action) {
   CLI::App* command =
-      parser.add_subcommand("artifacts", "ripples that no control point can remove, by frequency");
+      add_command(parser, "artifacts", "ripples that no control point can remove, by frequency");
   const auto options = std::make_shared<ArtifactOptions>();
   command->add_option("SCHEME", options->schemes, kSchemeArgumentHelp)->required();
   command

@@ -142,9 +142,9 @@ void declare_mesh(CLI::App& command, CompareOptions& options) {
 }  // namespace
 
 void declare_compare(CLI::App& parser, Action& action) {
-  CLI::App* command = parser.add_subcommand("compare",
-                                            "schemes side by side: smoothness, eigencomponents, "
-                                            "artifacts, and their limit surfaces");
+  CLI::App* command = add_command(parser, "compare",
+                                  "schemes side by side: smoothness, eigencomponents, "
+                                  "artifacts, and their limit surfaces");
   const auto options = std::make_shared<CompareOptions>();
   command->add_option("SCHEME", options->schemes, kSchemeArgumentHelp)->required();
   command

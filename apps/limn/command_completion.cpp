@@ -229,7 +229,7 @@ int print_completion(const CLI::App& parser, const std::string& shell) {
 
 void declare_completion(CLI::App& parser, Action& action) {
   CLI::App* command =
-      parser.add_subcommand("completion", "print what completes limn's words in a shell");
+      add_command(parser, "completion", "print what completes limn's words in a shell");
   const auto shell = std::make_shared<std::string>();
   command->add_option("SHELL", *shell, "bash, zsh or fish")
       ->required()

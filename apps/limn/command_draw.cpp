@@ -128,8 +128,8 @@ void declare_look(CLI::App& command, DrawOptions& options) {
 }  // namespace
 
 void declare_draw(CLI::App& parser, Action& action) {
-  CLI::App* command = parser.add_subcommand(
-      "draw", "a picture of a mesh's limit surface: shaded, or with reflection lines");
+  CLI::App* command = add_command(
+      parser, "draw", "a picture of a mesh's limit surface: shaded, or with reflection lines");
   const auto options = std::make_shared<DrawOptions>();
   command->add_option("MESH", options->mesh, kMeshArgumentHelp)->required();
   command->add_option("-s,--scheme", options->scheme.name, kSchemeArgumentHelp)->required();

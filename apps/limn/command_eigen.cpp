@@ -179,8 +179,9 @@ int analyse(const EigenOptions& options) {
 }  // namespace
 
 void declare_eigen(CLI::App& parser, Action& action) {
-  CLI::App* command = parser.add_subcommand(
-      "eigen", "frequency blocks, labelled eigencomponents and verdicts at extraordinary vertices");
+  CLI::App* command = add_command(
+      parser, "eigen",
+      "frequency blocks, labelled eigencomponents and verdicts at extraordinary vertices");
   const auto options = std::make_shared<EigenOptions>();
   command->add_option("SCHEME", options->scheme.name, kSchemeArgumentHelp)->required();
   CLI::Option* const valence =

@@ -152,8 +152,8 @@ int print_fairness(const FairnessCommand& options) {
 }  // namespace
 
 void declare_fairness(CLI::App& parser, Action& action) {
-  CLI::App* command = parser.add_subcommand(
-      "fairness", "energies of a mesh's limit surfaces under several schemes");
+  CLI::App* command =
+      add_command(parser, "fairness", "energies of a mesh's limit surfaces under several schemes");
   const auto options = std::make_shared<FairnessCommand>();
   command->add_option("MESH", options->mesh, kMeshArgumentHelp)->required();
   command->add_option("-s,--scheme", options->schemes, kSchemeArgumentHelp)

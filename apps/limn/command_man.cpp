@@ -95,7 +95,7 @@ int print_manual(const CLI::App& parser) {
 }  // namespace
 
 void declare_man(CLI::App& parser, Action& action) {
-  CLI::App* command = parser.add_subcommand("man", "print the manual page, for man(1)");
+  CLI::App* command = add_command(parser, "man", "print the manual page, for man(1)");
   command->footer("Example: limn man > limn.1 && man ./limn.1");
   command->callback([&action, &parser] { action = [&parser] { return print_manual(parser); }; });
 }

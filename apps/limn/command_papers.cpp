@@ -74,8 +74,9 @@ int make_papers(const PapersOptions& options) {
 }  // namespace
 
 void declare_papers(CLI::App& parser, Action& action) {
-  CLI::App* command = parser.add_subcommand(
-      "papers", "figures, tables and main claims of the papers that limn implements, made anew");
+  CLI::App* command =
+      add_command(parser, "papers",
+                  "figures, tables and main claims of the papers that limn implements, made anew");
   const auto options = std::make_shared<PapersOptions>();
   command->add_option("PAPER", options->papers, "which; without it all of them: " + paper_names());
   command->add_option("-o,--output", options->output, "write the pages to this folder")

@@ -55,8 +55,9 @@ int prescribe(const PrescribeOptions& options) {
 }  // namespace
 
 void declare_prescribe(CLI::App& parser, Action& action) {
-  CLI::App* command = parser.add_subcommand(
-      "prescribe", "a scheme file with chosen eigenvalues at one valence, by the inverse DFT");
+  CLI::App* command =
+      add_command(parser, "prescribe",
+                  "a scheme file with chosen eigenvalues at one valence, by the inverse DFT");
   const auto options = std::make_shared<PrescribeOptions>();
   command->add_option("SCHEME", options->scheme.name, kSchemeArgumentHelp)->required();
   options->scheme.declare_parameters(*command);

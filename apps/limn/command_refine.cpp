@@ -8,16 +8,13 @@
 #include "command.h"
 #include "control_mesh.h"
 #include "limn/base/files/file.h"
+#include "limn/base/memory.h"
 #include "limn/base/printable.h"
 #include "limn/base/progress.h"
-#include "limn/fast/fast_limit.h"
-#include "limn/fast/fast_refiner.h"
-#include "limn/limit/limit_points.h"
-#include "limn/refine/refine.h"
-#include "limn/regular/smoothness/second_differences.h"
 #include "limn/report/data_table.h"
 #include "limn/report/limit_report.h"
 #include "limn/surface/refine_surface.h"
+#include "limn/surface/refined_file.h"
 #include "limn/surface/surface_estimate.h"
 #include "mesh_output.h"
 
@@ -40,25 +37,21 @@ struct RefineOptions {
   std::string engine = "quick";
 };
 
-void print_result(const RefineOptions& options, const Scheme& scheme, const RefinedSurface& surface,
+void print_result(const RefineOptions& options, const Scheme& scheme, const RefinedFile& file,
                   const MeshRemarks& remarks) {
-  const Polygons& result = surface.polygons;
   if (options.json) {
-    nlohmann::ordered_json json{{"vertices", result.vertex_count()},
-                                {"faces", result.face_count()},
-                                {"levels", options.levels},
-                                {"seconds", surface.refinement_seconds},
-                                {"scheme", scheme.name},
-                                {"output", options.output.path}};
-    if (surface.gaps.any()) json["missing"] = gaps_json(surface.gaps);
+    nlohmann::ordered_json json{{"vertices", file.vertices}, {"faces", file.faces},
+                                {"levels", options.levels},  {"seconds", file.refinement_seconds},
+                                {"scheme", scheme.name},     {"output", options.output.path}};
+    if (file.gaps.any()) json["missing"] = gaps_json(file.gaps);
     add_remarks(json, remarks);
     print_json(json);
     return;
   }
-  const std::string text = fmt::format(
-      "{}: {} vertices, {} faces, after {} level{} of {} in {:.3g} s\n",
-      printable(options.output.path), result.vertex_count(), result.face_count(), options.levels,
-      options.levels == 1 ? "" : "s", printable(scheme.name), surface.refinement_seconds);
+  const std::string text =
+      fmt::format("{}: {} vertices, {} faces, after {} level{} of {} in {:.3g} s\n",
+                  printable(options.output.path), file.vertices, file.faces, options.levels,
+                  options.levels == 1 ? "" : "s", printable(scheme.name), file.refinement_seconds);
   if (!options.output.is_printed())
     print_text(text);
   else if (!is_quiet())
@@ -77,20 +70,20 @@ Status write_curvatures(const std::string& path, const RefinedSurface& surface) 
 }
 
 /// What is needed, in a word before the work begins, where it is much; refused, where it is more
-/// than there is.
-Status announce(const RefineOptions& options, const Scheme& scheme, const Mesh& mesh,
+/// than there is. `written`: while it is made.
+Status announce(const RefineOptions& options, const Scheme& scheme, const Mesh& mesh, bool written,
                 ProgressLine& line) {
   const LimitWork work{.quick = options.engine == "quick",
                        .limit = options.limit || options.normals,
-                       .curvatures = !options.curvatures.empty()};
+                       .curvatures = !options.curvatures.empty(),
+                       .written = written};
   const RefineEstimate needed = estimate_with_limit(*scheme.split, mesh, options.levels, work);
   if (needed.peak_bytes > kMuchMemory) line.show_now(text_of(needed, options.levels));
   return check_memory(needed, options.levels, available_memory());
 }
 
-/// Refines, and finds what the options ask of the limit.
-Result<RefinedSurface> surface_of(const RefineOptions& options, const Scheme& scheme,
-                                  ControlMesh& control, ProgressLine& line) {
+/// What the options ask of the surface.
+SurfaceOptions wanted_of(const RefineOptions& options, ProgressLine& line) {
   SurfaceOptions wanted{.levels = options.levels,
                         .limit = options.limit || !options.curvatures.empty(),
                         .normals = options.normals,
@@ -101,24 +94,66 @@ Result<RefinedSurface> surface_of(const RefineOptions& options, const Scheme& sc
                           set_step(options.mesh + ": " + what);
                         }};
   if (options.engine == "plain") wanted.engine = SurfaceOptions::Engine::plain;
-  return refine_surface(scheme, std::move(control.mesh), std::move(control.points), wanted);
+  return wanted;
 }
 
 /// Warnings of what is missing of the surface.
-void warn_of_gaps(const RefineOptions& options, const Scheme& scheme, const RefinedSurface& surface,
-                  MeshRemarks& remarks) {
-  if (surface.regular_part.bounded == Truth::no)
-    add_warnings(remarks, {{fmt::format("{} has unbounded curvature wherever the mesh is regular, "
-                                        "so that none is given: {}",
-                                        scheme.name, surface.regular_part.reason),
-                            {},
-                            options.curvatures,
-                            0,
-                            0}});
+void warn_of_gaps(const RefineOptions& options, const LimitGaps& gaps, MeshRemarks& remarks) {
   const GapPlaces places{.mesh = options.output.path,
                          .normal = fmt::format("written as {}", options.output.missing_normal()),
                          .curvatures = options.curvatures};
-  add_warnings(remarks, gaps_text(surface.gaps, places));
+  add_warnings(remarks, gaps_text(gaps, places));
+}
+
+/// The whole mesh in memory first, and then written.
+Result<RefinedFile> refine_then_write(const RefineOptions& options, const Scheme& scheme,
+                                      ControlMesh& control, ProgressLine& line) {
+  if (Status status = announce(options, scheme, control.mesh, false, line); !status)
+    return status.error();
+  Result<RefinedSurface> surface = refine_surface(
+      scheme, std::move(control.mesh), std::move(control.points), wanted_of(options, line));
+  if (!surface) return surface.error();
+  line.show("writing " + options.output.path);
+  set_step("writing " + options.output.path);
+  if (!options.curvatures.empty())
+    if (Status status = write_curvatures(options.curvatures, *surface); !status)
+      return status.error();
+  if (options.limit) surface->polygons.positions = std::move(surface->limit);
+  WriteOptions extras;
+  extras.normals = std::move(surface->normals);
+  if (Status status = options.output.write(surface->polygons, extras); !status)
+    return status.error();
+  if (surface->regular_part.bounded == Truth::no)
+    add_warnings(control.remarks,
+                 {{fmt::format("{} has unbounded curvature wherever the mesh is regular, "
+                               "so that none is given: {}",
+                               scheme.name, surface->regular_part.reason),
+                   {},
+                   options.curvatures,
+                   0,
+                   0}});
+  RefinedFile file;
+  file.vertices = surface->polygons.positions.size();
+  file.faces = static_cast<std::size_t>(surface->polygons.face_count());
+  file.gaps = std::move(surface->gaps);
+  file.refinement_seconds = surface->refinement_seconds;
+  return file;
+}
+
+/// Refines into the output, while it is written where that can be.
+Result<RefinedFile> refine_into_output(const RefineOptions& options, const Scheme& scheme,
+                                       ControlMesh& control, ProgressLine& line) {
+  const SurfaceOptions wanted = wanted_of(options, line);
+  const std::string& path = options.output.path;
+  if (may_write_refined(scheme, wanted, path, options.output.extension())) {
+    if (Status status = announce(options, scheme, control.mesh, true, line); !status)
+      return status.error();
+    Result<std::optional<RefinedFile>> file =
+        write_refined(scheme, control.mesh, control.points, wanted, path);
+    if (!file) return file.error();
+    if (*file) return **std::move(file);
+  }
+  return refine_then_write(options, scheme, control, line);
 }
 
 /// A refined mesh in place of its control mesh cannot be taken back.
@@ -148,33 +183,21 @@ int refine_mesh(const RefineOptions& options) {
 
   ProgressLine line;
   set_step(fmt::format("refining {} by {} levels", options.mesh, options.levels));
-  const auto refused = [&](Error error) {
+  const Result<RefinedFile> file = refine_into_output(options, *scheme, *control, line);
+  if (!file) {
+    Error error = file.error();
     if (error.file.empty()) error.file = options.mesh;
     return report(error);
-  };
-  if (Status status = announce(options, *scheme, control->mesh, line); !status)
-    return refused(status.error());
-  Result<RefinedSurface> surface = surface_of(options, *scheme, *control, line);
-  if (!surface) return refused(surface.error());
-  line.show("writing " + options.output.path);
-  set_step("writing " + options.output.path);
-  if (!options.curvatures.empty())
-    if (Status status = write_curvatures(options.curvatures, *surface); !status)
-      return refused(status.error());
-  if (options.limit) surface->polygons.positions = std::move(surface->limit);
-  WriteOptions extras;
-  extras.normals = std::move(surface->normals);
-  if (Status status = options.output.write(surface->polygons, extras); !status)
-    return refused(status.error());
-  warn_of_gaps(options, *scheme, *surface, control->remarks);
-  print_result(options, *scheme, *surface, control->remarks);
+  }
+  warn_of_gaps(options, file->gaps, control->remarks);
+  print_result(options, *scheme, *file, control->remarks);
   return kDone;
 }
 
 }  // namespace
 
 void declare_refine(CLI::App& parser, Action& action) {
-  CLI::App* command = parser.add_subcommand("refine", "refine a mesh with a scheme");
+  CLI::App* command = add_command(parser, "refine", "refine a mesh with a scheme");
   const auto options = std::make_shared<RefineOptions>();
   command->add_option("MESH", options->mesh, kMeshArgumentHelp)->required();
   command->add_option("-s,--scheme", options->scheme.name, kSchemeArgumentHelp)->required();

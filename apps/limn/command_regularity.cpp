@@ -47,8 +47,8 @@ int analyse(const RegularityCommand& command) {
 }  // namespace
 
 void declare_regularity(CLI::App& parser, Action& action) {
-  CLI::App* command = parser.add_subcommand(
-      "regularity", "how smooth the surfaces are on the regular lattice, with proof");
+  CLI::App* command = add_command(parser, "regularity",
+                                  "how smooth the surfaces are on the regular lattice, with proof");
   const auto chosen = std::make_shared<RegularityCommand>();
   command->add_option("SCHEME", chosen->scheme.name, kSchemeArgumentHelp)->required();
   chosen->scheme.declare_parameters(*command);

@@ -35,7 +35,7 @@ int list_schemes(bool json) {
 }  // namespace
 
 void declare_schemes(CLI::App& parser, Action& action) {
-  CLI::App* command = parser.add_subcommand("schemes", "list the shipped schemes, a line each");
+  CLI::App* command = add_command(parser, "schemes", "list the shipped schemes, a line each");
   const auto json = std::make_shared<bool>(false);
   command->add_flag("--json", *json, "print one JSON object");
   command->footer("Example: limn schemes");

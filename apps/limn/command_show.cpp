@@ -35,7 +35,7 @@ int show(const ShowOptions& options) {
 
 void declare_show(CLI::App& parser, Action& action) {
   CLI::App* command =
-      parser.add_subcommand("show", "a scheme's rules, mask, factors, closed formulas, source");
+      add_command(parser, "show", "a scheme's rules, mask, factors, closed formulas, source");
   const auto options = std::make_shared<ShowOptions>();
   command->add_option("SCHEME", options->scheme.name, kSchemeArgumentHelp)->required();
   options->scheme.declare_parameters(*command);

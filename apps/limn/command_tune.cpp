@@ -231,8 +231,9 @@ int tune(const TuneOptions& options) {
 }  // namespace
 
 void declare_tune(CLI::App& parser, Action& action) {
-  CLI::App* command = parser.add_subcommand(
-      "tune", "the values of a parameter or a let at which the eigencomponents are as required");
+  CLI::App* command = add_command(
+      parser, "tune",
+      "the values of a parameter or a let at which the eigencomponents are as required");
   const auto options = std::make_shared<TuneOptions>();
   command->add_option("SCHEME", options->scheme.name, kSchemeArgumentHelp)->required();
   command->add_option("--free", options->free, "the parameter or let that is to be found")

@@ -27,7 +27,7 @@ struct MeshOutput {
 
   [[nodiscard]] Status write(const Polygons& mesh, const WriteOptions& options) const;
 
- private:
+  /// The format.
   [[nodiscard]] std::string extension() const;
 };
 

@@ -110,6 +110,44 @@ TEST_F(FileTest, WhatIsThrownBetweenPiecesLeavesTheOldContent) {
   EXPECT_EQ(entries(), 1);
 }
 
+TEST_F(FileTest, PiecesComeInAnyOrderFromAnyThread) {
+  std::string content(300000, ' ');
+  for (std::size_t i = 0; i < content.size(); ++i) content[i] = static_cast<char>('a' + i % 23);
+  const auto fill = [&](const PlacedSink& sink) -> Status {
+    const auto part = [&](std::size_t begin, std::size_t end) {
+      for (std::size_t at = end; at > begin; at -= 1000)
+        sink(at - 1000, std::string_view(content).substr(at - 1000, 1000));
+    };
+    std::thread other([&] { part(150000, 300000); });
+    part(0, 150000);
+    other.join();
+    return Done{};
+  };
+  ASSERT_TRUE(takes_places(path("a")));
+  ASSERT_TRUE(write_file_at_places(path("a"), fill).ok());
+  EXPECT_EQ(*read_file(path("a")), content);
+  EXPECT_EQ(entries(), 1);
+}
+
+TEST_F(FileTest, AnErrorOfWhoFillsPlacesLeavesTheOldContent) {
+  ASSERT_TRUE(write_file(path("a"), "old").ok());
+  const Status status = write_file_at_places(path("a"), [](const PlacedSink& sink) -> Status {
+    sink(3, "new");
+    return Error{"no more"};
+  });
+  ASSERT_FALSE(status.ok());
+  EXPECT_EQ(status.error().message, "no more");
+  EXPECT_EQ(*read_file(path("a")), "old");
+  EXPECT_EQ(entries(), 1);
+}
+
+TEST_F(FileTest, PipesAndDescriptorsHaveNoPlaces) {
+  ASSERT_EQ(::mkfifo(path("pipe").c_str(), 0600), 0);
+  for (const std::string& none : {path("pipe"), std::string("-"), std::string("/dev/stdout"),
+                                  std::string("/dev/null"), std::string()})
+    EXPECT_FALSE(takes_places(none)) << none;
+}
+
 TEST_F(FileTest, AFullDiskIsSaidOnce) {
   if (!fs::exists("/dev/full")) GTEST_SKIP() << "no /dev/full here";
   int pieces = 0;

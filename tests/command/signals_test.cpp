@@ -95,11 +95,25 @@ TEST(Signal, InterruptsTheLoopOfAShellToo) {
 }
 
 TEST(Signal, OfAFileThatIsTooLargeIsAnErrorOfWriting) {
-  const Folder folder;
-  const std::string job = "\"$LIMN\" refine '" + kBracket + "' -s loop -n 4 -o fine.obj";
-  expect_refused(folder.shell("ulimit -f 8; " + job), {"fine.obj", "cannot write", "ulimit -f"});
-  EXPECT_EQ(folder.count(), 0);
-  EXPECT_EQ(folder.shell(job).code, 0);
+  for (const std::string file : {"fine.obj", "fine.ply"}) {
+    const Folder folder;
+    const std::string job = "\"$LIMN\" refine '" + kBracket + "' -s loop -n 4 -o " + file;
+    expect_refused(folder.shell("ulimit -f 8; " + job), {file, "cannot write", "ulimit -f"});
+    EXPECT_EQ(folder.count(), 0);
+    EXPECT_EQ(folder.shell(job).code, 0);
+  }
+}
+
+TEST(Signal, LeavesNothingOfAMeshThatIsWrittenWhileItIsMade) {
+  const std::string job = "\"$LIMN\" refine '" + kBracket + "' -s loop -n 8 -o fine.ply";
+  bool some = false;
+  for (const std::string after : {"0.02", "0.05", "0.1", "0.2", "0.4"}) {
+    const Folder folder;
+    const Outcome outcome = folder.shell("timeout --signal=TERM " + after + " " + job);
+    some = some || outcome.code == 124;
+    EXPECT_EQ(folder.count(), outcome.code == 0 ? 1 : 0) << after;
+  }
+  EXPECT_TRUE(some);
 }
 
 }  // namespace

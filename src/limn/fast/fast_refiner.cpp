@@ -7,20 +7,13 @@
 #include <optional>
 
 #include "limn/base/parallel.h"
-#include "limn/fast/families/families.h"
 #include "limn/fast/kernel/patch_step.h"
 #include "limn/fast/kernel/row_step.h"
-#include "limn/fast/plain/plain_steps.h"
+#include "limn/fast/refiner_state.h"
 #include "limn/refine/refine.h"
 
 namespace limn {
 namespace {
-
-/// A step, made ready.
-struct ReadyStep {
-  fast::StepPlan plan;
-  fast::PatchProgram program;
-};
 
 /// The most that a result in doubles and the work on it take.
 double needed_bytes(double vertices, double faces, double corners) {
@@ -41,46 +34,52 @@ RefineEstimate FastRefiner::estimate(const Split& split, const Mesh& control, in
   return estimate;
 }
 
-struct FastRefiner::State {
-  Mesh control;
-  int levels = 0;
-  std::unique_ptr<fast::Family> family;
-  std::optional<fast::PlainSteps> plain;
-  fast::Family::Size size;
-  std::vector<ReadyStep> steps;
-  std::vector<Index> vertices;  ///< before each step, and after the last
-
-  Status prepare(const Scheme& scheme);
-};
-
-Status FastRefiner::State::prepare(const Scheme& scheme) {
+Status FastRefiner::State::choose(const Scheme& scheme) {
   constexpr double kUnlimited = std::numeric_limits<double>::infinity();
   // before anything is made that could be too large for an index
   if (Status status = check_refinable(scheme, control, levels, sizeof(Point3), kUnlimited); !status)
     return status;
   family = fast::make_family(scheme, control, levels);
-  const int first = family->plain_steps();
-  if (first == levels)
-    if (Status status =
-            check_refinable(scheme, control, levels, sizeof(Point3), available_memory());
-        !status)
-      return status;
   size = family->size(levels);
-  const double after = size.vertices, faces = size.faces;
-  const RefineEstimate needed{after, faces, needed_bytes(after, faces, size.corners)};
-  if (Status status = check_memory(needed, levels, available_memory()); !status) return status;
+  return Done{};
+}
+
+Status FastRefiner::State::work_out(const Scheme& scheme) {
+  const int first = family->plain_steps();
   Result<fast::PlainSteps> made = fast::PlainSteps::make(scheme, control, first);
   if (!made) return made.error();
   plain.emplace(std::move(*made));
   plain->write_down(family->plain_order(plain->splits()));
   vertices.push_back(family->size(first).vertices);
   for (int level = first; level < levels; ++level) {
-    ReadyStep& step = steps.emplace_back();
+    fast::ReadyStep& step = steps.emplace_back();
     step.plan = family->plan(level);
     step.program = fast::make_patch_program(step.plan.patches.shape, step.plan.patches.stencils);
     vertices.push_back(family->size(level + 1).vertices);
   }
   return Done{};
+}
+
+template <class Real>
+void FastRefiner::State::evaluate(const Real* control_points, std::size_t count, Real* out,
+                                  Scratch<Real>& scratch) const {
+  if (count > 0) {
+    // a point is read with the number after it
+    const auto before = static_cast<std::size_t>(vertices[count - 1]);
+    if (scratch.numbers.size() < 3 * before + 1) scratch.numbers = HugeArray<Real>(3 * before + 1);
+  }
+  // the levels take turns, so that the last one is made in `out`
+  std::array<Real*, 2> places{out, scratch.numbers.data()};
+  if (count % 2 == 1) std::swap(places[0], places[1]);
+  plain->evaluate(control_points, places[0]);
+  for (std::size_t i = 0; i < count; ++i) {
+    Real* in = places[i % 2];
+    Real* to = places[(i + 1) % 2];
+    in[3 * static_cast<std::size_t>(vertices[i])] = 0;
+    const fast::ReadyStep& step = steps[i];
+    fast::make_patches(step.plan.patches, step.program, in, to);
+    for (const fast::RowPlan& rows : step.plan.rows) fast::make_rows(rows, in, to);
+  }
 }
 
 FastRefiner::FastRefiner(std::unique_ptr<State> state) : state_(std::move(state)) {}
@@ -90,10 +89,18 @@ FastRefiner::~FastRefiner() = default;
 
 Result<FastRefiner> FastRefiner::make(const Scheme& scheme, Mesh control, int levels) {
   assert(has_fast_layout(*scheme.split));
-  auto state = std::make_unique<State>();
-  state->control = std::move(control);
-  state->levels = levels;
-  if (Status status = state->prepare(scheme); !status) return status.error();
+  auto state = std::make_unique<State>(std::move(control), levels);
+  if (Status status = state->choose(scheme); !status) return status.error();
+  const Mesh& mesh = state->control;
+  if (state->is_plain())
+    if (Status status = check_refinable(scheme, mesh, levels, sizeof(Point3), available_memory());
+        !status)
+      return status.error();
+  const double after = state->size.vertices, faces = state->size.faces;
+  const RefineEstimate needed{after, faces, needed_bytes(after, faces, state->size.corners)};
+  if (Status status = check_memory(needed, levels, available_memory()); !status)
+    return status.error();
+  if (Status status = state->work_out(scheme); !status) return status.error();
   return FastRefiner(std::move(state));
 }
 
@@ -106,32 +113,10 @@ int FastRefiner::plain_steps() const { return state_->plain->count(); }
 template <class Real>
 void FastRefiner::evaluate(std::span<const Real> control, std::span<Real> fine,
                            Scratch<Real>& scratch) const {
-  const State& state = *state_;
-  const std::size_t steps = state.steps.size();
-  assert(control.size() == 3 * static_cast<std::size_t>(state.control.vertex_count()));
+  assert(control.size() == 3 * static_cast<std::size_t>(state_->control.vertex_count()));
   assert(fine.size() == 3 * static_cast<std::size_t>(vertex_count()));
-  if (steps > 0) {
-    // a point is read with the number after it
-    const auto before = static_cast<std::size_t>(state.vertices[steps - 1]);
-    if (scratch.numbers.size() < 3 * before + 1) scratch.numbers = HugeArray<Real>(3 * before + 1);
-  }
-  // the levels take turns, so that the last one is made in `fine`
-  std::array<Real*, 2> places{fine.data(), scratch.numbers.data()};
-  if (steps % 2 == 1) std::swap(places[0], places[1]);
-  state.plain->evaluate(control.data(), places[0]);
-  for (std::size_t i = 0; i < steps; ++i) {
-    Real* in = places[i % 2];
-    Real* out = places[(i + 1) % 2];
-    in[3 * static_cast<std::size_t>(state.vertices[i])] = 0;
-    const ReadyStep& step = state.steps[i];
-    fast::make_patches(step.plan.patches, step.program, in, out);
-    for (const fast::RowPlan& rows : step.plan.rows) fast::make_rows(rows, in, out);
-  }
+  state_->evaluate(control.data(), state_->steps.size(), fine.data(), scratch);
 }
-
-struct FastRefiner::Limit::Plan {
-  ReadyStep step;
-};
 
 FastRefiner::Limit::Limit(std::unique_ptr<const Plan> plan) : plan_(std::move(plan)) {}
 FastRefiner::Limit::Limit(Limit&&) noexcept = default;
@@ -161,7 +146,7 @@ void FastRefiner::evaluate_limit(const Limit& limit, std::span<const Real> contr
   Real* refined = scratch.refined.data();
   evaluate<Real>(control, {refined, numbers}, scratch);
   refined[numbers] = 0;
-  const ReadyStep& step = limit.plan_->step;
+  const fast::ReadyStep& step = limit.plan_->step;
   fast::make_limit_patches<Real>(step.plan.patches, step.program, refined, positions.data(),
                                  normals.data());
   for (const fast::RowPlan& rows : step.plan.rows)
@@ -188,10 +173,14 @@ std::size_t FastRefiner::bytes() const {
   const std::size_t indices = 3 * static_cast<std::size_t>(mesh.halfedge_count()) +
                               static_cast<std::size_t>(mesh.edge_count() + mesh.vertex_count());
   std::size_t bytes = indices * sizeof(Index) + state.plain->bytes();
-  for (const ReadyStep& step : state.steps) bytes += bytes_of(step.plan);
+  for (const fast::ReadyStep& step : state.steps) bytes += bytes_of(step.plan);
   return bytes;
 }
 
+template void FastRefiner::State::evaluate<float>(const float*, std::size_t, float*,
+                                                  Scratch<float>&) const;
+template void FastRefiner::State::evaluate<double>(const double*, std::size_t, double*,
+                                                   Scratch<double>&) const;
 template void FastRefiner::evaluate<float>(std::span<const float>, std::span<float>,
                                            Scratch<float>&) const;
 template void FastRefiner::evaluate<double>(std::span<const double>, std::span<double>,

@@ -85,6 +85,7 @@ class FastRefiner {
 
    private:
     friend class FastRefiner;
+    friend class FastPieces;
     struct Plan;
     explicit Limit(std::unique_ptr<const Plan> plan);
     std::unique_ptr<const Plan> plan_;
@@ -110,6 +111,7 @@ class FastRefiner {
   [[nodiscard]] std::size_t bytes() const;
 
  private:
+  friend class FastPieces;
   struct State;
   explicit FastRefiner(std::unique_ptr<State> state);
   std::unique_ptr<const State> state_;

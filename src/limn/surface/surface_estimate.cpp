@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "limn/fast/fast_refiner.h"
+#include "limn/fast/fast_pieces.h"
 #include "limn/limit/limit_points.h"
 
 namespace limn {
@@ -20,6 +20,8 @@ RefineEstimate estimate_with_limit(const Split& split, const Mesh& control, int 
   constexpr double kPoint = sizeof(Point3);
   const RefineEstimate plain = estimate_refinement(split, control, levels, sizeof(Point3));
   const bool quick = work.quick && has_fast_layout(split);
+  if (quick && work.written && !work.curvatures)
+    return FastPieces::estimate(split, control, levels, {work.limit, work.limit});
   RefineEstimate result = quick ? FastRefiner::estimate(split, control, levels) : plain;
   if (!work.limit && !work.curvatures) return result;
   if (quick && !work.curvatures) {  // refined points, those of the limit, normals

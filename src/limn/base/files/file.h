@@ -50,6 +50,19 @@ using Sink = std::function<void(std::string_view)>;
 [[nodiscard]] Status write_file(const std::string& path,
                                 const std::function<void(const Sink&)>& fill);
 
+/// Takes a piece of a content that belongs so many bytes from its beginning; from several threads
+/// at once.
+using PlacedSink = std::function<void(std::uint64_t at, std::string_view piece)>;
+
+/// Whether a path can be written by `write_file_at_places`: it is no file yet, or a regular one.
+[[nodiscard]] bool takes_places(const std::string& path);
+
+/// As `write_file`, for pieces that come in any order; they do not overlap, and leave no gaps.
+/// Where `fill` gives an error, that is the result, and `path` stays as it was. Precondition:
+/// takes_places(path).
+[[nodiscard]] Status write_file_at_places(const std::string& path,
+                                          const std::function<Status(const PlacedSink&)>& fill);
+
 /// Whether a file can be made or replaced at `path`, as far as can be told without doing it, so
 /// that what cannot be written is refused before the work.
 [[nodiscard]] Status check_can_write(const std::string& path);

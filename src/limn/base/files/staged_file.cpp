@@ -25,6 +25,21 @@ Error cannot_write(const std::string& path, int code) {
   return system_error(path, "cannot write", code, hint);
 }
 
+/// write(data, size) for what is left, until nothing is; 0 or errno.
+template <class Write>
+int write_until_done(std::string_view content, const Write& write) {
+  while (!content.empty()) {
+    const std::size_t chunk = content.size() < (1u << 30) ? content.size() : (1u << 30);
+    const ssize_t written = write(content.data(), chunk);
+    if (written < 0) {
+      if (errno == EINTR) continue;
+      return errno;
+    }
+    content.remove_prefix(static_cast<std::size_t>(written));
+  }
+  return 0;
+}
+
 }  // namespace
 
 std::string temporary_name(const std::string& target) {
@@ -36,16 +51,16 @@ std::string temporary_name(const std::string& target) {
 }
 
 int write_all(int fd, std::string_view content) {
-  while (!content.empty()) {
-    const std::size_t chunk = content.size() < (1u << 30) ? content.size() : (1u << 30);
-    const ssize_t written = ::write(fd, content.data(), chunk);
-    if (written < 0) {
-      if (errno == EINTR) continue;
-      return errno;
-    }
-    content.remove_prefix(static_cast<std::size_t>(written));
-  }
-  return 0;
+  return write_until_done(
+      content, [&](const char* data, std::size_t size) { return ::write(fd, data, size); });
+}
+
+int write_all_at(int fd, std::uint64_t at, std::string_view content) {
+  const char* const begin = content.data();
+  return write_until_done(content, [&](const char* data, std::size_t size) {
+    return ::pwrite(fd, data, size,
+                    static_cast<off_t>(at + static_cast<std::uint64_t>(data - begin)));
+  });
 }
 
 Staged::Staged(std::string shown, std::string target, bool folder)
@@ -84,10 +99,7 @@ void Staged::remove() noexcept {
 /// half of it.
 Status Staged::fill(int fd, const Fill& fill) {
   Descriptor file(fd);
-  int code = 0;
-  fill([&](std::string_view piece) {  // after an error the rest is dropped
-    if (code == 0) code = write_all(file.get(), piece);
-  });
+  int code = fill(file.get());
   const int close_code = file.close();
   if (code == 0) code = close_code;
   if (code != 0) return cannot_write(shown_, code);

@@ -1,6 +1,7 @@
 #pragma once
 /// Files and folders that are prepared under a temporary name beside the true one.
 
+#include <cstdint>
 #include <functional>
 #include <string>
 #include <string_view>
@@ -17,13 +18,16 @@ namespace limn {
 
 /// Writes all of it, whatever pieces the system takes; 0 or errno.
 [[nodiscard]] int write_all(int fd, std::string_view content);
+/// The same so many bytes from the file's beginning; from several threads at once.
+[[nodiscard]] int write_all_at(int fd, std::uint64_t at, std::string_view content);
 
 /// A file or a folder that waits for its name. What has none at the end of its scope is removed.
 class Staged {
  public:
-  using Fill = std::function<void(const std::function<void(std::string_view)>& sink)>;
+  /// Writes to the descriptor; 0 or errno.
+  using Fill = std::function<int(int fd)>;
 
-  /// A file with what `fill` gives. `shown`: the path for messages; `target`: what it becomes;
+  /// A file with what `fill` writes. `shown`: the path for messages; `target`: what it becomes;
   /// `mode`: permission bits, or 0 for those of a new file (the umask decides).
   [[nodiscard]] static Result<Staged> file(const std::string& shown, const std::string& target,
                                            mode_t mode, const Fill& fill);

@@ -2,6 +2,8 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <atomic>
+#include <cassert>
 #include <cerrno>
 
 #include "limn/base/files/file.h"
@@ -12,16 +14,36 @@
 namespace limn {
 namespace {
 
-using Fill = std::function<void(const Sink&)>;
+using Fill = Staged::Fill;
+
+/// What `fill` gives, piece after piece; after an error the rest is dropped.
+Fill in_order(const std::function<void(const Sink&)>& fill) {
+  return [&fill](int fd) {
+    int code = 0;
+    fill([&](std::string_view piece) {
+      if (code == 0) code = write_all(fd, piece);
+    });
+    return code;
+  };
+}
+
+/// What `fill` gives, each piece where it belongs; after an error the rest is dropped.
+Fill at_places(const std::function<Status(const PlacedSink&)>& fill, Status& given) {
+  return [&fill, &given](int fd) {
+    std::atomic<int> code = 0;
+    given = fill([&](std::uint64_t at, std::string_view piece) {
+      if (code.load(std::memory_order_relaxed) != 0) return;
+      if (const int failed = write_all_at(fd, at, piece); failed != 0) code = failed;
+    });
+    return given ? code.load() : ECANCELED;
+  };
+}
 
 /// What cannot be replaced by a rename; `fd` is closed.
 Status write_directly(const std::string& path, int fd, const Fill& fill) {
   Descriptor file(fd);
   if (!file.open()) return system_error(path, "cannot open for writing", errno);
-  int code = 0;
-  fill([&](std::string_view piece) {
-    if (code == 0) code = write_all(file.get(), piece);
-  });
+  int code = fill(file.get());
   if (code == 0) code = file.close();
   if (code != 0) return system_error(path, "cannot write", code);
   return Done{};
@@ -45,13 +67,8 @@ Status check_replaceable(const std::string& path, const struct stat& info) {
   return Done{};
 }
 
-}  // namespace
-
-Status write_file(const std::string& path, std::string_view content) {
-  return write_file(path, [&](const Sink& sink) { sink(content); });
-}
-
-Status write_file(const std::string& path, const Fill& fill) {
+/// Writes what `fill` writes to `path`, or what stands there for the time being.
+Status write_filled(const std::string& path, const Fill& fill) {
   if (path.empty()) return system_error(path, "cannot write to an empty path", ENOENT);
   FileTransaction::Parts* const transaction = FileTransaction::Parts::current();
   const std::string present = transaction != nullptr ? transaction->present_path(path) : path;
@@ -72,6 +89,33 @@ Status write_file(const std::string& path, const Fill& fill) {
   if (!staged) return staged.error();
   if (transaction != nullptr) return transaction->add(*std::move(staged));
   return staged->put_in_place();
+}
+
+}  // namespace
+
+Status write_file(const std::string& path, std::string_view content) {
+  return write_file(path, [&](const Sink& sink) { sink(content); });
+}
+
+Status write_file(const std::string& path, const std::function<void(const Sink&)>& fill) {
+  return write_filled(path, in_order(fill));
+}
+
+bool takes_places(const std::string& path) {
+  if (path.empty()) return false;
+  FileTransaction::Parts* const transaction = FileTransaction::Parts::current();
+  const std::string present = transaction != nullptr ? transaction->present_path(path) : path;
+  if (output_target(present).descriptor) return false;
+  struct stat info {};
+  return ::stat(present.c_str(), &info) != 0 || S_ISREG(info.st_mode);
+}
+
+Status write_file_at_places(const std::string& path,
+                            const std::function<Status(const PlacedSink&)>& fill) {
+  assert(takes_places(path));
+  Status given = Done{};
+  Status written = write_filled(path, at_places(fill, given));
+  return given ? written : given;
 }
 
 Status check_can_write(const std::string& path) {

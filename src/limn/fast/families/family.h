@@ -70,6 +70,11 @@ class Family {
       const std::vector<SplitResult>& steps) const = 0;
   /// The corners of the faces of a level, face by face.
   virtual void write_faces(int level, std::span<Index> corners) const = 0;
+  /// Into how many blocks of equally many faces these fall, so that each can be written alone.
+  [[nodiscard]] virtual Index face_blocks(int /*level*/) const { return 1; }
+  /// The corners of the faces of blocks first … last - 1, of face_blocks() > 1. Not in parallel.
+  virtual void write_face_blocks(int /*level*/, Index /*first*/, Index /*last*/,
+                                 Index* /*corners*/) const {}
   /// How many corners each face has, where that is one number; or 0: then `write_face_begin` gives
   /// where each face begins (size().faces + 1 numbers).
   [[nodiscard]] virtual Index corners_per_face() const = 0;

@@ -79,14 +79,21 @@ class GridFamily final : public Family {
       for (Index h = 0; h < control_.halfedge_count(); ++h) corners[h] = control_.origin(h);
       return;
     }
-    const GridLayout at = step(level).old_points;
-    const std::ptrdiff_t faces = at.patch_faces();
+    const std::ptrdiff_t faces = step(level).old_points.patch_faces();
     parallel_for(
         Index{0}, mesh().face_count(),
         [&](Index first, Index last) {
-          at.write_faces(first, last, corners.data() + first * this->corners() * faces);
+          write_face_blocks(level, first, last, corners.data() + first * this->corners() * faces);
         },
         std::max<std::ptrdiff_t>(1, kChunk / faces));
+  }
+
+  [[nodiscard]] Index face_blocks(int level) const override {
+    return level < first_ || !is_grid(mesh()) ? 1 : std::max<Index>(1, mesh().face_count());
+  }
+
+  void write_face_blocks(int level, Index first, Index last, Index* corners) const override {
+    step(level).old_points.write_faces(first, last, corners);
   }
 
   [[nodiscard]] Index corners_per_face() const override { return is_grid(mesh()) ? corners() : 0; }

@@ -16,14 +16,6 @@ namespace {
 template <class Real>
 using Line = std::vector<LanePoint<Real>>;
 
-template <class Real>
-std::vector<LaneStencil<Real>> lane_stencils(const PatchPlan& plan, const PatchProgram& program) {
-  std::vector<LaneStencil<Real>> stencils;
-  stencils.reserve(plan.stencils.size());
-  for (const Stencil& stencil : plan.stencils) stencils.emplace_back(stencil, program);
-  return stencils;
-}
-
 /// Whether all places that new points take from are in the local grid; each takes from so many
 /// stencils, from the one that it names on.
 [[maybe_unused]] bool stays_in_grid(const PatchPlan& plan, const PatchProgram& program,
@@ -128,35 +120,81 @@ class LimitLines {
 }  // namespace
 
 template <class Real>
-void make_patches(const PatchPlan& plan, const PatchProgram& program, const Real* in, Real* out) {
-  assert(stays_in_grid(plan, program, 1));
-  const std::vector<LaneStencil<Real>> stencils = lane_stencils<Real>(plan, program);
-  for_batches(plan, program, in, [&] {
-    return [&, line = Line<Real>(static_cast<std::size_t>(program.line))](
-               PatchWorker<Real>& worker) mutable {
-      for (const PatchBlock& block : program.blocks) {
-        for (const StencilPoints& points : block.points)
-          stencils[points.stencil].apply(worker.grid(), points, line.data());
-        worker.put(block, line.data(), out);
-      }
-    };
+struct PatchStep<Real>::Stencils {
+  std::vector<LaneStencil<Real>> list;
+};
+
+template <class Real>
+PatchStep<Real>::PatchStep(const PatchPlan& plan, const PatchProgram& program)
+    : plan_(&plan), program_(&program), stencils_(std::make_unique<Stencils>()) {
+  stencils_->list.reserve(plan.stencils.size());
+  for (const Stencil& stencil : plan.stencils) stencils_->list.emplace_back(stencil, program);
+}
+
+template <class Real>
+PatchStep<Real>::PatchStep(PatchStep&&) noexcept = default;
+template <class Real>
+PatchStep<Real>::~PatchStep() = default;
+
+template <class Real>
+void PatchStep<Real>::make(const PatchRange& range, const Real* in, Real* out) const {
+  assert(stays_in_grid(*plan_, *program_, 1));
+  Line<Real> line(static_cast<std::size_t>(program_->line));
+  for_batches(*plan_, *program_, range, in, [&](PatchWorker<Real>& worker) {
+    for (const PatchBlock& block : program_->blocks) {
+      for (const StencilPoints& points : block.points)
+        stencils_->list[points.stencil].apply(worker.grid(), points, line.data());
+      worker.put(block, line.data(), out);
+    }
   });
+}
+
+template <class Real>
+void PatchStep<Real>::make_limit(const PatchRange& range, const Real* in, Real* positions,
+                                 Real* normals) const {
+  assert(stays_in_grid(*plan_, *program_, 3));
+  LimitLines<Real> sums(static_cast<std::size_t>(program_->line));
+  for_batches(*plan_, *program_, range, in, [&](PatchWorker<Real>& worker) {
+    for (const PatchBlock& block : program_->blocks) {
+      sums.make(stencils_->list, worker.grid(), block.points.front());
+      worker.put(block, sums.positions(), positions);
+      worker.put(block, sums.normals(), normals);
+    }
+  });
+}
+
+template class PatchStep<float>;
+template class PatchStep<double>;
+
+namespace {
+
+/// work(range) for all patches, in parallel.
+template <class Real, class Work>
+void for_ranges(const PatchPlan& plan, const PatchProgram& program, const Work& work) {
+  if (program.blocks.empty()) return;
+  parallel_for(
+      Index{0}, plan.patches,
+      [&](Index first, Index last) {
+        const std::size_t runs = static_cast<std::size_t>(first) * plan.shape.runs.size();
+        work({first, last, plan.runs.data() + runs});
+      },
+      patch_grain<Real>(plan));
+}
+
+}  // namespace
+
+template <class Real>
+void make_patches(const PatchPlan& plan, const PatchProgram& program, const Real* in, Real* out) {
+  const PatchStep<Real> step(plan, program);
+  for_ranges<Real>(plan, program, [&](const PatchRange& range) { step.make(range, in, out); });
 }
 
 template <class Real>
 void make_limit_patches(const PatchPlan& plan, const PatchProgram& program, const Real* in,
                         Real* positions, Real* normals) {
-  assert(stays_in_grid(plan, program, 3));
-  const std::vector<LaneStencil<Real>> stencils = lane_stencils<Real>(plan, program);
-  for_batches(plan, program, in, [&] {
-    return [&, sums = LimitLines<Real>(static_cast<std::size_t>(program.line))](
-               PatchWorker<Real>& worker) mutable {
-      for (const PatchBlock& block : program.blocks) {
-        sums.make(stencils, worker.grid(), block.points.front());
-        worker.put(block, sums.positions(), positions);
-        worker.put(block, sums.normals(), normals);
-      }
-    };
+  const PatchStep<Real> step(plan, program);
+  for_ranges<Real>(plan, program, [&](const PatchRange& range) {
+    step.make_limit(range, in, positions, normals);
   });
 }
 

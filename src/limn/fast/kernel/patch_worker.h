@@ -5,7 +5,7 @@
 
 #include "limn/base/parallel.h"
 #include "limn/fast/kernel/lanes.h"
-#include "limn/fast/kernel/patch_program.h"
+#include "limn/fast/kernel/patch_step.h"
 
 namespace limn::fast {
 
@@ -13,10 +13,15 @@ namespace limn::fast {
 template <class Real>
 class PatchWorker {
  public:
-  PatchWorker(const PatchPlan& plan, const PatchProgram& program, const Real* in)
-      : plan_(plan), program_(program), in_(in), grid_(static_cast<std::size_t>(program.slots)) {}
+  PatchWorker(const PatchPlan& plan, const PatchProgram& program, const PatchRange& range,
+              const Real* in)
+      : plan_(plan),
+        program_(program),
+        range_(range),
+        in_(in),
+        grid_(static_cast<std::size_t>(program.slots)) {}
 
-  /// Reads patches first … first + lanes - 1; those past the last are the last one again.
+  /// Reads patches first … first + lanes - 1; those past the range's last are the last one again.
   void load(Index first) {
     choose(first + kLanes<Real>);
     for (const Index* numbers : frames_)  // they lie anywhere
@@ -49,7 +54,7 @@ class PatchWorker {
 
   void choose(Index first) {
     for (std::size_t lane = 0; lane < kLaneCount; ++lane) {
-      patches_[lane] = std::min(first + static_cast<Index>(lane), plan_.patches - 1);
+      patches_[lane] = std::min(first + static_cast<Index>(lane), range_.last - 1);
       frames_[lane] =
           plan_.frame.data() + static_cast<std::size_t>(patches_[lane]) * program_.frame.size();
     }
@@ -81,8 +86,8 @@ class PatchWorker {
     Strides stride;
     std::size_t made = 0;
     for (std::size_t lane = 0; lane < kLaneCount; ++lane) {
-      const Index begin =
-          plan_.runs[static_cast<std::size_t>(patches_[lane]) * plan_.shape.runs.size() + part.run];
+      const auto patch = static_cast<std::size_t>(patches_[lane] - range_.first);
+      const Index begin = range_.runs[patch * plan_.shape.runs.size() + part.run];
       made += begin != kNone ? 1U : 0U;
       to[lane] = begin != kNone ? out + 3 * static_cast<std::ptrdiff_t>(begin + part.first)
                                 : unwanted_[lane].data();
@@ -116,6 +121,7 @@ class PatchWorker {
 
   const PatchPlan& plan_;
   const PatchProgram& program_;
+  const PatchRange range_;
   const Real* in_;
   std::vector<LanePoint<Real>> grid_;  // old points of the patch and round it
   PerLane<Real, Index> patches_{};
@@ -123,34 +129,25 @@ class PatchWorker {
   PerLane<Real, std::array<Real, 4>> unwanted_{};
 };
 
-/// Batches that one call of a parallel loop takes.
+/// Patches that one call of a parallel loop takes: whole batches.
 template <class Real>
-[[nodiscard]] std::ptrdiff_t batch_grain(const PatchPlan& plan) {
+[[nodiscard]] std::ptrdiff_t patch_grain(const PatchPlan& plan) {
   constexpr std::size_t kChunkPoints = 65536;
   std::size_t points = 1;
   for (const std::vector<FinePoint>& run : plan.shape.runs) points += run.size();
-  return static_cast<std::ptrdiff_t>(
-      std::max<std::size_t>(1, kChunkPoints / (kLanes<Real> * points)));
+  return kLanes<Real> * static_cast<std::ptrdiff_t>(
+                            std::max<std::size_t>(1, kChunkPoints / (kLanes<Real> * points)));
 }
 
-/// After each batch has been read, work(worker), where every chunk has made its `work` by
-/// make_work() for itself.
-template <class Real, class MakeWork>
-void for_batches(const PatchPlan& plan, const PatchProgram& program, const Real* in,
-                 MakeWork make_work) {
-  if (program.blocks.empty() || plan.patches == 0) return;
-  const Index batches = (plan.patches + kLanes<Real> - 1) / kLanes<Real>;
-  parallel_for(
-      Index{0}, batches,
-      [&](Index first, Index last) {
-        PatchWorker<Real> worker(plan, program, in);
-        auto work = make_work();
-        for (Index b = first; b < last; ++b) {
-          worker.load(b * kLanes<Real>);
-          work(worker);
-        }
-      },
-      batch_grain<Real>(plan));
+/// work(worker) after each batch of the range has been read.
+template <class Real, class Work>
+void for_batches(const PatchPlan& plan, const PatchProgram& program, const PatchRange& range,
+                 const Real* in, Work work) {
+  PatchWorker<Real> worker(plan, program, range, in);
+  for (Index first = range.first; first < range.last; first += kLanes<Real>) {
+    worker.load(first);
+    work(worker);
+  }
 }
 
 }  // namespace limn::fast

@@ -109,23 +109,66 @@ void careful_normal(const RowWorker<Real>& worker, int row, int end, Real size,
   for (int i = 0; i < 3; ++i) normal[i] = static_cast<Real>(unit[static_cast<std::size_t>(i)]);
 }
 
-/// work(worker, a place's targets), after the place's sources have been read.
+/// Makes the rows of a place whose sources have been read, but for those without a target.
+template <class Real>
+void make_place(const RowWorker<Real>& worker, int rows, const Index* targets, Real* out) {
+  typename Quad<Real>::Type sum;
+  for (int row = 0; row < rows; ++row) {
+    if (targets[row] == kNone) continue;
+    worker.sum(row, sum);
+    put<Real>(sum, targets[row], out);
+  }
+}
+
+/// The same of a limit plan: `points` of so many rows each.
+template <class Real>
+void make_limit_place(const RowWorker<Real>& worker, int points, int rows, const Index* targets,
+                      Real* positions, Real* normals) {
+  typename Quad<Real>::Type position, last, next;
+  const Real size = worker.size();
+  for (int i = 0; i < points; ++i) {
+    if (targets[i] == kNone) continue;
+    const int first = i * rows;
+    typename Quad<Real>::Type normal{};
+    worker.sum(first, position);
+    worker.sum(first + 1, last);
+    Real squares = square<Real>(last);
+    for (int row = first + 2; row < first + rows; ++row, last = next) {
+      worker.sum(row, next);
+      add_cross<Real>(last, next, normal);
+      squares += square<Real>(next);
+    }
+    if (!is_normalized<Real>(normal, size, squares))
+      careful_normal(worker, first + 1, first + rows, size, normal);
+    put<Real>(position, targets[i], positions);
+    put<Real>(normal, targets[i], normals);
+  }
+}
+
+/// work(worker, the place's targets) for each of the places, after its sources have been read.
 template <class Real, class Work>
-void for_places(const RowPlan& plan, std::ptrdiff_t targets, const Real* in, Work work) {
-  if (targets == 0) return;
-  std::vector<Real> weights;
-  weights.reserve(plan.table.terms.size());
-  for (const RowTable::Term& term : plan.table.terms)
-    weights.push_back(static_cast<Real>(term.weight));
-  const std::ptrdiff_t places = static_cast<std::ptrdiff_t>(plan.targets.size()) / targets;
+void for_places(const RowPlan& plan, const std::vector<Real>& weights, const RowPlaces& places,
+                const Real* in, const Work& work) {
+  RowWorker<Real> worker(plan.table, weights);
+  const Index* targets = places.targets;
+  for (std::size_t i = 0; i < places.count; ++i, targets += plan.targets_each()) {
+    const std::size_t place =
+        places.list != nullptr ? static_cast<std::size_t>(places.list[i]) : places.first + i;
+    worker.load(plan.sources.data() + place * static_cast<std::size_t>(plan.table.sources), in);
+    work(worker, targets);
+  }
+}
+
+/// work(places) for all places of a plan.
+template <class Work>
+void for_all_places(const RowPlan& plan, const Work& work) {
+  const auto places = static_cast<std::ptrdiff_t>(plan.places());
   parallel_for(
       std::ptrdiff_t{0}, places,
       [&](std::ptrdiff_t first, std::ptrdiff_t last) {
-        RowWorker<Real> worker(plan.table, weights);
-        for (std::ptrdiff_t i = first; i < last; ++i) {
-          worker.load(plan.sources.data() + i * plan.table.sources, in);
-          work(worker, plan.targets.data() + i * targets);
-        }
+        const auto begin = static_cast<std::size_t>(first);
+        work(RowPlaces{nullptr, begin, static_cast<std::size_t>(last - first),
+                       plan.targets.data() + begin * plan.targets_each()});
       },
       plan.overlap ? places : kPlaceGrain);
 }
@@ -133,46 +176,48 @@ void for_places(const RowPlan& plan, std::ptrdiff_t targets, const Real* in, Wor
 }  // namespace
 
 template <class Real>
+RowStep<Real>::RowStep(const RowPlan& plan) : plan_(&plan) {
+  weights_.reserve(plan.table.terms.size());
+  for (const RowTable::Term& term : plan.table.terms)
+    weights_.push_back(static_cast<Real>(term.weight));
+}
+
+template <class Real>
+void RowStep<Real>::make(const RowPlaces& places, const Real* in, Real* out) const {
+  const int rows = plan_->table.targets();
+  for_places(*plan_, weights_, places, in,
+             [&](const RowWorker<Real>& worker, const Index* targets) {
+               make_place(worker, rows, targets, out);
+             });
+}
+
+template <class Real>
+void RowStep<Real>::make_limit(const RowPlaces& places, const Real* in, Real* positions,
+                               Real* normals) const {
+  const auto points = static_cast<int>(plan_->targets_each());
+  if (points == 0) return;
+  const int rows = plan_->table.targets() / points;
+  for_places(*plan_, weights_, places, in,
+             [&](const RowWorker<Real>& worker, const Index* targets) {
+               make_limit_place(worker, points, rows, targets, positions, normals);
+             });
+}
+
+template <class Real>
 void make_rows(const RowPlan& plan, const Real* in, Real* out) {
-  const int rows = plan.table.targets();
-  for_places(plan, rows, in, [&](const RowWorker<Real>& worker, const Index* targets) {
-    typename Quad<Real>::Type sum;
-    for (int row = 0; row < rows; ++row) {
-      worker.sum(row, sum);
-      put<Real>(sum, targets[row], out);
-    }
-  });
+  const RowStep<Real> step(plan);
+  for_all_places(plan, [&](const RowPlaces& places) { step.make(places, in, out); });
 }
 
 template <class Real>
 void make_limit_rows(const RowPlan& plan, const Real* in, Real* positions, Real* normals) {
-  using Four = typename Quad<Real>::Type;
-  if (plan.targets.size() == 0) return;
-  const std::size_t places = plan.sources.size() / static_cast<std::size_t>(plan.table.sources);
-  const auto points = static_cast<int>(plan.targets.size() / places);
-  const int rows = plan.table.targets() / points;  // of each point
-  for_places(plan, points, in, [&](const RowWorker<Real>& worker, const Index* targets) {
-    Four position, last, next;
-    const Real size = worker.size();
-    for (int i = 0; i < points; ++i) {
-      const int first = i * rows;
-      Four normal{};
-      worker.sum(first, position);
-      worker.sum(first + 1, last);
-      Real squares = square<Real>(last);
-      for (int row = first + 2; row < first + rows; ++row, last = next) {
-        worker.sum(row, next);
-        add_cross<Real>(last, next, normal);
-        squares += square<Real>(next);
-      }
-      if (!is_normalized<Real>(normal, size, squares))
-        careful_normal(worker, first + 1, first + rows, size, normal);
-      put<Real>(position, targets[i], positions);
-      put<Real>(normal, targets[i], normals);
-    }
-  });
+  const RowStep<Real> step(plan);
+  for_all_places(plan,
+                 [&](const RowPlaces& places) { step.make_limit(places, in, positions, normals); });
 }
 
+template class RowStep<float>;
+template class RowStep<double>;
 template void make_rows<float>(const RowPlan&, const float*, float*);
 template void make_rows<double>(const RowPlan&, const double*, double*);
 template void make_limit_rows<float>(const RowPlan&, const float*, float*, float*);

@@ -42,6 +42,16 @@ struct RowPlan {
   HugeArray<Index> sources, targets;
   /// Whether two places may have a target in common: they are then made one after the other.
   bool overlap = false;
+
+  [[nodiscard]] std::size_t places() const {
+    const auto each = static_cast<std::size_t>(table.sources);
+    if (each > 0) return sources.size() / each;
+    return table.targets() > 0 ? targets.size() / static_cast<std::size_t>(table.targets()) : 0;
+  }
+  /// Of a place: as many as rows, or fewer in a limit plan.
+  [[nodiscard]] std::size_t targets_each() const {
+    return places() > 0 ? targets.size() / places() : 0;
+  }
 };
 
 /// Patches first, then the rows of each plan in turn: what comes later overwrites.

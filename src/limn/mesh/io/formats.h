@@ -47,6 +47,20 @@ class Remarks {
   MeshFile& out_;
 };
 
+/// Whether an extension, in any case, is this one.
+bool is_extension(std::string_view extension, std::string_view known);
+
+/// Why a mesh cannot be written; no message: it can.
+struct Fault {
+  std::string message, hint;
+  bool of_numbers = false;  ///< whatever the file: they are not finite
+};
+/// That a position (a normal) is finite.
+Fault position_fault(std::size_t vertex, const Point3& position);
+Fault normal_fault(std::size_t vertex, const Point3& normal);
+/// What is said of a fault that there is.
+Error error_of(Fault fault, const std::string& path);
+
 /// "1 vertex", "8 vertices".
 std::string count_of(std::size_t count, const char* one, const char* many);
 

@@ -80,6 +80,9 @@ const Format* find_format(std::string_view extension, bool for_reading) {
   return nullptr;
 }
 
+constexpr double kLargestDouble = std::numeric_limits<double>::max();
+constexpr double kLargestFloat = std::numeric_limits<float>::max();
+
 /// A vector that a format cannot hold, in words; empty where `largest` and NaN do not occur.
 std::string beyond(const Point3& p, double largest) {
   for (const auto& [name, value] : {std::pair{"x", p.x}, {"y", p.y}, {"z", p.z}})
@@ -91,34 +94,20 @@ std::string beyond(const Point3& p, double largest) {
   return {};
 }
 
-struct Fault {
-  std::string message, hint;
-  bool of_numbers = false;  ///< whatever the file: they are not finite
-};
-
 /// Says what a writer could not write so that it reads back, or nothing.
 Fault unwritable(const Format& format, const Polygons& mesh, const WriteOptions& options) {
-  constexpr double kLargestDouble = std::numeric_limits<double>::max();
-  constexpr double kLargestFloat = std::numeric_limits<float>::max();
   const double largest = format.keeps_floats ? kLargestFloat : kLargestDouble;
   for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
     const std::string what = beyond(mesh.positions[v], largest);
     if (what.empty()) continue;
-    const std::string vertex = "vertex " + std::to_string(v) + " has " + what;
     if (!beyond(mesh.positions[v], kLargestDouble).empty())
-      return {vertex + ": the coordinates are beyond what numbers can hold",
-              "scale the control mesh down, its numbers are too large to calculate with", true};
-    return {
-        vertex + ", but " + std::string(format.extension) + " holds floats, up to 3.4e38 in size",
-        "write obj, off or ply, which hold doubles, or scale the mesh down"};
+      return position_fault(v, mesh.positions[v]);
+    return {"vertex " + std::to_string(v) + " has " + what + ", but " +
+                std::string(format.extension) + " holds floats, up to 3.4e38 in size",
+            "write obj, off or ply, which hold doubles, or scale the mesh down"};
   }
-  for (std::size_t v = 0; v < options.normals.size(); ++v) {
-    const std::string what = beyond(options.normals[v], kLargestFloat);
-    if (!what.empty())
-      return {"the normal of vertex " + std::to_string(v) + " has " + what,
-              "scale the control mesh, its numbers are too large or too small to calculate with",
-              true};
-  }
+  for (std::size_t v = 0; v < options.normals.size(); ++v)
+    if (Fault fault = normal_fault(v, options.normals[v]); !fault.message.empty()) return fault;
   // No format needs 64 bytes a triangle; this can only happen where addresses have 32 bits.
   if (triangle_count(mesh) > std::numeric_limits<std::size_t>::max() / 64) {
     return {"the file would be too large for this machine", ""};
@@ -148,10 +137,8 @@ Result<const Format*> format_for(std::string_view extension, const std::string& 
   const Format* format = find_format(extension, false);
   if (format == nullptr) return unknown_extension(extension, path, false);
   assert(is_consistent(mesh, options));
-  Fault fault = unwritable(*format, mesh, options);
-  if (!fault.message.empty())
-    return Error{"cannot write the mesh: " + fault.message, std::move(fault.hint),
-                 fault.of_numbers ? "" : path, 0, 0};
+  if (Fault fault = unwritable(*format, mesh, options); !fault.message.empty())
+    return error_of(std::move(fault), path);
   return format;
 }
 
@@ -184,6 +171,30 @@ Result<Polygons> mesh_of(Result<MeshFile> file, Warnings* warnings) {
 }
 
 }  // namespace
+
+bool is_extension(std::string_view extension, std::string_view known) {
+  return lower_case(extension) == known;
+}
+
+Fault position_fault(std::size_t vertex, const Point3& position) {
+  const std::string what = beyond(position, kLargestDouble);
+  if (what.empty()) return {};
+  return {"vertex " + std::to_string(vertex) + " has " + what +
+              ": the coordinates are beyond what numbers can hold",
+          "scale the control mesh down, its numbers are too large to calculate with", true};
+}
+
+Fault normal_fault(std::size_t vertex, const Point3& normal) {
+  const std::string what = beyond(normal, kLargestFloat);
+  if (what.empty()) return {};
+  return {"the normal of vertex " + std::to_string(vertex) + " has " + what,
+          "scale the control mesh, its numbers are too large or too small to calculate with", true};
+}
+
+Error error_of(Fault fault, const std::string& path) {
+  return {"cannot write the mesh: " + fault.message, std::move(fault.hint),
+          fault.of_numbers ? "" : path, 0, 0};
+}
 
 std::string count_of(std::size_t count, const char* one, const char* many) {
   return std::to_string(count) + " " + (count == 1 ? one : many);

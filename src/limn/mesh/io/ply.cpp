@@ -12,6 +12,7 @@
 #include "limn/mesh/io/formats.h"
 #include "limn/mesh/io/ply_body.h"
 #include "limn/mesh/io/ply_header.h"
+#include "limn/mesh/io/ply_records.h"
 
 namespace limn::io {
 namespace {
@@ -348,21 +349,6 @@ Status read_ply(std::string_view content, bool by_word, MeshFile& mesh) {
   return Done{};
 }
 
-std::string header_text(const Polygons& mesh, bool normals, bool wide) {
-  std::string text = "ply\nformat binary_little_endian 1.0\nelement vertex " +
-                     std::to_string(mesh.positions.size()) +
-                     "\nproperty double x\nproperty double y\nproperty double z\n";
-  if (normals) text += "property double nx\nproperty double ny\nproperty double nz\n";
-  text += "element face " + std::to_string(mesh.face_count());
-  text += wide ? "\nproperty list int int vertex_indices\n"
-               : "\nproperty list uchar int vertex_indices\n";
-  return text + "end_header\n";
-}
-
-char* store(char* to, Point3 p) {
-  return store_little(store_little(store_little(to, p.x), p.y), p.z);
-}
-
 }  // namespace
 
 Status parse_ply(std::string_view content, MeshFile& mesh) {
@@ -370,30 +356,26 @@ Status parse_ply(std::string_view content, MeshFile& mesh) {
 }
 
 void format_ply(const Polygons& mesh, const WriteOptions& options, const Sink& sink) {
-  const bool normals = !options.normals.empty();
-  bool wide = false;  // the length of a list needs more than a byte
-  for (Index face = 0; face < mesh.face_count(); ++face) wide = wide || mesh.degree(face) > 255;
-  sink(header_text(mesh, normals, wide));
+  PlyRecords records{mesh.positions.size(), static_cast<std::size_t>(mesh.face_count()),
+                     !options.normals.empty(), false};
+  for (Index face = 0; face < mesh.face_count(); ++face)
+    records.wide = records.wide || mesh.degree(face) > 255;
+  sink(records.header());
+  const double* const positions = numbers_of(mesh.positions).data();
+  const double* const normals = records.normals ? numbers_of(options.normals).data() : nullptr;
   write_blocks(mesh.vertex_count(), sink, [&](Index first, Index last, std::string& out) {
-    out.resize(static_cast<std::size_t>(last - first) * (normals ? 48 : 24));
-    char* to = out.data();
-    for (Index v = first; v < last; ++v) {
-      to = store(to, mesh.positions[v]);
-      if (normals) to = store(to, options.normals[v]);
-    }
+    const auto count = static_cast<std::size_t>(last - first);
+    const auto skipped = 3 * static_cast<std::ptrdiff_t>(first);
+    out.resize(count * records.vertex_bytes());
+    put_ply_vertices(out.data(), count, positions + skipped,
+                     records.normals ? normals + skipped : nullptr);
   });
   write_blocks(mesh.face_count(), sink, [&](Index first, Index last, std::string& out) {
-    const Index corners = mesh.face_begin[last] - mesh.face_begin[first];
-    out.resize(static_cast<std::size_t>(last - first) * (wide ? 4 : 1) +
-               static_cast<std::size_t>(corners) * 4);
-    char* to = out.data();
-    for (Index face = first; face < last; ++face) {
-      const Index degree = mesh.degree(face);
-      to = wide ? store_little(to, degree) : store_little(to, static_cast<std::uint8_t>(degree));
-      for (Index c = mesh.face_begin[face]; c < mesh.face_begin[face + 1]; ++c) {
-        to = store_little(to, mesh.corners[c]);
-      }
-    }
+    const auto count = static_cast<std::size_t>(last - first);
+    const Index begin = mesh.face_begin[first], corners = mesh.face_begin[last] - begin;
+    out.resize(records.face_bytes(count, static_cast<std::size_t>(corners)));
+    put_ply_faces(out.data(), count, mesh.corners.data() + begin, 0, &mesh.face_begin[first],
+                  records.wide);
   });
 }
 
