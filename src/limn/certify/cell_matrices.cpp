@@ -238,6 +238,24 @@ void find_places(CellMatrices& cells, const Refinement& refinement) {
   cells.places.assign(places.begin(), places.end());
 }
 
+/// The refined star's spokes: the sector's own, shorter, or those through its middle.
+Status find_labels(CellMatrices& cells, const Refinement& refinement) {
+  cells.one_mask = refinement.one;
+  cells.dilation = refinement.dilation;
+  cells.labels = {{{{1, 0}, {0, 1}}}};
+  cells.turns = cells.steps > 1;
+  if (!cells.turns) return Done{};
+  const int growth = refinement.dilation.growth();
+  const bool triangle = cells.lattice == Lattice::triangle;
+  if (growth != (triangle ? 3 : 2)) return Error{"a turned lattice of this growth is not known here"};
+  // columns (s1 + s2)/growth and that turned by a sector
+  const LatticeMatrix middle = triangle ? LatticeMatrix{{{{1, -1}, {1, 2}}}}
+                                        : LatticeMatrix{{{{1, -1}, {1, 1}}}};
+  cells.labels = times(refinement.dilation, middle);
+  cells.label_divisor = growth;
+  return Done{};
+}
+
 }  // namespace
 
 Result<CellMatrices> cell_matrices(const Mask& mask) {
@@ -256,6 +274,7 @@ Result<CellMatrices> cell_matrices(const Mask& mask) {
     const auto turned = turn.divide({k[0], k[1]});
     cells.mask[*turned] = value;
   }
+  if (Status labelled = find_labels(cells, *refinement); !labelled) return labelled.error();
   if (Status made = CellMaker(cells).make(); !made) return made.error();
   find_places(cells, *refinement);
   return cells;

@@ -32,6 +32,15 @@ struct CellMatrices {
   int steps = 1;  ///< of the scheme, that make one refinement by s
   /// Control values j of the refinement by s: c'(k) = Σ_j mask(k - s j) c(j), in the sector's basis.
   Laurent mask;
+  /// One step, in the same basis: refined value m lies at dilation^-1 m, c'(m) = Σ_j one_mask(m -
+  /// dilation j) c(j).
+  Laurent one_mask;
+  LatticeMatrix dilation;
+  /// Whether a step turns the star by half a sector; and which m, times `label_divisor`, is
+  /// labels k' of the refined star, k' in the basis of its turned sector.
+  bool turns = false;
+  LatticeMatrix labels;
+  int label_divisor = 1;
   /// ω: what a cell depends on, relative to p; (0,0), (1,0), (0,1) first.
   std::vector<LatticeVector> points;
   /// Of points beyond the first three a size r^ that its residuals have at most for quadratic

@@ -47,8 +47,8 @@ Rounded product(const Rounded& a, const Rounded& b) {
 
 class Tree {
  public:
-  Tree(const CellMatrices& cells, int most_products, const Stop& stop)
-      : scale_(cells.scale), most_products_(most_products), stop_(stop) {
+  Tree(const CellMatrices& cells, double leaf_norm, int most_products, const Stop& stop)
+      : scale_(cells.scale), leaf_norm_(leaf_norm), most_products_(most_products), stop_(stop) {
     const Rational s(cells.scale);
     const std::size_t size = cells.sizes.size();
     for (std::size_t d = 0; d < cells.residual.size(); ++d) {
@@ -64,42 +64,81 @@ class Tree {
   Result<Contraction> grow() {
     const Sums sums = below(root_, 0);
     if (!fault_.empty()) return Error{fault_};
-    const double all = 1 / (1 - kContracted);
-    found_.gradient = {inflated(sums[0] * all), inflated(sums[1] * all)};
-    found_.value = inflated(sums[2] * all);
+    // what comes after a leaf is at most so much of the leaf's largest residual
+    std::array<double, 3> all{};
+    for (std::size_t i = 0; i < all.size(); ++i)
+      all[i] = inflated(sums.norm[i] / (1 - leaf_norm_));
+    const auto whole = [&](std::size_t i) {
+      std::vector<double> row(static_cast<std::size_t>(root_.matrix.cols()));
+      for (std::size_t j = 0; j < row.size(); ++j) {
+        const auto at = static_cast<Eigen::Index>(j);
+        row[j] = inflated(sums.change[i](at) + all[i] * sums.leaf(at));
+      }
+      return row;
+    };
+    found_.leaf_norm = leaf_norm_;
+    found_.gradient = {whole(0), whole(1)};
+    found_.value = whole(2);
     return found_;
   }
 
  private:
-  using Sums = std::array<double, 3>;
+  /// Column by column: the greatest sums of changes down the paths from a word on, of the gradient
+  /// along both directions and of the value; and the greatest entries of the leaves' products.
+  struct Sums {
+    std::array<Eigen::RowVectorXd, 3> change;
+    Eigen::RowVectorXd leaf;
+    std::array<double, 3> norm{};  // of the changes, likewise
+  };
 
-  /// The greatest sums of changes down the paths from a word on.
+  [[nodiscard]] Sums nothing() const {
+    const Eigen::RowVectorXd zero = Eigen::RowVectorXd::Zero(root_.matrix.cols());
+    return {{zero, zero, zero}, zero, {}};
+  }
+
   Sums below(const Rounded& word, std::size_t length) {
-    Sums change{};
-    Sums rest{};
+    Sums here = nothing();
+    Sums further = nothing();
     for (std::size_t d = 0; d < steps_.size() && fault_.empty(); ++d) {
-      const Sums here = changes(word, d, length);
-      for (std::size_t i = 0; i < here.size(); ++i) change[i] = std::max(change[i], here[i]);
+      const auto change = changes(word, d, length);
+      for (std::size_t i = 0; i < change.size(); ++i) {
+        here.change[i] = here.change[i].cwiseMax(change[i]);
+        here.norm[i] = std::max(here.norm[i], change[i].sum());
+      }
       const Rounded next = product(steps_[d], word);
       count(length + 1);
-      if (!fault_.empty() || norm(next) <= kContracted) continue;
-      const Sums further = below(next, length + 1);
-      for (std::size_t i = 0; i < rest.size(); ++i) rest[i] = std::max(rest[i], further[i]);
+      if (!fault_.empty()) break;
+      Sums after = nothing();
+      if (norm(next) <= leaf_norm_)
+        after.leaf = next.matrix.cwiseAbs().colwise().maxCoeff().array() + next.error;
+      else
+        after = below(next, length + 1);
+      for (std::size_t i = 0; i < change.size(); ++i) {
+        further.change[i] = further.change[i].cwiseMax(after.change[i]);
+        further.norm[i] = std::max(further.norm[i], after.norm[i]);
+      }
+      further.leaf = further.leaf.cwiseMax(after.leaf);
     }
-    for (std::size_t i = 0; i < rest.size(); ++i) rest[i] = inflated(rest[i] + change[i]);
-    return rest;
+    for (std::size_t i = 0; i < here.change.size(); ++i) {
+      further.change[i] = (further.change[i] + here.change[i]) * (1 + 1e-14);
+      further.norm[i] = inflated(further.norm[i] + here.norm[i]);
+    }
+    return further;
   }
 
   /// Of the gradient along both directions and of the value, by one more step.
-  [[nodiscard]] Sums changes(const Rounded& word, std::size_t digit, std::size_t length) const {
+  [[nodiscard]] std::array<Eigen::RowVectorXd, 3> changes(const Rounded& word, std::size_t digit,
+                                                          std::size_t length) const {
     const Rounded gradient = product(gradients_[digit], word);
     const Rounded value = product(values_[digit], word);
-    const double first = gradient.matrix.row(0).cwiseAbs().sum() + gradient.error;
-    const double second = gradient.matrix.row(1).cwiseAbs().sum() + gradient.error;
+    const auto size = [](const Rounded& a, Eigen::Index row) {
+      return Eigen::RowVectorXd(a.matrix.row(row).cwiseAbs().array() + a.error);
+    };
+    const Eigen::RowVectorXd first = size(gradient, 0);
+    const Eigen::RowVectorXd second = size(gradient, 1);
     // the word holds s^length; a part's points are at most 1 from its origin
-    const double by_value = norm(value) + (first + second) / scale_;
-    return {inflated(first), inflated(second),
-            inflated(by_value / std::pow(scale_, static_cast<double>(length)))};
+    const double back = std::pow(scale_, -static_cast<double>(length)) * (1 + 1e-12);
+    return {first, second, (size(value, 0) + (first + second) / scale_) * back};
   }
 
   void count(std::size_t length) {
@@ -110,6 +149,7 @@ class Tree {
   }
 
   int scale_;
+  double leaf_norm_;
   int most_products_;
   const Stop& stop_;
   std::vector<Rounded> steps_, gradients_, values_;
@@ -120,9 +160,9 @@ class Tree {
 
 }  // namespace
 
-Result<Contraction> enclose_contraction(const CellMatrices& cells, int most_products,
-                                        const Stop& stop) {
-  return Tree(cells, most_products, stop).grow();
+Result<Contraction> enclose_contraction(const CellMatrices& cells, double leaf_norm,
+                                        int most_products, const Stop& stop) {
+  return Tree(cells, leaf_norm, most_products, stop).grow();
 }
 
 }  // namespace limn::certify

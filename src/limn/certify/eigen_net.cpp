@@ -40,8 +40,9 @@ std::optional<SectorPlace> turned_into_sector(Lattice lattice, LatticeVector pla
 
 EigenNet::EigenNet(const CellMatrices& cells, const RealBasis& basis, const EnclosedPair& pair,
                    const Phase<Ball>& phase)
-    : cells_(cells), basis_(basis), pair_(pair), phase_(phase), factor_(1) {
-  for (int i = 0; i < cells.steps; ++i) factor_ /= pair.value;
+    : cells_(cells), basis_(basis), pair_(pair), phase_(phase) {
+  const auto back = cells.turns ? phase(-1, 2) : std::pair{Ball(1), Ball(0)};
+  factor_ = {back.first / pair.value, back.second / pair.value};
 }
 
 Result<NetPoint> EigenNet::at(LatticeVector j) { return at(j, 0); }
@@ -83,17 +84,18 @@ NetPoint EigenNet::from_amplitude(std::size_t number) const {
 
 Result<NetPoint> EigenNet::extended(LatticeVector k, int depth) {
   NetPoint sum;
-  const int s = cells_.scale;
-  for (const auto& [offset, weight] : cells_.mask) {
-    const LatticeVector times_s{k[0] - offset[0], k[1] - offset[1]};
-    if (times_s[0] % s != 0 || times_s[1] % s != 0) continue;
-    const Result<NetPoint> source = at({times_s[0] / s, times_s[1] / s}, depth);
+  LatticeVector fine = cells_.labels.apply(k);
+  for (int& coordinate : fine) coordinate /= cells_.label_divisor;
+  for (const auto& [offset, weight] : cells_.one_mask) {
+    const auto j = cells_.dilation.divide({fine[0] - offset[0], fine[1] - offset[1]});
+    if (!j) continue;
+    const Result<NetPoint> source = at(*j, depth);
     if (!source) return source;
     const Ball by(weight);
     sum.u.add_product(by, source->u);
     sum.v.add_product(by, source->v);
   }
-  return NetPoint{sum.u * factor_, sum.v * factor_};
+  return turned(sum, factor_);
 }
 
 }  // namespace limn::certify

@@ -47,7 +47,7 @@ class EigenNet {
   const RealBasis& basis_;
   const EnclosedPair& pair_;
   const Phase<Ball>& phase_;
-  Ball factor_;  // 1/λ^steps
+  std::pair<Ball, Ball> factor_;  // 1/λ, turned back
   std::map<LatticeVector, NetPoint> known_;
 };
 

@@ -77,10 +77,11 @@ Ball CellSigns::dot(const Row& row, const std::vector<Ball>& x) {
   return sum;
 }
 
-double CellSigns::largest(const std::vector<Ball>& x) {
-  double result = 0;
-  for (const Ball& one : x) result = std::max({result, one.upper(), -one.lower()});
-  return result;
+double CellSigns::error(const std::vector<double>& bound, const std::vector<Ball>& residual) {
+  double sum = 0;
+  for (std::size_t j = 0; j < bound.size(); ++j)
+    sum += bound[j] * std::max(residual[j].upper(), -residual[j].lower());
+  return sum * (1 + 1e-12);
 }
 
 CellSigns::CellSigns(const CellMatrices& cells, const Contraction& bounds)
@@ -137,12 +138,10 @@ CellMap CellSigns::part(const CellMap& map, std::size_t digit) const {
 }
 
 Ball CellSigns::jacobian(const CellMap& map) const {
-  const double of_u = largest(map.u.residual);
-  const double of_v = largest(map.v.residual);
-  const auto wide = [&](const CellMap::Coordinate& one, double size, std::size_t i) {
-    return one.gradient[i].widened(size * bounds_.gradient[i] * (1 + 1e-12));
+  const auto wide = [&](const CellMap::Coordinate& one, std::size_t i) {
+    return one.gradient[i].widened(error(bounds_.gradient[i], one.residual));
   };
-  return wide(map.u, of_u, 0) * wide(map.v, of_v, 1) - wide(map.u, of_u, 1) * wide(map.v, of_v, 0);
+  return wide(map.u, 0) * wide(map.v, 1) - wide(map.u, 1) * wide(map.v, 0);
 }
 
 NetPoint CellSigns::values(const CellMap& map) const {
@@ -150,7 +149,7 @@ NetPoint CellSigns::values(const CellMap& map) const {
   const Ball along = cells_.dual ? Ball::between(-0.5, 0.5) : Ball::between(0, 1);
   const auto of = [&](const CellMap::Coordinate& one) {
     const Ball affine = one.origin + along * one.gradient[0] + along * one.gradient[1];
-    return affine.widened(largest(one.residual) * bounds_.value * (1 + 1e-12));
+    return affine.widened(error(bounds_.value, one.residual));
   };
   return {of(map.u), of(map.v)};
 }

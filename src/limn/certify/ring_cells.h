@@ -55,7 +55,7 @@ class CellSigns {
   [[nodiscard]] CellMap::Coordinate part(const CellMap::Coordinate& map, std::size_t digit) const;
   static Row sparse(const std::vector<Rational>& row);
   static Ball dot(const Row& row, const std::vector<Ball>& x);
-  static double largest(const std::vector<Ball>& x);
+  static double error(const std::vector<double>& bound, const std::vector<Ball>& residual);
 
   const CellMatrices& cells_;
   const Contraction& bounds_;
