@@ -46,11 +46,8 @@ RealBasis real_basis(const SectorPattern& pattern) {
 
 Result<SectorPattern> exact_pattern(const Scheme& scheme, int n) {
   const RegularNames named = [&](const NamedWeight& name) {
-    std::optional<long long> valence;
-    if (name.regular && *name.regular != 0) valence = *name.regular;
-    std::optional<long long> k;
-    if (name.k) k = *name.k;
-    const Result<Exact> value = Scope<Exact>(scheme, valence, k)(name.weight->value);
+    const Result<Exact> value =
+        scope_of<Exact>(scheme, name, std::nullopt, 0)(name.weight->value);
     return !value || !value->is_zero();
   };
   const Result<CenterCases> cases = center_cases(scheme, n);

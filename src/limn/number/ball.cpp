@@ -61,6 +61,8 @@ Ball& Ball::operator=(Ball&& other) noexcept {
 }
 Ball::~Ball() { arb_clear(Access::of(*this)); }
 
+bool Ball::is_available() { return true; }
+
 Ball Ball::pi() {
   Ball result;
   arb_const_pi(Access::of(result), precision);

@@ -5,7 +5,7 @@
 /// operation's value. So a sign that a ball shows is proved, and a ball that holds 0 says nothing.
 /// Midpoints have BallPrecision bits; radii have 30, rounded up.
 ///
-/// Built where Arb is found (LIMN_HAS_ARB); the header needs nothing of it.
+/// Where limn is built without Arb every ball is the whole line (ball_without_arb.cpp).
 
 #include <cstddef>
 #include <optional>
@@ -45,6 +45,8 @@ class Ball {
   Ball& operator=(const Ball& other);
   Ball& operator=(Ball&& other) noexcept;
   ~Ball();
+
+  [[nodiscard]] static bool is_available();  ///< whether limn was built with Arb
 
   [[nodiscard]] static Ball pi();
   /// The least ball (to rounding) that holds low … high. Precondition: finite, low ≤ high.
