@@ -2,8 +2,8 @@
 
 #include "limn/certify/spectral_bound.h"
 
-#include <Eigen/Eigenvalues>
 #include <gtest/gtest.h>
+#include <Eigen/Eigenvalues>
 
 #include <random>
 

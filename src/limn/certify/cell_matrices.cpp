@@ -48,7 +48,7 @@ std::optional<std::pair<int, LatticeMatrix>> as_scaled(const LatticeMatrix& m) {
 
 /// One step and, where the dilation needs it, two.
 struct Refinement {
-  Laurent one, all;       // masks by whole offsets
+  Laurent one, all;  // masks by whole offsets
   LatticeMatrix dilation, turn;
   int scale, steps;
 };
@@ -247,10 +247,11 @@ Status find_labels(CellMatrices& cells, const Refinement& refinement) {
   if (!cells.turns) return Done{};
   const int growth = refinement.dilation.growth();
   const bool triangle = cells.lattice == Lattice::triangle;
-  if (growth != (triangle ? 3 : 2)) return Error{"a turned lattice of this growth is not known here"};
+  if (growth != (triangle ? 3 : 2))
+    return Error{"a turned lattice of this growth is not known here"};
   // columns (s1 + s2)/growth and that turned by a sector
-  const LatticeMatrix middle = triangle ? LatticeMatrix{{{{1, -1}, {1, 2}}}}
-                                        : LatticeMatrix{{{{1, -1}, {1, 1}}}};
+  const LatticeMatrix middle =
+      triangle ? LatticeMatrix{{{{1, -1}, {1, 2}}}} : LatticeMatrix{{{{1, -1}, {1, 1}}}};
   cells.labels = times(refinement.dilation, middle);
   cells.label_divisor = growth;
   return Done{};

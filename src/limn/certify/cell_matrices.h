@@ -4,15 +4,17 @@
 /// rests on these matrices.
 ///
 /// Basis: that of a sector, along two neighbouring spokes of a star: s1 = e1 and s2 = e1 + e2 on
-/// triangles (e2 on quads). Cell p is the parallelogram p + [0, 1]², for dual masks with the control
-/// values at p + (½, ½) + Z². So many steps are taken at once, one or two, that the dilation is a
-/// whole number s; the cell then has s² parts, p' = s p + digit, each a cell of the refined lattice.
+/// triangles (e2 on quads). Cell p is the parallelogram p + [0, 1]², for dual masks with the
+/// control values at p + (½, ½) + Z². So many steps are taken at once, one or two, that the
+/// dilation is a whole number s; the cell then has s² parts, p' = s p + digit, each a cell of the
+/// refined lattice.
 ///
 /// Values c on a cell's points are kept as their gradient g along the basis and their residuals
 /// r(ω) = c(ω) - (c(0) + ω · g), g = (c(1,0) - c(0), c(0,1) - c(0)). A step maps
-///   r' = residual[d] r,   g' = g/s + gradient[d] r,   c'(0) = c(0) + (d/s + shift) · g + value[d] r
-/// so that s^l g after l steps has a limit, the surface's gradient, if products of the s·residual[d]
-/// tend to 0: the scheme is then C1 on the lattice [DynLevin2002; Reif1995].
+///   r' = residual[d] r,   g' = g/s + gradient[d] r,   c'(0) = c(0) + (d/s + shift) · g + value[d]
+///   r
+/// so that s^l g after l steps has a limit, the surface's gradient, if products of the
+/// s·residual[d] tend to 0: the scheme is then C1 on the lattice [DynLevin2002; Reif1995].
 
 #include <vector>
 
@@ -30,7 +32,8 @@ struct CellMatrices {
   bool dual = false;
   int scale = 2;  ///< s
   int steps = 1;  ///< of the scheme, that make one refinement by s
-  /// Control values j of the refinement by s: c'(k) = Σ_j mask(k - s j) c(j), in the sector's basis.
+  /// Control values j of the refinement by s: c'(k) = Σ_j mask(k - s j) c(j), in the sector's
+  /// basis.
   Laurent mask;
   /// One step, in the same basis: refined value m lies at dilation^-1 m, c'(m) = Σ_j one_mask(m -
   /// dilation j) c(j).

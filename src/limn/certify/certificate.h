@@ -85,9 +85,9 @@ struct ValenceClaim {
 };
 
 struct Certificate {
-  std::vector<SourceText> texts;          ///< the scheme's files, as in Scheme
-  std::vector<std::string> parameters;    ///< "name=expression", set after reading
-  std::string scheme;                     ///< its name
+  std::vector<SourceText> texts;        ///< the scheme's files, as in Scheme
+  std::vector<std::string> parameters;  ///< "name=expression", set after reading
+  std::string scheme;                   ///< its name
   RegularClaim regular;
   std::vector<ValenceClaim> valences;
 };

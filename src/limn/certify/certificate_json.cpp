@@ -16,7 +16,8 @@ constexpr int kVersion = 1;
 
 Json parts_json(const std::vector<std::string>& parts) {
   std::string text;
-  for (const std::string& part : parts) text += (text.empty() ? "" : " ") + (part.empty() ? "-" : part);
+  for (const std::string& part : parts)
+    text += (text.empty() ? "" : " ") + (part.empty() ? "-" : part);
   return text;
 }
 
@@ -67,8 +68,10 @@ Json valence_json(const ValenceClaim& claim) {
 }
 
 Json regular_json(const RegularClaim& claim) {
-  return {{"c1", to_string(claim.c1)},       {"reason", claim.reason},
-          {"leaf_norm", claim.leaf_norm},    {"products", claim.products},
+  return {{"c1", to_string(claim.c1)},
+          {"reason", claim.reason},
+          {"leaf_norm", claim.leaf_norm},
+          {"products", claim.products},
           {"longest", claim.longest}};
 }
 
@@ -219,8 +222,7 @@ CurvatureClaim read_curvature(Reader& outer) {
   return claim;
 }
 
-ValenceClaim read_valence(const Json& json, const std::string& place,
-                          std::optional<Error>& fault) {
+ValenceClaim read_valence(const Json& json, const std::string& place, std::optional<Error>& fault) {
   Reader reader(json, place);
   ValenceClaim claim;
   claim.valence = reader.whole("valence");
@@ -269,9 +271,8 @@ Certificate read_certificate(Reader& reader) {
     if (json.is_string()) certificate.parameters.push_back(json.get<std::string>());
   }
   Reader regular(reader.get("regular"), reader.at("regular"));
-  certificate.regular = {answer(regular, "c1"), regular.text("reason"),
-                         regular.number("leaf_norm"), regular.whole("products"),
-                         regular.whole("longest")};
+  certificate.regular = {answer(regular, "c1"), regular.text("reason"), regular.number("leaf_norm"),
+                         regular.whole("products"), regular.whole("longest")};
   regular.end();
   reader.take(regular.fault());
   std::optional<Error> inside;

@@ -21,8 +21,8 @@ Result<RegularProof> search_regular(const Mask& mask, const CertifyOptions& opti
   if (!cells) return cells.error();
   Error last;
   for (const double leaf_norm : kLeafNorms) {
-    Result<Contraction> contraction = enclose_contraction(*cells, leaf_norm, options.most_products,
-                                                          options.time.stop());
+    Result<Contraction> contraction =
+        enclose_contraction(*cells, leaf_norm, options.most_products, options.time.stop());
     if (contraction)
       return RegularProof{std::move(*cells), std::move(*contraction), find_regular_part(mask)};
     last = contraction.error();
@@ -32,12 +32,12 @@ Result<RegularProof> search_regular(const Mask& mask, const CertifyOptions& opti
 
 RegularClaim claim_of(const RegularProof& proof) {
   const Contraction& found = proof.contraction;
-  return {Answer::proved,
-          fmt::format("sum rules of order 2, and {} products of {} cell matrices of up to {} "
-                      "refinements by {} contract",
-                      found.products, proof.cells.residual.size(), found.longest,
-                      proof.cells.scale),
-          found.leaf_norm, found.products, found.longest};
+  return {
+      Answer::proved,
+      fmt::format("sum rules of order 2, and {} products of {} cell matrices of up to {} "
+                  "refinements by {} contract",
+                  found.products, proof.cells.residual.size(), found.longest, proof.cells.scale),
+      found.leaf_norm, found.products, found.longest};
 }
 
 ValenceClaim undecided(int n, const std::string& reason) {
@@ -49,8 +49,7 @@ ValenceClaim undecided(int n, const std::string& reason) {
 }
 
 Result<ValenceClaim> certify_valence(const Scheme& scheme, const RegularProof& regular,
-                                     const CellSigns& signs, int n,
-                                     const CertifyOptions& options) {
+                                     const CellSigns& signs, int n, const CertifyOptions& options) {
   const auto known = std::find_if(options.known.begin(), options.known.end(),
                                   [n](const ValenceClaim& claim) { return claim.valence == n; });
   if (known != options.known.end() && known->c1 != Answer::undecided) return *known;
@@ -135,7 +134,8 @@ std::vector<std::string> set_parameters_of(const Scheme& scheme) {
 Result<Certificate> certify(const Scheme& scheme, const std::vector<int>& valences,
                             const CertifyOptions& options) {
   if (!Ball::is_available()) return without_arb();
-  if (scheme.texts.empty()) return Error{"the scheme was not read from a text, which it is to hold"};
+  if (scheme.texts.empty())
+    return Error{"the scheme was not read from a text, which it is to hold"};
   Certificate certificate;
   certificate.scheme = scheme.name;
   certificate.texts = scheme.texts;

@@ -17,7 +17,7 @@ struct CertifyOptions {
   /// Work of one valence: cells of the characteristic map, and products of the regular lattice.
   int most_parts = 60'000;
   int most_products = 200'000;
-  TimeBudget time;  ///< when it ends, what is left is undecided
+  TimeBudget time;                                   ///< when it ends, what is left is undecided
   std::function<void(const std::string&)> progress;  ///< called with what is done next, if given
   /// Claims that are taken over unseen, from a certificate of the same scheme that was checked.
   std::vector<ValenceClaim> known;
@@ -34,7 +34,7 @@ struct CertifyOptions {
 
 /// Reads the scheme from the certificate's text and repeats what is claimed of it. Fails with the
 /// first claim that is not shown.
-[[nodiscard]] Status check_certificate(const Certificate& certificate,
-                                       const std::function<void(const std::string&)>& progress = {});
+[[nodiscard]] Status check_certificate(
+    const Certificate& certificate, const std::function<void(const std::string&)>& progress = {});
 
 }  // namespace limn::certify

@@ -56,9 +56,9 @@ class Tree {
       gradients_.push_back(rounded(cells.gradient[d], size, s));
       values_.push_back(rounded({cells.value[d]}, size, 1));
     }
-    root_ = {Eigen::MatrixXd::Identity(static_cast<Eigen::Index>(size),
-                                       static_cast<Eigen::Index>(size)),
-             0};
+    root_ = {
+        Eigen::MatrixXd::Identity(static_cast<Eigen::Index>(size), static_cast<Eigen::Index>(size)),
+        0};
   }
 
   Result<Contraction> grow() {
@@ -66,8 +66,7 @@ class Tree {
     if (!fault_.empty()) return Error{fault_};
     // what comes after a leaf is at most so much of the leaf's largest residual
     std::array<double, 3> all{};
-    for (std::size_t i = 0; i < all.size(); ++i)
-      all[i] = inflated(sums.norm[i] / (1 - leaf_norm_));
+    for (std::size_t i = 0; i < all.size(); ++i) all[i] = inflated(sums.norm[i] / (1 - leaf_norm_));
     const auto whole = [&](std::size_t i) {
       std::vector<double> row(static_cast<std::size_t>(root_.matrix.cols()));
       for (std::size_t j = 0; j < row.size(); ++j) {

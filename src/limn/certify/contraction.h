@@ -20,8 +20,8 @@ inline constexpr double kContracted = 0.25;
 
 struct Contraction {
   double leaf_norm = 0;  ///< q
-  int products = 0;  ///< in the tree, leaves included
-  int longest = 0;   ///< word, in refinements
+  int products = 0;      ///< in the tree, leaves included
+  int longest = 0;       ///< word, in refinements
   /// |∂f/∂s_i - g_i| ≤ Σ_j gradient[i][j] |r_j/size_j| on the cell; rounded up.
   std::array<std::vector<double>, 2> gradient;
   /// |f - (c(0) + y · g)| ≤ Σ_j value[j] |r_j/size_j|, y from the cell's origin; rounded up.

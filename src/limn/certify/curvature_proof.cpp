@@ -53,8 +53,7 @@ std::optional<Ball> part_eigenvalue(const BallMatrix& a, double value) {
   const Eigen::EigenSolver<Eigen::MatrixXd> solver(middle(a));
   Eigen::Index nearest = 0;
   for (Eigen::Index i = 1; i < solver.eigenvalues().size(); ++i)
-    if (std::abs(solver.eigenvalues()(i) - value) <
-        std::abs(solver.eigenvalues()(nearest) - value))
+    if (std::abs(solver.eigenvalues()(i) - value) < std::abs(solver.eigenvalues()(nearest) - value))
       nearest = i;
   std::vector<double> vector;
   for (Eigen::Index i = 0; i < solver.eigenvectors().rows(); ++i)
@@ -73,7 +72,8 @@ std::optional<LargeEigenvalue> find_large(const ValenceBalls& balls, const Enclo
     const BallMatrix rest = rest_of(balls, leader, frequency);
     for (const auto& rows : parts_of(rest).parts) {
       const BallMatrix square = square_of(rest, rows);
-      const Eigen::VectorXcd values = Eigen::EigenSolver<Eigen::MatrixXd>(middle(square)).eigenvalues();
+      const Eigen::VectorXcd values =
+          Eigen::EigenSolver<Eigen::MatrixXd>(middle(square)).eigenvalues();
       for (const std::complex<double>& value : values) {
         if (value.imag() != 0 || !(std::abs(value.real()) > bound.approx())) continue;
         const std::optional<Ball> enclosed = part_eigenvalue(square, value.real());
@@ -113,8 +113,7 @@ std::optional<Exact> exact_leader(const DenseMatrix<Exact>& block, const Enclose
   for (int q = 1; q <= kLargestDenominator; ++q) {
     const double p = std::nearbyint(leader.value.approx() * q);
     const Rational candidate{Integer(static_cast<long long>(p)), Integer(q)};
-    if (std::abs(p / q - leader.value.approx()) < 1e-13 &&
-        Ball(candidate).overlaps(leader.value))
+    if (std::abs(p / q - leader.value.approx()) < 1e-13 && Ball(candidate).overlaps(leader.value))
       return Exact(candidate);
   }
   return std::nullopt;
@@ -131,7 +130,8 @@ bool add_product(Exact& to, const Exact& a, const Exact& b) {
 
 /// Row echelon form of block - value·I, and from it a basis of the null space. Nothing where exact
 /// arithmetic gives up.
-std::optional<std::vector<std::vector<Exact>>> null_space(DenseMatrix<Exact> a, const Exact& value) {
+std::optional<std::vector<std::vector<Exact>>> null_space(DenseMatrix<Exact> a,
+                                                          const Exact& value) {
   const Size size = a.rows();
   for (Size i = 0; i < size; ++i) a(i, i) += Exact(-1) * value;
   std::vector<Size> pivots;
@@ -297,19 +297,21 @@ CurvatureClaim search_curvature(const Scheme& scheme, const ValenceBalls& balls,
   CurvatureClaim claim;
   if (regular.bounded == Truth::no) {
     claim.answer = CurvatureAnswer::unbounded;
-    claim.reason = "the regular surface round the vertex has unbounded curvature: " + regular.reason;
+    claim.reason =
+        "the regular surface round the vertex has unbounded curvature: " + regular.reason;
     return claim;
   }
   if (const auto large = find_large(balls, leader)) {
     claim.answer = CurvatureAnswer::unbounded;
     claim.large = large;
-    claim.reason = fmt::format("{:.6g} of frequency {} exceeds tangent² = {:.6g}",
-                               large->value, large->frequency, squared(leader).approx());
+    claim.reason = fmt::format("{:.6g} of frequency {} exceeds tangent² = {:.6g}", large->value,
+                               large->frequency, squared(leader).approx());
     return claim;
   }
   for (int frequency = 0; frequency <= balls.valence() / 2; ++frequency) {
     int multiplicity = 0;
-    auto squarings = squarings_beside(scheme, balls, leader, frequency, &multiplicity, kMostSquarings);
+    auto squarings =
+        squarings_beside(scheme, balls, leader, frequency, &multiplicity, kMostSquarings);
     if (!squarings) {
       multiplicity = -1;
       squarings = squarings_beside(scheme, balls, leader, frequency, &multiplicity, kMostSquarings);
@@ -325,8 +327,10 @@ CurvatureClaim search_curvature(const Scheme& scheme, const ValenceBalls& balls,
         return claim;
       }
       claim.reason = fmt::format(
-          "eigenvalues of frequency {} could not be told from tangent² = {:.6g}, nor be shown to be "
-          "equal to it in exact numbers of a bounded size", frequency, squared(leader).approx());
+          "eigenvalues of frequency {} could not be told from tangent² = {:.6g}, nor be shown to "
+          "be "
+          "equal to it in exact numbers of a bounded size",
+          frequency, squared(leader).approx());
       return claim;
     }
     claim.squarings.push_back(*squarings);

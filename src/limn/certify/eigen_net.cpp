@@ -49,8 +49,7 @@ Result<NetPoint> EigenNet::at(LatticeVector j) { return at(j, 0); }
 
 Result<NetPoint> EigenNet::at(LatticeVector j, int depth) {
   const int half = cells_.dual ? 1 : 0;
-  const auto found =
-      turned_into_sector(cells_.lattice, {2 * j[0] + half, 2 * j[1] + half});
+  const auto found = turned_into_sector(cells_.lattice, {2 * j[0] + half, 2 * j[1] + half});
   if (!found) return Error{"a control point lies more than a sector away"};
   const LatticeVector inside{(found->place[0] - half) / 2, (found->place[1] - half) / 2};
   Result<NetPoint> point = in_sector(inside, depth);

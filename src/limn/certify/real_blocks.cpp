@@ -21,8 +21,7 @@ RealBasis real_basis(const SectorPattern& pattern) {
   RealBasis basis;
   basis.has_center = pattern.has_center;
   basis.rings = pattern.rings;
-  for (const Orbit& orbit : pattern.orbits)
-    basis.orbits.push_back({orbit.ring, 0, 0, 0, 0, false});
+  for (const Orbit& orbit : pattern.orbits) basis.orbits.push_back({orbit.ring, 0, 0, 0, 0, false});
   for (std::size_t first = 0; first < basis.orbits.size();) {
     basis.first_orbit.push_back(first);
     std::size_t end = first;
@@ -46,8 +45,7 @@ RealBasis real_basis(const SectorPattern& pattern) {
 
 Result<SectorPattern> exact_pattern(const Scheme& scheme, int n) {
   const RegularNames named = [&](const NamedWeight& name) {
-    const Result<Exact> value =
-        scope_of<Exact>(scheme, name, std::nullopt, 0)(name.weight->value);
+    const Result<Exact> value = scope_of<Exact>(scheme, name, std::nullopt, 0)(name.weight->value);
     return !value || !value->is_zero();
   };
   const Result<CenterCases> cases = center_cases(scheme, n);

@@ -20,9 +20,9 @@ namespace limn::certify {
 
 /// An orbit of the star, its angle exactly, and where its amplitude is in the real basis.
 struct RealOrbit {
-  int ring = 0;   ///< from 1
-  int place = 0;  ///< the angle is place/size sectors from the spoke (dual: the corner)
-  int size = 1;   ///< points of the ring in a sector
+  int ring = 0;               ///< from 1
+  int place = 0;              ///< the angle is place/size sectors from the spoke (dual: the corner)
+  int size = 1;               ///< points of the ring in a sector
   std::size_t real = 0;       ///< row of its value, or of p
   std::size_t imaginary = 0;  ///< row of q; the same as `real` where the orbit is its own image
   bool reflected = false;     ///< the amplitude is p - iq
@@ -42,8 +42,8 @@ struct RealBasis {
 /// The weights of a pattern's names.
 template <class Number>
 struct NamedValues {
-  Number n;                                ///< the valence
-  std::vector<std::vector<Number>> values; ///< one number each, or n of a repeated role
+  Number n;                                 ///< the valence
+  std::vector<std::vector<Number>> values;  ///< one number each, or n of a repeated role
 };
 
 /// Scope of the weight of a name at position k: the valence is n at the centre, and that of a
@@ -91,8 +91,8 @@ using Phase = std::function<std::pair<Number, Number>(int numerator, int denomin
 template <class Number>
 class RealBlock {
  public:
-  RealBlock(const SectorPattern& pattern, const RealBasis& basis,
-            const NamedValues<Number>& values, const Phase<Number>& phase, bool constant)
+  RealBlock(const SectorPattern& pattern, const RealBasis& basis, const NamedValues<Number>& values,
+            const Phase<Number>& phase, bool constant)
       : pattern_(pattern), basis_(basis), values_(values), phase_(phase), constant_(constant) {}
 
   DenseMatrix<Number> make() {
@@ -124,8 +124,8 @@ class RealBlock {
     if (term.column == kCenter || term.row == kCenter) return {0, 1};
     const auto [row, row_size] = place(term.row);
     const auto [column, column_size] = place(term.column);
-    const double known = static_cast<double>(column) / column_size -
-                         static_cast<double>(row) / row_size;
+    const double known =
+        static_cast<double>(column) / column_size - static_cast<double>(row) / row_size;
     const int halves = static_cast<int>(std::lround(2 * (term.angle - known)));
     return {halves * row_size * column_size + 2 * column * row_size - 2 * row * column_size,
             2 * row_size * column_size};

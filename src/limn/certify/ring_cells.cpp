@@ -24,8 +24,8 @@ bool is_regular(const CellMatrices& cells, LatticeVector p) {
     sectors_after += sector > 0 ? 1 : 0;
   };
   for (const LatticeVector place : cells.places) {
-    const auto found = turned_into_sector(
-        cells.lattice, {p[0] * unit + place[0], p[1] * unit + place[1]});
+    const auto found =
+        turned_into_sector(cells.lattice, {p[0] * unit + place[0], p[1] * unit + place[1]});
     if (!found || gauge(cells.lattice, found->place) < (cells.dual ? unit / 2 : unit)) return false;
     note(found->sector);
   }
@@ -127,8 +127,7 @@ CellMap::Coordinate CellSigns::part(const CellMap::Coordinate& map, std::size_t 
   result.origin = map.origin + origin_[digit][0] * map.gradient[0] +
                   origin_[digit][1] * map.gradient[1] + dot(value_[digit], map.residual);
   for (std::size_t i = 0; i < 2; ++i)
-    result.gradient[i] =
-        map.gradient[i] * inverse_scale_ + dot(gradient_[digit][i], map.residual);
+    result.gradient[i] = map.gradient[i] * inverse_scale_ + dot(gradient_[digit][i], map.residual);
   for (const Row& row : residual_[digit]) result.residual.push_back(dot(row, map.residual));
   return result;
 }

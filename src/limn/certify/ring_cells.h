@@ -25,9 +25,9 @@ struct RingCells {
 class CellMap {
  public:
   struct Coordinate {
-    Ball origin;                  ///< c(0)
-    std::array<Ball, 2> gradient; ///< g
-    std::vector<Ball> residual;   ///< r over its sizes
+    Ball origin;                   ///< c(0)
+    std::array<Ball, 2> gradient;  ///< g
+    std::vector<Ball> residual;    ///< r over its sizes
   };
   Coordinate u, v;
 };

@@ -43,8 +43,8 @@ RingProof::RingProof(const CellMatrices& cells, const CellSigns& signs, EigenNet
 Status RingProof::look(int inner) {
   const Result<NetPoint> first = net_.at({inner, cells_.dual ? inner : 0});
   if (!first) return first.error();
-  const auto middle = goal_ == RingGoal::one_sign ? std::pair{Ball(1), Ball(0)}
-                                                  : phase_(cells_.dual ? -1 : 1, 4);
+  const auto middle =
+      goal_ == RingGoal::one_sign ? std::pair{Ball(1), Ball(0)} : phase_(cells_.dual ? -1 : 1, 4);
   const bool negative = first->u.is_negative();
   direction_ = {negative ? -middle.first : middle.first, negative ? -middle.second : middle.second};
   return Done{};
@@ -128,7 +128,8 @@ Status RingProof::check(int inner, const std::vector<CellClaim>& claimed) {
       if (!map) return map.error();
       Ball jacobian;
       if (!shows(*map, &jacobian))
-        return Error{text(claimed[i].cell) + ", part " + part + ": it does not show what is claimed"};
+        return Error{text(claimed[i].cell) + ", part " + part +
+                     ": it does not show what is claimed"};
     }
   }
   return Done{};

@@ -123,7 +123,8 @@ Result<EnclosedPair> enclose_eigenpair(const BallMatrix& a, double value,
   bool proved = false;
   for (int round = 0; round < kInflations && !proved; ++round) {
     // a little wider than the operator's last result, so that the next may lie inside
-    for (Ball& one : z) one = one.widened(0.1 * one.radius() + 1e-30 + 1e-25 * std::abs(one.approx()));
+    for (Ball& one : z)
+      one = one.widened(0.1 * one.radius() + 1e-30 + 1e-25 * std::abs(one.approx()));
     const auto next = krawczyk(equation, z);
     if (!next) break;
     proved = strictly_inside(*next, z);

@@ -53,9 +53,9 @@ Result<ValenceBalls> ValenceBalls::make(const Scheme& scheme, int n) {
 
 Phase<Ball> ValenceBalls::phase(int frequency) const {
   return [frequency, n = n_](int numerator, int denominator) {
-    const Ball angle = Ball(2) * Ball::pi() *
-                       Ball(Rational(Integer(frequency) * Integer(numerator),
-                                     Integer(denominator) * Integer(n)));
+    const Ball angle =
+        Ball(2) * Ball::pi() *
+        Ball(Rational(Integer(frequency) * Integer(numerator), Integer(denominator) * Integer(n)));
     return std::pair{cos(angle), sin(angle)};
   };
 }

@@ -112,13 +112,14 @@ class Search {
     if (!pair) return Error{why(pair.error().message)};
     leader_ = *pair;
     if (!leader_.value.is_positive()) return Error{why("the leading eigenvalue is not positive")};
-    claim_.squarings = squarings_of_others(balls, claim_.frequency, leader_, leader_.value,
-                                           kMostSquarings);
+    claim_.squarings =
+        squarings_of_others(balls, claim_.frequency, leader_, leader_.value, kMostSquarings);
     for (std::size_t i = 0; i < claim_.squarings.size(); ++i)
       if (claim_.squarings[i] < 0)
-        return Error{why(fmt::format("frequency {} has eigenvalues that are not shown to be less "
-                                     "than {:.6g} of frequency {}",
-                                     i, leader_.value.approx(), claim_.frequency))};
+        return Error{
+            why(fmt::format("frequency {} has eigenvalues that are not shown to be less "
+                            "than {:.6g} of frequency {}",
+                            i, leader_.value.approx(), claim_.frequency))};
     claim_.eigenvalue = leader_.value.approx();
     for (const Ball& entry : leader_.vector) claim_.eigenvector.push_back(entry.approx());
     return Done{};
@@ -136,9 +137,10 @@ class Search {
   Status find_map(const ValenceBalls& balls) {
     const std::optional<RingGoal> goal = goal_of(claim_.frequency, claim_.valence);
     if (!goal)
-      return Error{fmt::format("{:.6g} of frequency {} = n/2 leads: no theorem that is used here "
-                               "speaks of a map that has one coordinate and both signs",
-                               claim_.eigenvalue, claim_.frequency)};
+      return Error{
+          fmt::format("{:.6g} of frequency {} = n/2 leads: no theorem that is used here "
+                      "speaks of a map that has one coordinate and both signs",
+                      claim_.eigenvalue, claim_.frequency)};
     LeadingMap map(balls, regular_.cells, claim_.frequency, leader_);
     RingProof proof(regular_.cells, signs_, map.net, map.phase, *goal);
     Result<RingProof::Found> found = proof.search(limits_.most_parts, limits_.stop);
@@ -149,12 +151,11 @@ class Search {
     claim_.fold = found->fold;
     const bool regular = *goal == RingGoal::regular && found->answer == Answer::proved;
     claim_.c1 = regular ? Answer::proved : Answer::refuted;
-    claim_.reason =
-        regular ? "the characteristic map is regular and winds once"
-        : claim_.fold
-            ? "the characteristic map folds: its Jacobian has both signs"
-            : fmt::format("{:.6g} of frequency {} leads, whose map winds {} times",
-                          claim_.eigenvalue, claim_.frequency, claim_.frequency);
+    claim_.reason = regular ? "the characteristic map is regular and winds once"
+                    : claim_.fold
+                        ? "the characteristic map folds: its Jacobian has both signs"
+                        : fmt::format("{:.6g} of frequency {} leads, whose map winds {} times",
+                                      claim_.eigenvalue, claim_.frequency, claim_.frequency);
     return Done{};
   }
 
@@ -215,8 +216,7 @@ Status check_valence(const Scheme& scheme, const RegularProof& regular, const Ce
     return Error{"a frequency that the valence has not"};
   const BallMatrix block = balls->block(claim.frequency);
   if (claim.eigenvector.size() != block.rows()) return Error{"the eigenvector has another length"};
-  const Result<EnclosedPair> leader =
-      enclose_eigenpair(block, claim.eigenvalue, claim.eigenvector);
+  const Result<EnclosedPair> leader = enclose_eigenpair(block, claim.eigenvalue, claim.eigenvector);
   if (!leader) return leader.error();
   if (!leader->value.is_positive()) return Error{"the leading eigenvalue is not positive"};
   if (Status same = same_numbers(*leader, claim); !same) return same;

@@ -135,9 +135,7 @@ bool Ball::overlaps(const Ball& other) const {
   return arb_overlaps(Access::of(*this), Access::of(other)) != 0;
 }
 
-double Ball::approx() const {
-  return arf_get_d(arb_midref(Access::of(*this)), ARF_RND_NEAR);
-}
+double Ball::approx() const { return arf_get_d(arb_midref(Access::of(*this)), ARF_RND_NEAR); }
 double Ball::lower() const {
   if (!is_finite()) return -kInfinity;
   arf_t end;

@@ -36,8 +36,8 @@ class BallPrecision {
 
 class Ball {
  public:
-  Ball() noexcept;           ///< 0
-  Ball(int value) noexcept;  ///< exactly that number
+  Ball() noexcept;                       ///< 0
+  Ball(int value) noexcept;              ///< exactly that number
   explicit Ball(double value) noexcept;  ///< exactly that number; NaN: the whole line
   explicit Ball(const Rational& value);  ///< as near as the precision allows
   Ball(const Ball& other);
@@ -105,7 +105,7 @@ class Ball {
   friend Ball sqrt(const Ball& a);  ///< the whole line where a holds negative numbers
 
  private:
-  struct Access;  // ball.cpp
+  struct Access;                    // ball.cpp
   alignas(8) std::byte parts_[48];  // an arb_struct lives here
 };
 
