@@ -57,6 +57,20 @@ if(LIMN_FORMULAS)
   endif()
 endif()
 
+set(LIMN_HAS_ARB OFF)
+if(LIMN_PROOFS AND LIMN_HAS_FLINT)
+  find_path(LIMN_ARB_INCLUDE_DIR arb.h)
+  find_library(LIMN_ARB_LIBRARY NAMES flint-arb arb)  # Debian's name, and that of others
+  if(LIMN_ARB_INCLUDE_DIR AND LIMN_ARB_LIBRARY)
+    set(LIMN_HAS_ARB ON)
+    add_library(limn_arb INTERFACE IMPORTED)  # limnConfig.cmake makes it anew
+    target_include_directories(limn_arb SYSTEM INTERFACE ${LIMN_ARB_INCLUDE_DIR})
+    target_link_libraries(limn_arb INTERFACE ${LIMN_ARB_LIBRARY})
+  else()
+    message(STATUS "Arb not found: no proofs")
+  endif()
+endif()
+
 set(LIMN_HAS_SPECTRA OFF)
 if(LIMN_SPECTRA)
   find_path(LIMN_SPECTRA_INCLUDE_DIR Spectra/SymEigsSolver.h)  # headers only

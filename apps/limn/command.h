@@ -39,6 +39,7 @@ void declare_artifacts(CLI::App& parser, Action& action);
 void declare_eigen(CLI::App& parser, Action& action);
 void declare_compare(CLI::App& parser, Action& action);
 void declare_regularity(CLI::App& parser, Action& action);
+void declare_certify(CLI::App& parser, Action& action);
 void declare_prescribe(CLI::App& parser, Action& action);
 void declare_tune(CLI::App& parser, Action& action);
 void declare_fairness(CLI::App& parser, Action& action);

@@ -6,6 +6,7 @@
 
 #include <map>
 
+#include "limn/number/ball.h"
 #include "limn/number/symbolic.h"
 #include "limn/scheme/evaluate.h"
 #include "limn/scheme/expression.h"
@@ -78,7 +79,7 @@ Result<Number> evaluate(const std::string& text) {
 template <class Number>
 class Conformance : public testing::Test {};
 
-using Numbers = testing::Types<double, Exact, Symbolic, Measured>;
+using Numbers = testing::Types<double, Exact, Symbolic, Measured, Ball>;
 TYPED_TEST_SUITE(Conformance, Numbers);
 
 TYPED_TEST(Conformance, Values) {

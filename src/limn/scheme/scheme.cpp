@@ -128,9 +128,16 @@ std::optional<Scheme> parse_in_chain(const SchemeText& file, const SchemeLoader&
 
 Result<Scheme> parse_first(const SchemeText& file, const SchemeLoader& load) {
   const ExactBudget budget(kExactWork);  // of all the files together
+  std::vector<SourceText> texts{{file.path, file.text}};
+  const SchemeLoader noting = [&](const std::string& name, const std::string& from) {
+    Result<SchemeText> found = load(name, from);
+    if (found) texts.push_back({name, found->text});
+    return found;
+  };
   Faults faults;
-  std::optional<Scheme> scheme = parse_in_chain(file, load, {}, faults);
+  std::optional<Scheme> scheme = parse_in_chain(file, noting, {}, faults);
   if (!scheme) return faults.joined();
+  scheme->texts = std::move(texts);
   return *std::move(scheme);
 }
 

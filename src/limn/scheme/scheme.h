@@ -93,6 +93,12 @@ struct Factors {
   Place place;                 ///< of the table
 };
 
+/// A file that a scheme was read from, as it was read.
+struct SourceText {
+  std::string name;  ///< what it is called in the file that extends it; of the first its path
+  std::string text;  ///< all of it
+};
+
 /// A scheme as plain data. One that `read_scheme` or `find_scheme` gave has been checked: every
 /// rule sums to 1 and is symmetric at the valences that the checks look at.
 struct Scheme {
@@ -101,6 +107,7 @@ struct Scheme {
   std::string source;            ///< citation
   std::string notes;             ///< what a user should know, free text
   std::string file;              ///< path, or "NAME.toml" of a shipped scheme
+  std::vector<SourceText> texts;  ///< the file and those that it extends, in the order of reading
   const Split* split = nullptr;  ///< one of splits(), never null in a scheme that was read
   std::vector<std::pair<std::string, Formula>> lets;  ///< names for expressions, as in the file
   std::vector<Parameter> parameters;                  ///< in the order of the file

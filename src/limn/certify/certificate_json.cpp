@@ -1,0 +1,329 @@
+#include "limn/certify/certificate_json.h"
+
+#include <cmath>
+#include <set>
+
+#include <fmt/core.h>
+#include <nlohmann/json.hpp>
+
+namespace limn::certify {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr const char* kFormat = "limn certificate";
+constexpr int kVersion = 1;
+
+Json parts_json(const std::vector<std::string>& parts) {
+  std::string text;
+  for (const std::string& part : parts)
+    text += (text.empty() ? "" : " ") + (part.empty() ? "-" : part);
+  return text;
+}
+
+Json cell_json(LatticeVector cell) { return Json::array({cell[0], cell[1]}); }
+
+Json curvature_json(const CurvatureClaim& claim) {
+  Json json{{"reason", claim.reason}};
+  if (claim.large)
+    json["larger"] = {{"frequency", claim.large->frequency},
+                      {"rows", claim.large->rows},
+                      {"value", claim.large->value}};
+  if (claim.jordan)
+    json["jordan"] = {{"frequency", claim.jordan->frequency},
+                      {"multiplicity", claim.jordan->multiplicity}};
+  if (claim.squarings.empty()) return json;
+  json["equal"] = Json::array();
+  for (const SquareEigenvalue& one : claim.equal)
+    json["equal"].push_back({{"frequency", one.frequency}, {"multiplicity", one.multiplicity}});
+  json["squarings"] = claim.squarings;
+  return json;
+}
+
+Json answer_json(const ValenceClaim& claim) {
+  return {{"valence", claim.valence},
+          {"c1", to_string(claim.c1)},
+          {"curvature", to_string(claim.curvature.answer)},
+          {"bits", claim.bits},
+          {"reason", claim.reason}};
+}
+
+Json valence_json(const ValenceClaim& claim) {
+  Json json = answer_json(claim);
+  json["curvature_proof"] = curvature_json(claim.curvature);
+  if (claim.c1 == Answer::undecided) return json;
+  json["frequency"] = claim.frequency;
+  json["eigenvalue"] = claim.eigenvalue;
+  json["eigenvector"] = claim.eigenvector;
+  json["squarings"] = claim.squarings;
+  json["inner"] = claim.inner;
+  json["ring"] = Json::array();
+  for (const CellClaim& cell : claim.ring)
+    json["ring"].push_back({{"cell", cell_json(cell.cell)}, {"parts", parts_json(cell.parts)}});
+  if (claim.fold)
+    for (const PartPlace& place : *claim.fold)
+      json["fold"].push_back(
+          {{"cell", cell_json(place.cell)}, {"parts", parts_json({place.part})}});
+  return json;
+}
+
+Json regular_json(const RegularClaim& claim) {
+  return {{"c1", to_string(claim.c1)},
+          {"reason", claim.reason},
+          {"leaf_norm", claim.leaf_norm},
+          {"products", claim.products},
+          {"longest", claim.longest}};
+}
+
+/// Reads one object, key by key; what is left over at its end is a fault.
+class Reader {
+ public:
+  Reader(const Json& json, std::string place) : json_(json), place_(std::move(place)) {
+    if (!json.is_object()) fail("an object is needed here");
+  }
+  [[nodiscard]] const std::optional<Error>& fault() const { return fault_; }
+
+  void fail(const std::string& what) {
+    if (!fault_) fault_ = Error{place_ + ": " + what};
+  }
+  void take(const std::optional<Error>& fault) {
+    if (!fault_ && fault) fault_ = fault;
+  }
+  [[nodiscard]] bool has(const char* key) const { return json_.is_object() && json_.contains(key); }
+  [[nodiscard]] std::string at(const char* key) const { return place_ + "/" + key; }
+
+  const Json& get(const char* key) {
+    static const Json none;
+    read_.insert(key);
+    if (has(key)) return json_.at(key);
+    fail(fmt::format("'{}' is missing", key));
+    return none;
+  }
+  std::string text(const char* key) {
+    const Json& value = get(key);
+    if (!value.is_string()) fail(fmt::format("'{}' is to be a text", key));
+    return value.is_string() ? value.get<std::string>() : std::string();
+  }
+  double number(const char* key) { return number_of(get(key), key); }
+  int whole(const char* key) { return whole_of(get(key), key); }
+  std::vector<int> wholes(const char* key) {
+    std::vector<int> result;
+    for (const Json& one : list(key)) result.push_back(whole_of(one, key));
+    return result;
+  }
+  std::vector<double> numbers(const char* key) {
+    std::vector<double> result;
+    for (const Json& one : list(key)) result.push_back(number_of(one, key));
+    return result;
+  }
+  const Json& list(const char* key) {
+    static const Json none = Json::array();
+    const Json& value = get(key);
+    if (!value.is_array()) fail(fmt::format("'{}' is to be a list", key));
+    return value.is_array() ? value : none;
+  }
+  /// No more keys are known.
+  void end(const std::set<std::string>& ignored = {}) {
+    if (!json_.is_object()) return;
+    for (const auto& [key, value] : json_.items())
+      if (read_.count(key) == 0 && ignored.count(key) == 0)
+        fail(fmt::format("unknown key '{}'", key));
+  }
+
+ private:
+  int whole_of(const Json& value, const char* key) {
+    const bool fits = value.is_number_integer() && std::abs(value.get<double>()) < 2e9;
+    if (!fits) fail(fmt::format("'{}' is to be a whole number", key));
+    return fits ? value.get<int>() : 0;
+  }
+  double number_of(const Json& value, const char* key) {
+    if (!value.is_number()) fail(fmt::format("'{}' is to be a number", key));
+    return value.is_number() ? value.get<double>() : 0;
+  }
+
+  const Json& json_;
+  std::string place_;
+  std::set<std::string> read_;
+  std::optional<Error> fault_;
+};
+
+template <class Enum>
+Enum word(Reader& reader, const char* key, std::initializer_list<Enum> all) {
+  const std::string text = reader.text(key);
+  for (const Enum one : all)
+    if (text == to_string(one)) return one;
+  reader.fail(fmt::format("'{}' cannot be '{}'", key, text.substr(0, 40)));
+  return *all.begin();
+}
+
+Answer answer(Reader& reader, const char* key) {
+  return word(reader, key, {Answer::undecided, Answer::proved, Answer::refuted});
+}
+
+LatticeVector read_cell(Reader& reader) {
+  const std::vector<int> cell = reader.wholes("cell");
+  if (cell.size() == 2) return {cell[0], cell[1]};
+  reader.fail("'cell' is to be two whole numbers");
+  return {};
+}
+
+std::vector<std::string> read_parts(Reader& reader) {
+  std::vector<std::string> parts;
+  std::string text = reader.text("parts") + ' ';
+  for (std::size_t begin = 0; begin < text.size();) {
+    const std::size_t end = text.find(' ', begin);
+    std::string part = text.substr(begin, end - begin);
+    if (part.empty() || (part != "-" && part.find_first_not_of("0123456789") != std::string::npos))
+      reader.fail("'parts' is to be words of digits, or '-'");
+    parts.push_back(part == "-" ? std::string() : std::move(part));
+    begin = end + 1;
+  }
+  return parts;
+}
+
+CellClaim read_cell_claim(const Json& json, const std::string& place, std::optional<Error>& fault) {
+  Reader reader(json, place);
+  CellClaim claim{read_cell(reader), read_parts(reader)};
+  reader.end();
+  if (!fault) fault = reader.fault();
+  return claim;
+}
+
+CurvatureClaim read_curvature(Reader& outer) {
+  CurvatureClaim claim;
+  claim.answer = word(outer, "curvature",
+                      {CurvatureAnswer::undecided, CurvatureAnswer::bounded,
+                       CurvatureAnswer::unbounded, CurvatureAnswer::flat});
+  Reader reader(outer.get("curvature_proof"), outer.at("curvature_proof"));
+  claim.reason = reader.text("reason");
+  if (reader.has("larger")) {
+    Reader larger(reader.get("larger"), reader.at("larger"));
+    claim.large = {larger.whole("frequency"), larger.wholes("rows"), larger.number("value")};
+    larger.end();
+    reader.take(larger.fault());
+  }
+  if (reader.has("jordan")) {
+    Reader jordan(reader.get("jordan"), reader.at("jordan"));
+    claim.jordan = {jordan.whole("frequency"), jordan.whole("multiplicity")};
+    jordan.end();
+    reader.take(jordan.fault());
+  }
+  if (reader.has("squarings")) {
+    claim.squarings = reader.wholes("squarings");
+    for (const Json& json : reader.list("equal")) {
+      Reader equal(json, reader.at("equal"));
+      claim.equal.push_back({equal.whole("frequency"), equal.whole("multiplicity")});
+      equal.end();
+      reader.take(equal.fault());
+    }
+  }
+  reader.end();
+  outer.take(reader.fault());
+  return claim;
+}
+
+ValenceClaim read_valence(const Json& json, const std::string& place, std::optional<Error>& fault) {
+  Reader reader(json, place);
+  ValenceClaim claim;
+  claim.valence = reader.whole("valence");
+  claim.c1 = answer(reader, "c1");
+  claim.reason = reader.text("reason");
+  claim.bits = reader.whole("bits");
+  claim.curvature = read_curvature(reader);
+  if (claim.c1 != Answer::undecided) {
+    claim.frequency = reader.whole("frequency");
+    claim.eigenvalue = reader.number("eigenvalue");
+    claim.eigenvector = reader.numbers("eigenvector");
+    claim.squarings = reader.wholes("squarings");
+    claim.inner = reader.whole("inner");
+    std::optional<Error> inside;
+    for (const Json& cell : reader.list("ring"))
+      claim.ring.push_back(read_cell_claim(cell, reader.at("ring"), inside));
+    if (reader.has("fold")) {
+      const Json& fold = reader.list("fold");
+      if (fold.size() != 2) reader.fail("'fold' is to be two parts of cells");
+      std::array<PartPlace, 2> places;
+      for (std::size_t i = 0; i < 2 && i < fold.size(); ++i) {
+        const CellClaim one = read_cell_claim(fold[i], reader.at("fold"), inside);
+        places[i] = {one.cell, one.parts.front()};
+      }
+      claim.fold = places;
+    }
+    reader.take(inside);
+  }
+  reader.end({"seconds", "time"});
+  if (!fault) fault = reader.fault();
+  return claim;
+}
+
+Certificate read_certificate(Reader& reader) {
+  Certificate certificate;
+  if (reader.text("format") != kFormat) reader.fail("it is no certificate of limn's");
+  certificate.scheme = reader.text("scheme");
+  for (const Json& json : reader.list("texts")) {
+    Reader text(json, reader.at("texts"));
+    certificate.texts.push_back({text.text("name"), text.text("text")});
+    text.end();
+    reader.take(text.fault());
+  }
+  for (const Json& json : reader.list("parameters")) {
+    if (!json.is_string()) reader.fail("'parameters' is to be a list of texts");
+    if (json.is_string()) certificate.parameters.push_back(json.get<std::string>());
+  }
+  Reader regular(reader.get("regular"), reader.at("regular"));
+  certificate.regular = {answer(regular, "c1"), regular.text("reason"), regular.number("leaf_norm"),
+                         regular.whole("products"), regular.whole("longest")};
+  regular.end();
+  reader.take(regular.fault());
+  std::optional<Error> inside;
+  std::size_t number = 0;
+  for (const Json& json : reader.list("valences"))
+    certificate.valences.push_back(
+        read_valence(json, fmt::format("{}/{}", reader.at("valences"), number++), inside));
+  reader.take(inside);
+  reader.end({"version", "limn", "seconds", "time"});
+  return certificate;
+}
+
+}  // namespace
+
+Json certificate_json(const Certificate& certificate) {
+  Json json{{"format", kFormat}, {"version", kVersion}, {"scheme", certificate.scheme}};
+  json["texts"] = Json::array();
+  for (const SourceText& text : certificate.texts)
+    json["texts"].push_back({{"name", text.name}, {"text", text.text}});
+  json["parameters"] = certificate.parameters;
+  json["regular"] = regular_json(certificate.regular);
+  json["valences"] = Json::array();
+  for (const ValenceClaim& claim : certificate.valences)
+    json["valences"].push_back(valence_json(claim));
+  return json;
+}
+
+Json answers_json(const Certificate& certificate) {
+  Json json{{"scheme", certificate.scheme},
+            {"regular",
+             {{"c1", to_string(certificate.regular.c1)}, {"reason", certificate.regular.reason}}}};
+  json["valences"] = Json::array();
+  for (const ValenceClaim& claim : certificate.valences) {
+    Json one = answer_json(claim);
+    one["curvature_reason"] = claim.curvature.reason;
+    json["valences"].push_back(one);
+  }
+  return json;
+}
+
+Result<Certificate> parse_certificate(std::string_view text) {
+  const Json json = Json::parse(text, nullptr, false);
+  if (json.is_discarded()) return Error{"it is no JSON"};
+  Reader reader(json, "");
+  Certificate certificate = read_certificate(reader);
+  if (reader.fault()) {
+    Error fault = *reader.fault();
+    if (fault.message.starts_with(": ")) fault.message.erase(0, 2);
+    return fault;
+  }
+  return certificate;
+}
+
+}  // namespace limn::certify

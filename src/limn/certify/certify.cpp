@@ -1,0 +1,202 @@
+#include "limn/certify/certify.h"
+
+#include <algorithm>
+
+#include <fmt/core.h>
+
+#include "limn/certify/valence_proof.h"
+#include "limn/regular/smoothness/second_differences.h"
+#include "limn/scheme/file/scheme_files.h"
+
+namespace limn::certify {
+namespace {
+
+constexpr std::array<double, 3> kLeafNorms{0.25, 0.5, 0.75};
+constexpr int kLargestClaim = 1'000'000;  // products that a check is ready to make
+constexpr int kMostBits = 4096;
+
+/// The smaller the leaves' norms are, the better the bounds and the larger the tree.
+Result<RegularProof> search_regular(const Mask& mask, const CertifyOptions& options) {
+  Result<CellMatrices> cells = cell_matrices(mask);
+  if (!cells) return cells.error();
+  Error last;
+  for (const double leaf_norm : kLeafNorms) {
+    Result<Contraction> contraction =
+        enclose_contraction(*cells, leaf_norm, options.most_products, options.time.stop());
+    if (contraction)
+      return RegularProof{std::move(*cells), std::move(*contraction), find_regular_part(mask)};
+    last = contraction.error();
+  }
+  return last;
+}
+
+RegularClaim claim_of(const RegularProof& proof) {
+  const Contraction& found = proof.contraction;
+  return {
+      Answer::proved,
+      fmt::format("sum rules of order 2, and {} products of {} cell matrices of up to {} "
+                  "refinements by {} contract",
+                  found.products, proof.cells.residual.size(), found.longest, proof.cells.scale),
+      found.leaf_norm, found.products, found.longest};
+}
+
+ValenceClaim undecided(int n, const std::string& reason) {
+  ValenceClaim claim;
+  claim.valence = n;
+  claim.reason = reason;
+  claim.curvature.reason = "C1 is undecided";
+  return claim;
+}
+
+Result<ValenceClaim> certify_valence(const Scheme& scheme, const RegularProof& regular,
+                                     const CellSigns& signs, int n, const CertifyOptions& options) {
+  const auto known = std::find_if(options.known.begin(), options.known.end(),
+                                  [n](const ValenceClaim& claim) { return claim.valence == n; });
+  if (known != options.known.end() && known->c1 != Answer::undecided) return *known;
+  if (options.time.ended()) return undecided(n, "the time ended before it was looked at");
+  if (options.progress) options.progress(fmt::format("valence {}", n));
+  ProofLimits limits{options.bits, options.most_parts, options.time.stop()};
+  Result<ValenceClaim> claim = search_valence(scheme, regular, signs, n, limits);
+  if (claim && claim->c1 == Answer::undecided) {
+    limits.bits *= 2;
+    Result<ValenceClaim> again = search_valence(scheme, regular, signs, n, limits);
+    if (again && again->c1 != Answer::undecided) return again;
+  }
+  return claim;
+}
+
+Result<Scheme> scheme_of(const Certificate& certificate) {
+  if (certificate.texts.empty()) return Error{"there is no text of a scheme in it"};
+  std::size_t next = 1;
+  const SchemeLoader load = [&](const std::string& name, const std::string&) -> Result<SchemeText> {
+    if (next >= certificate.texts.size() || certificate.texts[next].name != name)
+      return Error{fmt::format("the text of '{}' is not in the certificate", name)};
+    const SourceText& text = certificate.texts[next++];
+    return SchemeText{text.text, name, fmt::format("{} {}", next, name)};
+  };
+  Result<Scheme> scheme =
+      parse_scheme(certificate.texts.front().text, certificate.texts.front().name, load);
+  if (!scheme) return scheme;
+  if (next != certificate.texts.size()) return Error{"it has texts that the scheme does not use"};
+  if (Status set = set_parameters(*scheme, certificate.parameters); !set) return set.error();
+  if (scheme->name != certificate.scheme)
+    return Error{fmt::format("it is called a certificate of '{}', and its text is that of '{}'",
+                             certificate.scheme, scheme->name)};
+  return scheme;
+}
+
+Status check_regular(const RegularProof& proof, const RegularClaim& claim) {
+  const Contraction& found = proof.contraction;
+  if (claim.c1 != Answer::proved || found.products != claim.products ||
+      found.longest != claim.longest)
+    return Error{"the regular lattice: products are not as claimed"};
+  return Done{};
+}
+
+Error without_arb() {
+  return {"limn was built without Arb, in whose ball arithmetic proofs are made",
+          "build it where Arb and FLINT are installed (libflint-arb-dev, libflint-dev)"};
+}
+
+Error at_valence(int n, const Error& error) {
+  return Error{fmt::format("valence {}: {}", n, error.message)};
+}
+
+}  // namespace
+
+std::string_view to_string(Answer answer) {
+  switch (answer) {
+    case Answer::proved: return "proved";
+    case Answer::refuted: return "refuted";
+    case Answer::undecided: break;
+  }
+  return "undecided";
+}
+
+std::string_view to_string(CurvatureAnswer answer) {
+  switch (answer) {
+    case CurvatureAnswer::bounded: return "bounded";
+    case CurvatureAnswer::unbounded: return "unbounded";
+    case CurvatureAnswer::flat: return "flat";
+    case CurvatureAnswer::undecided: break;
+  }
+  return "undecided";
+}
+
+std::vector<std::string> set_parameters_of(const Scheme& scheme) {
+  std::vector<std::string> result;
+  for (const Parameter& parameter : scheme.parameters)
+    if (parameter.value.place.line == 0)
+      result.push_back(parameter.name + "=" + parameter.value.expression.text());
+  return result;
+}
+
+Result<Certificate> certify(const Scheme& scheme, const std::vector<int>& valences,
+                            const CertifyOptions& options) {
+  if (!Ball::is_available()) return without_arb();
+  if (scheme.texts.empty())
+    return Error{"the scheme was not read from a text, which it is to hold"};
+  Certificate certificate;
+  certificate.scheme = scheme.name;
+  certificate.texts = scheme.texts;
+  certificate.parameters = set_parameters_of(scheme);
+  if (options.progress) options.progress("the regular lattice");
+  const Result<Mask> mask = regular_mask(scheme);
+  if (!mask) return mask.error();
+  const Result<RegularProof> regular = search_regular(*mask, options);
+  if (!regular) {
+    certificate.regular.reason = regular.error().message;
+    for (const int n : valences)
+      certificate.valences.push_back(
+          undecided(n, "C1 on the regular lattice is undecided: " + regular.error().message));
+    return certificate;
+  }
+  certificate.regular = claim_of(*regular);
+  const CellSigns signs(regular->cells, regular->contraction);
+  for (const int n : valences) {
+    Result<ValenceClaim> claim = certify_valence(scheme, *regular, signs, n, options);
+    if (!claim) return claim.error();
+    certificate.valences.push_back(std::move(*claim));
+  }
+  return certificate;
+}
+
+Status check_certificate(const Certificate& certificate,
+                         const std::function<void(const std::string&)>& progress) {
+  if (!Ball::is_available()) return without_arb();
+  const Result<Scheme> scheme = scheme_of(certificate);
+  if (!scheme) return scheme.error();
+  const bool claims = std::any_of(certificate.valences.begin(), certificate.valences.end(),
+                                  [](const ValenceClaim& c) { return c.c1 != Answer::undecided; });
+  const RegularClaim& claimed = certificate.regular;
+  if (claimed.c1 == Answer::undecided) {
+    if (claims) return Error{"C1 on the regular lattice is not shown, on which the claims rest"};
+    return Done{};
+  }
+  if (std::find(kLeafNorms.begin(), kLeafNorms.end(), claimed.leaf_norm) == kLeafNorms.end() ||
+      claimed.products > kLargestClaim)
+    return Error{"the regular lattice: a norm of leaves that is not known, or too many products"};
+  const Result<Mask> mask = regular_mask(*scheme);
+  if (!mask) return mask.error();
+  Result<CellMatrices> cells = cell_matrices(*mask);
+  if (!cells) return cells.error();
+  Result<Contraction> contraction =
+      enclose_contraction(*cells, claimed.leaf_norm, claimed.products);
+  if (!contraction) return contraction.error();
+  const RegularProof regular{std::move(*cells), std::move(*contraction), find_regular_part(*mask)};
+  if (Status same = check_regular(regular, claimed); !same) return same;
+  const CellSigns signs(regular.cells, regular.contraction);
+  int last = 0;
+  for (const ValenceClaim& claim : certificate.valences) {
+    if (claim.valence <= last) return at_valence(claim.valence, Error{"it is not in order"});
+    last = claim.valence;
+    if (claim.bits < 0 || claim.bits > kMostBits)
+      return at_valence(claim.valence, Error{"so many bits are beyond all need"});
+    if (progress) progress(fmt::format("valence {}", claim.valence));
+    if (Status shown = check_valence(*scheme, regular, signs, claim); !shown)
+      return at_valence(claim.valence, shown.error());
+  }
+  return Done{};
+}
+
+}  // namespace limn::certify

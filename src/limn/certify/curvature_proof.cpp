@@ -1,0 +1,387 @@
+#include "limn/certify/curvature_proof.h"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/core.h>
+
+#include "limn/spectrum/connected_parts.h"
+
+namespace limn::certify {
+namespace {
+
+constexpr int kMostSquarings = 40;
+constexpr int kLargestDenominator = 10'000;
+constexpr double kExactWork = 3e6;  // for one frequency: some tenths of a second
+
+using Size = std::size_t;
+
+BallMatrix rest_of(const ValenceBalls& balls, const EnclosedPair& leader, int frequency) {
+  BallMatrix block = balls.block(frequency);
+  return frequency == 1 ? deflated(block, leader) : block;
+}
+
+Eigen::MatrixXd middle(const BallMatrix& a) {
+  Eigen::MatrixXd result(static_cast<Eigen::Index>(a.rows()), static_cast<Eigen::Index>(a.rows()));
+  for (Size i = 0; i < a.rows(); ++i)
+    for (Size j = 0; j < a.rows(); ++j)
+      result(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)) = a(i, j).approx();
+  return result;
+}
+
+ConnectedParts parts_of(const BallMatrix& a) {
+  BoolMatrix entries(static_cast<Eigen::Index>(a.rows()), static_cast<Eigen::Index>(a.rows()));
+  for (Size i = 0; i < a.rows(); ++i)
+    for (Size j = 0; j < a.rows(); ++j)
+      entries(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)) =
+          !a(i, j).is_exactly_zero();
+  return connected_parts(entries);
+}
+
+BallMatrix square_of(const BallMatrix& a, const std::vector<Eigen::Index>& rows) {
+  BallMatrix result(rows.size(), rows.size());
+  for (Size i = 0; i < rows.size(); ++i)
+    for (Size j = 0; j < rows.size(); ++j)
+      result(i, j) = a(static_cast<Size>(rows[i]), static_cast<Size>(rows[j]));
+  return result;
+}
+
+/// A real eigenvalue near `value` of the square matrix of one part.
+std::optional<Ball> part_eigenvalue(const BallMatrix& a, double value) {
+  if (a.rows() == 1) return a(0, 0);
+  const Eigen::EigenSolver<Eigen::MatrixXd> solver(middle(a));
+  Eigen::Index nearest = 0;
+  for (Eigen::Index i = 1; i < solver.eigenvalues().size(); ++i)
+    if (std::abs(solver.eigenvalues()(i) - value) < std::abs(solver.eigenvalues()(nearest) - value))
+      nearest = i;
+  std::vector<double> vector;
+  for (Eigen::Index i = 0; i < solver.eigenvectors().rows(); ++i)
+    vector.push_back(solver.eigenvectors()(i, nearest).real());
+  const Result<EnclosedPair> pair =
+      enclose_eigenpair(a, solver.eigenvalues()(nearest).real(), vector);
+  return pair ? std::optional(pair->value) : std::nullopt;
+}
+
+Ball squared(const EnclosedPair& leader) { return leader.value * leader.value; }
+
+/// An eigenvalue that is larger than λ², if one can be shown.
+std::optional<LargeEigenvalue> find_large(const ValenceBalls& balls, const EnclosedPair& leader) {
+  const Ball bound = squared(leader);
+  for (int frequency = 0; frequency <= balls.valence() / 2; ++frequency) {
+    const BallMatrix rest = rest_of(balls, leader, frequency);
+    for (const auto& rows : parts_of(rest).parts) {
+      const BallMatrix square = square_of(rest, rows);
+      const Eigen::VectorXcd values =
+          Eigen::EigenSolver<Eigen::MatrixXd>(middle(square)).eigenvalues();
+      for (const std::complex<double>& value : values) {
+        if (value.imag() != 0 || !(std::abs(value.real()) > bound.approx())) continue;
+        const std::optional<Ball> enclosed = part_eigenvalue(square, value.real());
+        if (!enclosed || !is_less(bound, enclosed->magnitude())) continue;
+        return LargeEigenvalue{frequency, {rows.begin(), rows.end()}, enclosed->approx()};
+      }
+    }
+  }
+  return std::nullopt;
+}
+
+Status check_large(const ValenceBalls& balls, const EnclosedPair& leader,
+                   const LargeEigenvalue& claim) {
+  if (claim.frequency < 0 || claim.frequency > balls.valence() / 2)
+    return Error{"a larger eigenvalue of a frequency that the valence has not"};
+  const BallMatrix rest = rest_of(balls, leader, claim.frequency);
+  const std::vector<Eigen::Index> rows(claim.rows.begin(), claim.rows.end());
+  const ConnectedParts parts = parts_of(rest);
+  if (std::find(parts.parts.begin(), parts.parts.end(), rows) == parts.parts.end())
+    return Error{"rows that are no part of the block"};
+  const std::optional<Ball> value = part_eigenvalue(square_of(rest, rows), claim.value);
+  if (!value || !is_less(squared(leader), value->magnitude()))
+    return Error{"an eigenvalue larger than the tangent's square is not shown"};
+  if (!(std::abs(value->approx() - claim.value) <= 1e-12 * std::abs(claim.value)))
+    return Error{"the larger eigenvalue is another one"};
+  return Done{};
+}
+
+/// λ as an exact number: a row of its own in the block, or a rational of small denominator.
+std::optional<Exact> exact_leader(const DenseMatrix<Exact>& block, const EnclosedPair& leader) {
+  for (Size i = 0; i < block.rows(); ++i) {
+    bool alone = true;
+    for (Size j = 0; j < block.rows(); ++j) alone = alone && (i == j || block(i, j).is_zero());
+    // the leader is simple and no other comes near it
+    if (alone && std::abs(block(i, i).approx() - leader.value.approx()) < 1e-9) return block(i, i);
+  }
+  for (int q = 1; q <= kLargestDenominator; ++q) {
+    const double p = std::nearbyint(leader.value.approx() * q);
+    const Rational candidate{Integer(static_cast<long long>(p)), Integer(q)};
+    if (std::abs(p / q - leader.value.approx()) < 1e-13 && Ball(candidate).overlaps(leader.value))
+      return Exact(candidate);
+  }
+  return std::nullopt;
+}
+
+/// to += a·b; false where exact arithmetic gives up.
+bool add_product(Exact& to, const Exact& a, const Exact& b) {
+  if (a.is_zero() || b.is_zero()) return true;
+  const Result<Exact> product = Exact::multiply(a, b);
+  const Result<Exact> sum = product ? Exact::add(to, *product) : product;
+  if (sum) to = *sum;
+  return sum.ok();
+}
+
+/// Row echelon form of block - value·I, and from it a basis of the null space. Nothing where exact
+/// arithmetic gives up.
+std::optional<std::vector<std::vector<Exact>>> null_space(DenseMatrix<Exact> a,
+                                                          const Exact& value) {
+  const Size size = a.rows();
+  for (Size i = 0; i < size; ++i) a(i, i) += Exact(-1) * value;
+  std::vector<Size> pivots;
+  for (Size column = 0; column < size && pivots.size() < size; ++column) {
+    Size row = pivots.size();
+    while (row < size && a(row, column).is_zero()) ++row;
+    if (row == size) continue;
+    const Size to = pivots.size();
+    const Exact pivot = a(row, column);
+    for (Size j = 0; j < size; ++j) {
+      std::swap(a(row, j), a(to, j));
+      const Result<Exact> quotient = Exact::divide(a(to, j), pivot);
+      if (!quotient) return std::nullopt;
+      a(to, j) = *quotient;
+    }
+    for (Size i = 0; i < size; ++i) {
+      if (i == to || a(i, column).is_zero()) continue;
+      const Exact factor = Exact(-1) * a(i, column);
+      for (Size j = 0; j < size; ++j)
+        if (!add_product(a(i, j), factor, a(to, j))) return std::nullopt;
+    }
+    pivots.push_back(column);
+  }
+  std::vector<std::vector<Exact>> basis;
+  for (Size free = 0; free < size; ++free) {
+    if (std::find(pivots.begin(), pivots.end(), free) != pivots.end()) continue;
+    std::vector<Exact>& vector = basis.emplace_back(size);
+    vector[free] = Exact(1);
+    for (Size i = 0; i < pivots.size(); ++i) vector[pivots[i]] = Exact(-1) * a(i, free);
+  }
+  return basis;
+}
+
+/// Exact::approx is within a few roundings of its magnitude.
+Ball enclosed(const Exact& value) {
+  return Ball(value.approx()).widened(1e-12 * value.magnitude());
+}
+
+/// A block, and λ², in exact numbers; λ is shown to be an eigenvalue of frequency 1.
+struct ExactSquare {
+  DenseMatrix<Exact> block;
+  Exact square;
+};
+
+std::optional<ExactSquare> exact_square(const Scheme& scheme, const ValenceBalls& balls,
+                                        const EnclosedPair& leader, int frequency) {
+  const Result<DenseMatrix<Exact>> first = balls.exact_block(scheme, 1);
+  Result<DenseMatrix<Exact>> block = balls.exact_rest(scheme, frequency);
+  if (!first || !block) return std::nullopt;
+  const std::optional<Exact> value = exact_leader(*first, leader);
+  if (!value) return std::nullopt;
+  const Result<Exact> square = Exact::multiply(*value, *value);
+  const auto own = null_space(*first, *value);
+  if (!square || !own || own->size() != 1) return std::nullopt;
+  return ExactSquare{std::move(*block), *square};
+}
+
+/// The exact eigenvectors of λ² in a block without 1.
+std::optional<std::vector<std::vector<Exact>>> square_vectors(const Scheme& scheme,
+                                                              const ValenceBalls& balls,
+                                                              const EnclosedPair& leader,
+                                                              int frequency) {
+  const ExactBudget budget(kExactWork);
+  const auto exact = exact_square(scheme, balls, leader, frequency);
+  return exact ? null_space(exact->block, exact->square) : std::nullopt;
+}
+
+/// The multiplicity of λ² in the square of block - λ², where it is larger than in the block: then
+/// λ² has a Jordan block.
+std::optional<int> jordan_multiplicity(const Scheme& scheme, const ValenceBalls& balls,
+                                       const EnclosedPair& leader, int frequency) {
+  const ExactBudget budget(kExactWork);
+  const auto exact = exact_square(scheme, balls, leader, frequency);
+  if (!exact) return std::nullopt;
+  DenseMatrix<Exact> shifted = exact->block;
+  for (Size i = 0; i < shifted.rows(); ++i) shifted(i, i) += Exact(-1) * exact->square;
+  DenseMatrix<Exact> squared_block(shifted.rows(), shifted.rows());
+  for (Size i = 0; i < shifted.rows(); ++i)
+    for (Size k = 0; k < shifted.rows(); ++k)
+      if (!shifted(i, k).is_zero())
+        for (Size j = 0; j < shifted.rows(); ++j)
+          if (!add_product(squared_block(i, j), shifted(i, k), shifted(k, j))) return std::nullopt;
+  const auto once = null_space(shifted, Exact(0));
+  const auto twice = null_space(squared_block, Exact(0));
+  if (!once || !twice || twice->size() <= once->size()) return std::nullopt;
+  return static_cast<int>(twice->size());
+}
+
+/// `a` without the leader, whose eigenvector has become another one by earlier deflations.
+std::optional<BallMatrix> without_leader(const BallMatrix& a, const EnclosedPair& leader) {
+  const Eigen::EigenSolver<Eigen::MatrixXd> solver(middle(a));
+  const auto nearest = [&] {
+    Eigen::Index best = 0;
+    for (Eigen::Index i = 1; i < solver.eigenvalues().size(); ++i)
+      if (std::abs(solver.eigenvalues()(i) - leader.value.approx()) <
+          std::abs(solver.eigenvalues()(best) - leader.value.approx()))
+        best = i;
+    return best;
+  }();
+  std::vector<double> vector;
+  for (Eigen::Index i = 0; i < solver.eigenvectors().rows(); ++i)
+    vector.push_back(solver.eigenvectors()(i, nearest).real());
+  const Result<EnclosedPair> pair = enclose_eigenpair(a, leader.value.approx(), vector);
+  if (!pair || !pair->value.overlaps(leader.value)) return std::nullopt;
+  return deflated(a, *pair);
+}
+
+/// The block without 1, the leader and these eigenvectors of λ².
+BallMatrix without(BallMatrix rest, const std::vector<std::vector<Exact>>& vectors,
+                   const Ball& square) {
+  std::vector<std::vector<Ball>> left;
+  for (const auto& vector : vectors) {
+    left.emplace_back();
+    for (const Exact& entry : vector) left.back().push_back(enclosed(entry));
+  }
+  while (!left.empty()) {
+    std::vector<Ball> vector = std::move(left.back());
+    left.pop_back();
+    Size pivot = 0;
+    for (Size i = 1; i < vector.size(); ++i)
+      if (std::abs(vector[i].approx()) > std::abs(vector[pivot].approx())) pivot = i;
+    const Ball scale = vector[pivot];
+    for (Ball& entry : vector) entry /= scale;
+    vector[pivot] = Ball(1);
+    rest = deflated(rest, {square, vector, pivot});
+    for (std::vector<Ball>& other : left) {  // what becomes of it by the deflation
+      const Ball at = other[pivot];
+      for (Size i = 0; i < other.size(); ++i) other[i] -= at * vector[i];
+      other.erase(other.begin() + static_cast<std::ptrdiff_t>(pivot));
+    }
+  }
+  return rest;
+}
+
+/// Squarings that show that all others of a frequency are less than λ², which it has exactly so
+/// many times.
+std::optional<int> squarings_beside(const Scheme& scheme, const ValenceBalls& balls,
+                                    const EnclosedPair& leader, int frequency, int* multiplicity,
+                                    int most_squarings) {
+  BallMatrix rest = balls.block(frequency);
+  std::vector<std::vector<Exact>> vectors;
+  if (*multiplicity != 0) {
+    const auto found = square_vectors(scheme, balls, leader, frequency);
+    if (!found) return std::nullopt;
+    if (*multiplicity > 0 && static_cast<int>(found->size()) != *multiplicity) return std::nullopt;
+    *multiplicity = static_cast<int>(found->size());
+    vectors = *found;
+  }
+  // exact vectors are of the block with the leader in it: take them off first
+  rest = without(std::move(rest), vectors, squared(leader));
+  if (frequency == 1) {
+    const std::optional<BallMatrix> other = without_leader(rest, leader);
+    if (!other) return std::nullopt;
+    rest = *other;
+  }
+  return squarings_below(rest, squared(leader), most_squarings);
+}
+
+}  // namespace
+
+CurvatureClaim search_curvature(const Scheme& scheme, const ValenceBalls& balls,
+                                const EnclosedPair& leader, const RegularPart& regular) {
+  CurvatureClaim claim;
+  if (regular.bounded == Truth::no) {
+    claim.answer = CurvatureAnswer::unbounded;
+    claim.reason =
+        "the regular surface round the vertex has unbounded curvature: " + regular.reason;
+    return claim;
+  }
+  if (const auto large = find_large(balls, leader)) {
+    claim.answer = CurvatureAnswer::unbounded;
+    claim.large = large;
+    claim.reason = fmt::format("{:.6g} of frequency {} exceeds tangent² = {:.6g}", large->value,
+                               large->frequency, squared(leader).approx());
+    return claim;
+  }
+  for (int frequency = 0; frequency <= balls.valence() / 2; ++frequency) {
+    int multiplicity = 0;
+    auto squarings =
+        squarings_beside(scheme, balls, leader, frequency, &multiplicity, kMostSquarings);
+    if (!squarings) {
+      multiplicity = -1;
+      squarings = squarings_beside(scheme, balls, leader, frequency, &multiplicity, kMostSquarings);
+    }
+    if (!squarings) {
+      claim.equal.clear();
+      claim.squarings.clear();
+      if (const auto jordan = jordan_multiplicity(scheme, balls, leader, frequency)) {
+        claim.answer = CurvatureAnswer::unbounded;
+        claim.jordan = {frequency, *jordan};
+        claim.reason = fmt::format("tangent² = {:.6g} has a Jordan block in frequency {}",
+                                   squared(leader).approx(), frequency);
+        return claim;
+      }
+      claim.reason = fmt::format(
+          "eigenvalues of frequency {} could not be told from tangent² = {:.6g}, nor be shown to "
+          "be "
+          "equal to it in exact numbers of a bounded size",
+          frequency, squared(leader).approx());
+      return claim;
+    }
+    claim.squarings.push_back(*squarings);
+    if (multiplicity > 0) claim.equal.push_back({frequency, multiplicity});
+  }
+  if (regular.bounded != Truth::yes) {
+    claim.equal.clear();
+    claim.squarings.clear();
+    claim.reason = "the regular surface round the vertex: " + regular.reason;
+    return claim;
+  }
+  claim.answer = claim.equal.empty() ? CurvatureAnswer::flat : CurvatureAnswer::bounded;
+  claim.reason = claim.equal.empty()
+                     ? "all other eigenvalues are smaller than tangent²"
+                     : "all other eigenvalues are at most tangent², and semisimple where equal";
+  claim.reason += "; " + regular.reason;
+  return claim;
+}
+
+Status check_curvature(const Scheme& scheme, const ValenceBalls& balls, const EnclosedPair& leader,
+                       const RegularPart& regular, const CurvatureClaim& claim) {
+  if (claim.answer == CurvatureAnswer::undecided) return Done{};
+  if (claim.answer == CurvatureAnswer::unbounded) {
+    if (claim.large) return check_large(balls, leader, *claim.large);
+    if (claim.jordan) {
+      const SquareEigenvalue& jordan = *claim.jordan;
+      if (jordan.frequency >= 0 && jordan.frequency <= balls.valence() / 2 &&
+          jordan_multiplicity(scheme, balls, leader, jordan.frequency) == jordan.multiplicity)
+        return Done{};
+      return Error{"a Jordan block of tangent² is not shown"};
+    }
+    if (regular.bounded == Truth::no) return Done{};
+    return Error{"unbounded curvature of the regular surface is not shown"};
+  }
+  if (regular.bounded != Truth::yes)
+    return Error{"bounded curvature of the regular surface is not shown"};
+  if (claim.equal.empty() != (claim.answer == CurvatureAnswer::flat))
+    return Error{"flat and bounded are told apart by eigenvalues equal to tangent²"};
+  if (static_cast<int>(claim.squarings.size()) != balls.valence() / 2 + 1)
+    return Error{"curvature: not one number of squarings for each frequency"};
+  std::vector<int> multiplicities(claim.squarings.size());
+  for (const SquareEigenvalue& one : claim.equal) {
+    if (one.frequency < 0 || one.frequency > balls.valence() / 2 || one.multiplicity < 1)
+      return Error{"curvature: no such multiplicity of tangent²"};
+    multiplicities[static_cast<Size>(one.frequency)] = one.multiplicity;
+  }
+  for (Size i = 0; i < claim.squarings.size(); ++i)
+    if (squarings_beside(scheme, balls, leader, static_cast<int>(i), &multiplicities[i],
+                         kMostSquarings) != claim.squarings[i])
+      return Error{fmt::format("curvature: the eigenvalues of frequency {} are not as claimed", i)};
+  return Done{};
+}
+
+}  // namespace limn::certify

@@ -1,0 +1,100 @@
+#include "limn/certify/eigen_net.h"
+
+#include <algorithm>
+
+namespace limn::certify {
+namespace {
+
+constexpr int kDeepest = 40;
+
+/// The ring of a control point in sector 0, and its number within the sector.
+std::pair<int, int> ring_and_place(const CellMatrices& cells, LatticeVector j) {
+  const auto [x, y] = j;
+  if (cells.lattice == Lattice::triangle) return {x + y, y};
+  const int ring = std::max(x, y);
+  const int place = x == ring ? y : 2 * ring - x;
+  // dual: counted from the spoke, while orbits are from the corner
+  return cells.dual ? std::pair{ring + 1, place - ring} : std::pair{ring, place};
+}
+
+NetPoint turned(const NetPoint& p, const std::pair<Ball, Ball>& by) {
+  return {p.u * by.first - p.v * by.second, p.u * by.second + p.v * by.first};
+}
+
+}  // namespace
+
+std::optional<SectorPlace> turned_into_sector(Lattice lattice, LatticeVector place) {
+  const bool triangle = lattice == Lattice::triangle;
+  const auto [x, y] = place;
+  if (x == 0 && y == 0) return SectorPlace{0, place};
+  if (x > 0 && y >= 0) return SectorPlace{0, place};
+  if (y < 0) {
+    const LatticeVector back{-y, triangle ? x + y : x};
+    if (back[1] >= 0) return SectorPlace{-1, back};
+    return std::nullopt;
+  }
+  const LatticeVector on{triangle ? x + y : y, -x};
+  if (on[0] > 0) return SectorPlace{1, on};
+  return std::nullopt;
+}
+
+EigenNet::EigenNet(const CellMatrices& cells, const RealBasis& basis, const EnclosedPair& pair,
+                   const Phase<Ball>& phase, Ball center)
+    : cells_(cells), basis_(basis), pair_(pair), phase_(phase), center_(std::move(center)) {
+  const auto back = cells.turns ? phase(-1, 2) : std::pair{Ball(1), Ball(0)};
+  factor_ = {back.first / pair.value, back.second / pair.value};
+}
+
+Result<NetPoint> EigenNet::at(LatticeVector j) { return at(j, 0); }
+
+Result<NetPoint> EigenNet::at(LatticeVector j, int depth) {
+  const int half = cells_.dual ? 1 : 0;
+  const auto found = turned_into_sector(cells_.lattice, {2 * j[0] + half, 2 * j[1] + half});
+  if (!found) return Error{"a control point lies more than a sector away"};
+  const LatticeVector inside{(found->place[0] - half) / 2, (found->place[1] - half) / 2};
+  Result<NetPoint> point = in_sector(inside, depth);
+  if (!point || found->sector == 0) return point;
+  return turned(*point, phase_(found->sector, 1));
+}
+
+Result<NetPoint> EigenNet::in_sector(LatticeVector j, int depth) {
+  if (!cells_.dual && j == LatticeVector{0, 0}) return NetPoint{center_, Ball(0)};
+  if (const auto known = known_.find(j); known != known_.end()) return known->second;
+  const auto [ring, place] = ring_and_place(cells_, j);
+  if (depth > kDeepest) return Error{"control points do not follow from inner ones"};
+  Result<NetPoint> point = ring <= basis_.rings
+                               ? Result<NetPoint>(from_amplitude(basis_.orbit(ring, place)))
+                               : extended(j, depth + 1);
+  if (point && ring <= basis_.rings) {
+    const RealOrbit& orbit = basis_.orbits[basis_.orbit(ring, place)];
+    point = turned(*point, phase_(place, orbit.size));
+  }
+  if (point) known_.emplace(j, *point);
+  return point;
+}
+
+NetPoint EigenNet::from_amplitude(std::size_t number) const {
+  const RealOrbit& orbit = basis_.orbits[number];
+  const Ball& p = pair_.vector[orbit.real];
+  if (orbit.real == orbit.imaginary) return {p, Ball(0)};
+  const Ball& q = pair_.vector[orbit.imaginary];
+  return {p, orbit.reflected ? -q : q};
+}
+
+Result<NetPoint> EigenNet::extended(LatticeVector k, int depth) {
+  NetPoint sum;
+  LatticeVector fine = cells_.labels.apply(k);
+  for (int& coordinate : fine) coordinate /= cells_.label_divisor;
+  for (const auto& [offset, weight] : cells_.one_mask) {
+    const auto j = cells_.dilation.divide({fine[0] - offset[0], fine[1] - offset[1]});
+    if (!j) continue;
+    const Result<NetPoint> source = at(*j, depth);
+    if (!source) return source;
+    const Ball by(weight);
+    sum.u.add_product(by, source->u);
+    sum.v.add_product(by, source->v);
+  }
+  return turned(sum, factor_);
+}
+
+}  // namespace limn::certify

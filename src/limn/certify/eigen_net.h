@@ -1,0 +1,56 @@
+#pragma once
+/// The control net of the characteristic map: an eigenvector of frequency 1 on all of the star, as
+/// far out as a proof needs it.
+///
+/// Places are written in the basis of sector 0 (cell_matrices.h), the centre at 0; those of other
+/// sectors are reached by turning across a spoke, as on the regular lattice.
+
+#include <map>
+#include <optional>
+
+#include "limn/certify/cell_matrices.h"
+#include "limn/certify/real_blocks.h"
+#include "limn/certify/spectral_bound.h"
+
+namespace limn::certify {
+
+/// A place in sector 0, 1 or -1 with coordinates x > 0, y ≥ 0 (or both 0: the centre).
+struct SectorPlace {
+  int sector = 0;
+  LatticeVector place{};
+};
+/// `place`, in any unit, turned into a sector it lies in; nothing farther round than one sector.
+[[nodiscard]] std::optional<SectorPlace> turned_into_sector(Lattice lattice, LatticeVector place);
+
+struct NetPoint {
+  Ball u, v;
+};
+
+class EigenNet {
+ public:
+  /// `pair`: eigenvalue of one step, eigenvector in the real basis without the centre. All must
+  /// outlive the net.
+  /// `center`: the value there; other than 0 for frequency 0 alone.
+  EigenNet(const CellMatrices& cells, const RealBasis& basis, const EnclosedPair& pair,
+           const Phase<Ball>& phase, Ball center = 0);
+
+  /// The control point j: at j, or j + (½, ½) (dual). Fails for places more than one sector away,
+  /// and where the mask does not reach outwards.
+  [[nodiscard]] Result<NetPoint> at(LatticeVector j);
+
+ private:
+  [[nodiscard]] Result<NetPoint> in_sector(LatticeVector j, int depth);
+  [[nodiscard]] NetPoint from_amplitude(std::size_t orbit) const;
+  [[nodiscard]] Result<NetPoint> extended(LatticeVector j, int depth);
+  [[nodiscard]] Result<NetPoint> at(LatticeVector j, int depth);
+
+  const CellMatrices& cells_;
+  const RealBasis& basis_;
+  const EnclosedPair& pair_;
+  const Phase<Ball>& phase_;
+  Ball center_;
+  std::pair<Ball, Ball> factor_;  // 1/λ, turned back
+  std::map<LatticeVector, NetPoint> known_;
+};
+
+}  // namespace limn::certify

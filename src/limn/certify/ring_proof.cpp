@@ -1,0 +1,165 @@
+#include "limn/certify/ring_proof.h"
+
+#include <algorithm>
+
+#include <fmt/core.h>
+
+namespace limn::certify {
+namespace {
+
+std::string text(LatticeVector cell) { return fmt::format("cell ({}, {})", cell[0], cell[1]); }
+
+/// Whether the words, in order, are the leaves of a tree of digits below `count`.
+class Tiling {
+ public:
+  Tiling(const std::vector<std::string>& words, int count) : words_(words), count_(count) {}
+  [[nodiscard]] bool holds() { return fills("") && next_ == words_.size(); }
+
+ private:
+  bool fills(const std::string& word) {
+    if (next_ >= words_.size() || word.size() > RingProof::kDeepest) return false;
+    if (words_[next_] == word) {
+      ++next_;
+      return true;
+    }
+    for (int d = 0; d < count_; ++d)
+      if (!fills(word + static_cast<char>('0' + d))) return false;
+    return true;
+  }
+
+  const std::vector<std::string>& words_;
+  int count_;
+  std::size_t next_ = 0;
+};
+
+}  // namespace
+
+RingProof::RingProof(const CellMatrices& cells, const CellSigns& signs, EigenNet& net,
+                     const Phase<Ball>& phase, RingGoal goal)
+    : cells_(cells), signs_(signs), net_(net), phase_(phase), goal_(goal) {}
+
+/// An eigenvector has no sign: the direction is turned to where the map is, on the spoke (dual: the
+/// diagonal) at the ring's inner boundary.
+Status RingProof::look(int inner) {
+  const Result<NetPoint> first = net_.at({inner, cells_.dual ? inner : 0});
+  if (!first) return first.error();
+  const auto middle =
+      goal_ == RingGoal::one_sign ? std::pair{Ball(1), Ball(0)} : phase_(cells_.dual ? -1 : 1, 4);
+  const bool negative = first->u.is_negative();
+  direction_ = {negative ? -middle.first : middle.first, negative ? -middle.second : middle.second};
+  return Done{};
+}
+
+bool RingProof::shows(const CellMap& map, Ball* jacobian) const {
+  if (goal_ == RingGoal::regular) {
+    *jacobian = signs_.jacobian(map);
+    if (!jacobian->is_positive()) return false;
+  }
+  const NetPoint at = signs_.values(map);
+  if (goal_ == RingGoal::nowhere_zero) return !at.u.holds_zero() || !at.v.holds_zero();
+  return (at.u * direction_.u + at.v * direction_.v).is_positive();
+}
+
+Result<RingProof::Found> RingProof::search(int most_parts, const Stop& stop) {
+  const Result<RingCells> ring = ring_cells(cells_);
+  if (!ring) return ring.error();
+  if (Status looked = look(ring->inner); !looked) return looked.error();
+  Found found;
+  found.inner = ring->inner;
+  std::optional<PartPlace> positive;
+  std::optional<PartPlace> negative;
+  int parts = 0;
+  std::string failed;
+  for (const LatticeVector cell : ring->cells) {
+    const Result<CellMap> whole = signs_.map_on(net_, cell);
+    if (!whole) return whole.error();
+    found.ring.push_back({cell, {}});
+    std::vector<std::pair<CellMap, std::string>> open{{*whole, ""}};
+    while (!open.empty()) {
+      const auto [map, word] = std::move(open.back());
+      open.pop_back();
+      Ball jacobian;
+      const bool shown = shows(map, &jacobian);
+      if (goal_ == RingGoal::regular && jacobian.is_positive() && !positive)
+        positive = PartPlace{cell, word};
+      if (goal_ == RingGoal::regular && jacobian.is_negative() && !negative)
+        negative = PartPlace{cell, word};
+      if (positive && negative) {
+        found.answer = Answer::refuted;
+        found.fold = {*positive, *negative};
+        found.ring.clear();
+        return found;
+      }
+      if (shown) {
+        found.ring.back().parts.push_back(word);
+        continue;
+      }
+      ++parts;
+      if (failed.empty() && (word.size() >= kDeepest || parts > most_parts || asked(stop)))
+        failed = text(cell) + (word.empty() ? "" : ", part " + word);
+      // the other sign of the Jacobian may yet be found
+      if (word.size() >= kDeepest || parts > most_parts || asked(stop)) continue;
+      for (std::size_t d = cells_.residual.size(); d-- > 0;)
+        open.emplace_back(signs_.part(map, d), word + static_cast<char>('0' + d));
+    }
+  }
+  if (failed.empty()) {
+    found.answer = Answer::proved;
+  } else {
+    found.ring.clear();
+    found.reason = "the characteristic map's Jacobian or place could not be told on " + failed;
+  }
+  return found;
+}
+
+Status RingProof::check(int inner, const std::vector<CellClaim>& claimed) {
+  const Result<RingCells> ring = ring_cells(cells_);
+  if (!ring) return ring.error();
+  if (ring->inner != inner || ring->cells.size() != claimed.size())
+    return Error{"the cells of the certificate are not those of the ring"};
+  if (Status looked = look(inner); !looked) return looked;
+  for (std::size_t i = 0; i < claimed.size(); ++i) {
+    if (claimed[i].cell != ring->cells[i])
+      return Error{text(claimed[i].cell) + " is not the ring's next, " + text(ring->cells[i])};
+    if (!Tiling(claimed[i].parts, static_cast<int>(cells_.residual.size())).holds())
+      return Error{text(claimed[i].cell) + ": its parts do not fill it"};
+    for (const std::string& part : claimed[i].parts) {
+      const Result<CellMap> map = map_of({claimed[i].cell, part});
+      if (!map) return map.error();
+      Ball jacobian;
+      if (!shows(*map, &jacobian))
+        return Error{text(claimed[i].cell) + ", part " + part +
+                     ": it does not show what is claimed"};
+    }
+  }
+  return Done{};
+}
+
+Result<CellMap> RingProof::map_of(const PartPlace& place) {
+  Result<CellMap> map = signs_.map_on(net_, place.cell);
+  for (const char c : place.part) {
+    const auto digit = static_cast<std::size_t>(c - '0');
+    if (map && digit >= cells_.residual.size()) return Error{"there is no part " + place.part};
+    if (map) map = signs_.part(*map, digit);
+  }
+  return map;
+}
+
+Status RingProof::check_fold(const std::array<PartPlace, 2>& fold, int inner) {
+  const Result<RingCells> ring = ring_cells(cells_);
+  if (!ring) return ring.error();
+  if (ring->inner != inner) return Error{"the ring begins elsewhere"};
+  for (std::size_t i = 0; i < fold.size(); ++i) {
+    if (std::find(ring->cells.begin(), ring->cells.end(), fold[i].cell) == ring->cells.end() ||
+        fold[i].part.size() > kDeepest)
+      return Error{text(fold[i].cell) + " is not one of the ring"};
+    const Result<CellMap> map = map_of(fold[i]);
+    if (!map) return map.error();
+    const Ball jacobian = signs_.jacobian(*map);
+    if (i == 0 ? !jacobian.is_positive() : !jacobian.is_negative())
+      return Error{text(fold[i].cell) + ": the Jacobian's sign is not shown"};
+  }
+  return Done{};
+}
+
+}  // namespace limn::certify

@@ -1,0 +1,23 @@
+#include "limn/report/certificate_report.h"
+
+#include <fmt/core.h>
+
+#include "limn/base/printable.h"
+
+namespace limn {
+
+std::string certificate_text(const certify::Certificate& certificate) {
+  std::string text = printable(certificate.scheme) + "\n";
+  text += fmt::format("C1 on the regular lattice: {} ({})\n\n", to_string(certificate.regular.c1),
+                      certificate.regular.reason);
+  text += fmt::format("{:>7}  {:<9}  {:<9}  {}\n", "valence", "C1", "curvature", "because");
+  for (const certify::ValenceClaim& claim : certificate.valences) {
+    text += fmt::format("{:>7}  {:<9}  {:<9}  {}\n", claim.valence, to_string(claim.c1),
+                        to_string(claim.curvature.answer), claim.reason);
+    if (claim.c1 == certify::Answer::proved)
+      text += fmt::format("{:>29}  {}\n", "", claim.curvature.reason);
+  }
+  return text;
+}
+
+}  // namespace limn

@@ -1,0 +1,13 @@
+#pragma once
+/// Certificates for people.
+
+#include <string>
+
+#include "limn/certify/certificate.h"
+
+namespace limn {
+
+/// What is proved: the regular lattice, and a line for each valence.
+[[nodiscard]] std::string certificate_text(const certify::Certificate& certificate);
+
+}  // namespace limn

@@ -1,0 +1,203 @@
+#include "limn/certify/certify.h"
+
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+#include <numeric>
+#include <random>
+
+#include "limn/certify/certificate_json.h"
+#include "limn/limit/characteristic_map.h"
+#include "support/shipped.h"
+
+namespace limn::certify {
+namespace {
+
+std::vector<int> valences(int first, int last) {
+  std::vector<int> result(static_cast<std::size_t>(last - first + 1));
+  std::iota(result.begin(), result.end(), first);
+  return result;
+}
+
+Certificate certified(const Scheme& scheme, int first, int last) {
+  Result<Certificate> certificate = certify(scheme, valences(first, last));
+  EXPECT_TRUE(certificate.ok()) << certificate.error().text();
+  return certificate ? *certificate : Certificate{};
+}
+
+class Proved : public testing::TestWithParam<const char*> {};
+
+TEST_P(Proved, AtSmallAndLargeValences) {
+  const Scheme& scheme = test::shipped(GetParam());
+  for (const auto& [first, last] : {std::pair{3, 12}, std::pair{49, 50}}) {
+    const Certificate certificate = certified(scheme, first, last);
+    for (const ValenceClaim& claim : certificate.valences)
+      EXPECT_EQ(claim.c1, Answer::proved) << claim.valence << ": " << claim.reason;
+    const Status shown = check_certificate(certificate);
+    EXPECT_TRUE(shown.ok()) << shown.error().text();
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Schemes, Proved,
+                         testing::Values("loop", "loop-warren", "catmull-clark", "doo-sabin",
+                                         "sqrt3", "butterfly-modified", "interpolating-loop"));
+
+TEST(Certify, RefutesTheButterflyFromEightOn) {
+  const Certificate certificate = certified(test::shipped("butterfly"), 3, 12);
+  for (const ValenceClaim& claim : certificate.valences) {
+    const Answer expected = claim.valence == 3  ? Answer::undecided
+                            : claim.valence < 8 ? Answer::proved
+                                                : Answer::refuted;
+    EXPECT_EQ(claim.c1, expected) << claim.valence << ": " << claim.reason;
+  }
+  EXPECT_NE(certificate.valences.front().reason.find("ties"), std::string::npos)
+      << certificate.valences.front().reason;
+  EXPECT_TRUE(check_certificate(certificate).ok());
+}
+
+TEST(Certify, RefutesTheShrinkingVariantAtSeven) {
+  const Certificate certificate = certified(test::shipped("loop-7-shrinking"), 7, 7);
+  EXPECT_EQ(certificate.valences.front().c1, Answer::refuted);
+  EXPECT_EQ(certificate.valences.front().frequency, 2);
+  EXPECT_TRUE(check_certificate(certificate).ok());
+}
+
+TEST(Certify, LeavesTheOptimalSchemesTieAtThreeOpen) {
+  const Certificate certificate = certified(test::shipped("optimal"), 3, 6);
+  EXPECT_EQ(certificate.valences[0].c1, Answer::undecided);
+  EXPECT_NE(certificate.valences[0].reason.find("0.166667"), std::string::npos)
+      << certificate.valences[0].reason;
+  for (std::size_t i = 1; i < 4; ++i) EXPECT_EQ(certificate.valences[i].c1, Answer::proved);
+}
+
+/// -μ1 - μ1² < a < μ1 - μ1² is necessary [KS], at n = 6: -3/4 < a < 1/4; and the lattice is C1
+/// there well inside.
+TEST(Certify, FollowsTheLaplacianFamilysRange) {
+  for (const auto& [a, proved] : {std::pair{"-1/4", true}, std::pair{"1/8", true},
+                                  std::pair{"26/100", false}, std::pair{"-76/100", false}}) {
+    Scheme scheme = test::shipped("laplacian-loop");
+    ASSERT_TRUE(set_parameters(scheme, {std::string("a=") + a}).ok());
+    const Result<Certificate> certificate = certify(scheme, {6});
+    ASSERT_TRUE(certificate.ok()) << certificate.error().text();
+    EXPECT_EQ(certificate->valences[0].c1 == Answer::proved, proved)
+        << a << ": " << certificate->valences[0].reason;
+  }
+}
+
+TEST(Certify, ProvesCurvature) {
+  const auto answer = [](const char* name, int n) {
+    const Certificate certificate = certified(test::shipped(name), n, n);
+    EXPECT_TRUE(check_certificate(certificate).ok());
+    return certificate.valences.front().curvature.answer;
+  };
+  EXPECT_EQ(answer("loop", 3), CurvatureAnswer::unbounded);  // 1/8 > 1/16
+  EXPECT_EQ(answer("loop", 4), CurvatureAnswer::bounded);    // cup = tangent² exactly
+  EXPECT_EQ(answer("loop", 5), CurvatureAnswer::bounded);
+  EXPECT_EQ(answer("loop", 6), CurvatureAnswer::bounded);
+  EXPECT_EQ(answer("loop", 7), CurvatureAnswer::unbounded);  // saddle > tangent²
+  EXPECT_EQ(answer("catmull-clark", 4), CurvatureAnswer::bounded);
+  EXPECT_EQ(answer("catmull-clark", 5), CurvatureAnswer::unbounded);
+  EXPECT_EQ(answer("sqrt3", 6), CurvatureAnswer::bounded);
+  EXPECT_EQ(answer("doo-sabin", 4), CurvatureAnswer::bounded);
+  EXPECT_EQ(answer("doo-sabin", 5), CurvatureAnswer::unbounded);  // a Jordan block
+  EXPECT_EQ(answer("loop-7-flat", 7), CurvatureAnswer::bounded);  // cup = tangent², saddles less
+  EXPECT_EQ(answer("laplacian-loop", 6), CurvatureAnswer::unbounded);  // the lattice itself
+}
+
+/// A weight of the file that is another one: the claim falls or the verdict changes.
+TEST(Certificate, IsOfItsTextsRules) {
+  Certificate certificate = certified(test::shipped("loop"), 5, 5);
+  ASSERT_TRUE(check_certificate(certificate).ok());
+  std::string& text = certificate.texts.front().text;
+  text.replace(text.find("5/8 - lambda^2"), 3, "4/8");
+  EXPECT_FALSE(check_certificate(certificate).ok());
+}
+
+/// Each number of a certificate, one after the other, made another one.
+TEST(Certificate, IsRefusedWithAnyNumberChanged) {
+  for (const auto& [name, n] : {std::pair{"loop", 4}, std::pair{"loop", 7},
+                                std::pair{"loop-7-shrinking", 7}, std::pair{"doo-sabin", 5}}) {
+    SCOPED_TRACE(name);
+    nlohmann::json json =
+        nlohmann::json::parse(certificate_json(certified(test::shipped(name), n, n)).dump());
+    const auto verified = [&] {
+      const Result<Certificate> read = parse_certificate(json.dump());
+      return read.ok() && check_certificate(*read).ok();
+    };
+    ASSERT_TRUE(verified());
+    int changed = 0;
+    const auto visit = [&](auto&& self, nlohmann::json& value, const std::string& path) -> void {
+      if (value.is_structured()) {
+        for (auto it = value.begin(); it != value.end(); ++it)
+          self(self, *it,
+               path + "/" + (value.is_object() ? it.key() : std::to_string(it - value.begin())));
+        return;
+      }
+      if (!value.is_number() || path.ends_with("/bits") || path == "/version") return;
+      const nlohmann::json kept = value;
+      if (value.is_number_integer())
+        value = value.get<int>() + 1;
+      else
+        value = value.get<double>() * (1 + 1e-9) + 1e-9;
+      EXPECT_FALSE(verified()) << path << " " << kept << " -> " << value;
+      value = kept;
+      ++changed;
+    };
+    visit(visit, json, "");
+    EXPECT_GT(changed, 15);
+    // the parts of a cell
+    for (nlohmann::json& cell : json["valences"][0]["ring"]) {
+      const nlohmann::json kept = cell["parts"];
+      cell["parts"] = "0 1 2";
+      EXPECT_FALSE(verified());
+      cell["parts"] = kept;
+    }
+    json["valences"][0]["c1"] = "undecided";
+    EXPECT_FALSE(verified());
+  }
+}
+
+TEST(Certificate, HasNoKeysThatNobodyReads) {
+  nlohmann::json json =
+      nlohmann::json::parse(certificate_json(certified(test::shipped("loop"), 6, 6)).dump());
+  json["valences"][0]["more"] = 1;
+  EXPECT_FALSE(parse_certificate(json.dump()).ok());
+  EXPECT_FALSE(parse_certificate("[]").ok());
+  EXPECT_FALSE(parse_certificate("{").ok());
+  EXPECT_FALSE(parse_certificate("null").ok());
+}
+
+/// Proved maps show no fold in samples; refuted folds show one.
+TEST(Certify, AgreesWithSamplesOfRandomFamilies) {
+  std::mt19937 random(2026);
+  int proved = 0;
+  int refuted = 0;
+  for (int round = 0; round < 60; ++round) {
+    Scheme scheme = test::shipped("loop-type");
+    const int b = 26 + static_cast<int>(random() % 22);
+    const int n = 3 + static_cast<int>(random() % 7);
+    const int beta = 1 + static_cast<int>(random() % 40);
+    if (!set_parameters(scheme, {"b=" + std::to_string(b) + "/100",
+                                 "beta=" + std::to_string(beta) + "/(100*n)"}))
+      continue;
+    const Result<Certificate> certificate = certify(scheme, {n});
+    if (!certificate) continue;
+    const ValenceClaim& claim = certificate->valences.front();
+    if (claim.c1 == Answer::undecided) continue;
+    EXPECT_TRUE(check_certificate(*certificate).ok());
+    const Result<CharacteristicMap> map = approx_characteristic_map(scheme, n);
+    if (claim.c1 == Answer::proved) {
+      ++proved;
+      ASSERT_TRUE(map.ok());
+      EXPECT_NE(map->regular, Truth::no) << map->reason;
+    } else {
+      ++refuted;
+      if (claim.fold) EXPECT_NE(map->regular, Truth::yes) << n;
+    }
+  }
+  EXPECT_GT(proved, 5);
+  EXPECT_GT(refuted, 1);
+}
+
+}  // namespace
+}  // namespace limn::certify
