@@ -127,8 +127,8 @@ int prove(const CertifyCommand& command) {
 }  // namespace
 
 void declare_certify(CLI::App& parser, Action& action) {
-  CLI::App* command = parser.add_subcommand(
-      "certify", "proves or refutes that surfaces are C1 at a vertex, in ball arithmetic");
+  CLI::App* command = add_command(
+      parser, "certify", "proves or refutes that surfaces are C1 at a vertex, in ball arithmetic");
   const auto chosen = std::make_shared<CertifyCommand>();
   command->add_option("SCHEME", chosen->scheme.name, kSchemeArgumentHelp);
   chosen->scheme.declare_parameters(*command);
