@@ -4,6 +4,7 @@
 #include "limn/report/eigen/eigen_figures.h"
 #include "limn/scheme/check.h"
 #include "limn/spectrum/eigencomponents.h"
+#include "limn/study/c1_answers.h"
 #include "papers/barthe_parts.h"
 
 namespace limn::bgsk {
@@ -16,14 +17,16 @@ struct Study {
   Scheme scheme;
   RegularPart regular;
   std::vector<Eigencomponents> valences;  // 3 … kLastValence
+  std::vector<certify::Answer> proofs;    // of C1, likewise
 };
 
 Result<Study> study(const std::string& name) {
   Result<Scheme> scheme = find_scheme(name);
   if (!scheme) return scheme.error();
-  Study result{std::move(*scheme), {}, {}};
+  Study result{std::move(*scheme), {}, {}, {}};
   if (!has_rules(result.scheme)) return result;
   result.regular = find_regular_part(result.scheme);
+  result.proofs = c1_answers(result.scheme, kSmallestValence, kLastValence);
   FrequencyAnalysis analysis(result.scheme);
   for (int n = kSmallestValence; n <= kLastValence; ++n) {
     const Result<FrequencyBlocks> blocks = analysis.blocks(n);
@@ -41,14 +44,19 @@ std::string shape_text(std::optional<Curvature> shape) {
   return shape ? std::string(to_string(*shape)) : "–";
 }
 
+std::string proof_text(const Study& study, const Eigencomponents& found) {
+  return std::string(
+      certify::to_string(study.proofs[static_cast<std::size_t>(found.valence - kSmallestValence)]));
+}
+
 std::vector<std::vector<std::string>> table_rows(const Study& study) {
   std::vector<std::vector<std::string>> rows{{"n", "tangent", "cup", "saddle", "C1: necessary",
-                                              "curvature bounded, if C1", "cup against tangent²",
-                                              "saddle against tangent²"}};
+                                              "C1", "curvature bounded, if C1",
+                                              "cup against tangent²", "saddle against tangent²"}};
   for (const Eigencomponents& found : study.valences)
     rows.push_back({fmt::format("{}", found.valence), number_text(found.tangent),
                     number_text(found.cup), number_text(found.saddle),
-                    std::string(to_string(found.verdict.c1_necessary)),
+                    std::string(to_string(found.verdict.c1_necessary)), proof_text(study, found),
                     std::string(to_string(found.verdict.bounded_curvature)),
                     shape_text(found.verdict.cup), shape_text(found.verdict.saddle)});
   return rows;
@@ -61,6 +69,7 @@ DescribedTable verdicts_of(const Study& study) {
        {"valence", "edges of the vertex, of dual schemes corners of the face"},
        {"convergent", "whether 1 is simple and leads"},
        {"c1_necessary", "whether the necessary conditions of C1 hold"},
+       {"c1", "proved or refuted in ball arithmetic, as `limn certify` does; or undecided"},
        {"bounded_curvature", "whether curvature is bounded at the vertex, if it is C1 there"},
        {"cup", "its eigenvalue against the tangent's squared: flat is less, unbounded more"},
        {"saddle", "its eigenvalue against the tangent's squared: flat is less, unbounded more"},
@@ -73,7 +82,7 @@ DescribedTable verdicts_of(const Study& study) {
       reasons += (reasons.empty() ? "" : "; ") + reason;
     table.rows.push_back({study.scheme.name, static_cast<double>(found.valence),
                           std::string(to_string(verdict.convergent)),
-                          std::string(to_string(verdict.c1_necessary)),
+                          std::string(to_string(verdict.c1_necessary)), proof_text(study, found),
                           std::string(to_string(verdict.bounded_curvature)),
                           shape_text(verdict.cup), shape_text(verdict.saddle), reasons});
   }
@@ -100,9 +109,11 @@ std::string summary(const Study& study) {
     return found.verdict.bounded_curvature == Truth::yes;
   });
   return fmt::format(
-      "necessary conditions of C1 fail at: {}; curvature bounded, where C1, at: {}. On the regular "
+      "C1 is proved at: {}; necessary conditions of C1 fail at: {}; curvature bounded, where C1, "
+      "at: {}. On the regular "
       "lattice curvature is {} ({}).",
-      not_c1, bounded, words_of(study.regular.bounded), study.regular.reason);
+      c1_answers_text(study.proofs, kSmallestValence), not_c1, bounded,
+      words_of(study.regular.bounded), study.regular.reason);
 }
 
 /// Where eigenvalues are complex: " Complex, shown by modulus, at: …."

@@ -23,37 +23,40 @@ std::string yes_no(Truth truth) { return std::string(to_string(truth)); }
 
 /// Smoothness of every member: on the regular lattice, and where its vertices are irregular.
 Status add_smoothness_table(PaperPage& page, const std::vector<const Evidence*>& all) {
-  std::vector<std::vector<std::string>> rows{{"scheme", "Hölder exponent, regular vertices", "C1",
-                                              "C2",
-                                              "C1 ruled out at n =", "curvature unbounded at n ="}};
+  std::vector<std::vector<std::string>> rows{
+      {"scheme", "Hölder exponent, regular vertices", "C1", "C2",
+       "C1 proved at n =", "C1 ruled out at n =", "curvature unbounded at n ="}};
   DescribedTable numbers{
       {{"scheme", "its name"},
        {"holder_lower", "of the Hölder exponent at regular vertices, proved"},
        {"holder_upper", "of the same; empty where none is proved"},
        {"c1", "at regular vertices"},
        {"c2", "at regular vertices"},
+       {"c1_proved_at", "valences at which C1 is proved, and refuted, in ball arithmetic"},
        {"not_c1_at", "valences at which C1 is ruled out"},
        {"unbounded_at",
         "valences at which curvature is unbounded, even if the surface is C1 there"}},
       {}};
   for (const Evidence* one : all) {
     const HolderBracket& bracket = one->regularity.holder;
-    rows.push_back({one->member.words, bracket_text(bracket),
-                    yes_no(one->regularity.smoothness[1].verdict),
-                    yes_no(one->regularity.smoothness[2].verdict), valences_text(*one, fails_c1),
-                    valences_text(*one, unbounds_curvature)});
-    numbers.rows.push_back({one->member.words, bracket.lower, bracket.upper.value_or(NAN),
-                            yes_no(one->regularity.smoothness[1].verdict),
-                            yes_no(one->regularity.smoothness[2].verdict),
-                            valences_text(*one, fails_c1),
-                            valences_text(*one, unbounds_curvature)});
+    rows.push_back(
+        {one->member.words, bracket_text(bracket), yes_no(one->regularity.smoothness[1].verdict),
+         yes_no(one->regularity.smoothness[2].verdict), c1_answers_text(one->proofs, kFirstValence),
+         valences_text(*one, fails_c1), valences_text(*one, unbounds_curvature)});
+    numbers.rows.push_back(
+        {one->member.words, bracket.lower, bracket.upper.value_or(NAN),
+         yes_no(one->regularity.smoothness[1].verdict),
+         yes_no(one->regularity.smoothness[2].verdict), c1_answers_text(one->proofs, kFirstValence),
+         valences_text(*one, fails_c1), valences_text(*one, unbounds_curvature)});
   }
   return page.add_table(
       {"Smoothness", "smoothness"}, rows, numbers,
       fmt::format(
           "What an analysis of the 1-ring cannot see: `limn regularity` on the regular "
           "lattice, and `limn eigen` on the whole neighbourhood at the valences {} … {}. C1 not "
-          "being ruled out by the eigenvalues proves nothing; curvature is unbounded by the "
+          "being ruled out by the eigenvalues proves nothing; where it is proved `limn certify` "
+          "has "
+          "enclosed the characteristic map; curvature is unbounded by the "
           "eigenvalues or by the regular surface round the vertex.",
           kFirstValence, kLastValence));
 }
@@ -278,7 +281,8 @@ Result<Evidence> evidence_of(const Member& member) {
   if (!regularity) return regularity.error();
   Result<std::vector<Eigencomponents>> valences = components_of(*scheme, kLastValence);
   if (!valences) return valences.error();
-  return Evidence{member, std::move(*regularity), std::move(*valences)};
+  return Evidence{member, std::move(*regularity), std::move(*valences),
+                  c1_answers(*scheme, kFirstValence, kLastValence)};
 }
 
 std::string bracket_text(const HolderBracket& bracket) {

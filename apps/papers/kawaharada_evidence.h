@@ -8,6 +8,7 @@
 #include "limn/regular/smoothness/regularity.h"
 #include "limn/report/fairness_report.h"
 #include "limn/spectrum/eigencomponents.h"
+#include "limn/study/c1_answers.h"
 #include "limn/tune/range.h"
 #include "papers/kawaharada_parts.h"
 
@@ -20,6 +21,7 @@ struct Evidence {
   Member member;
   Regularity regularity;
   std::vector<Eigencomponents> valences;  ///< kFirstValence … kLastValence
+  std::vector<certify::Answer> proofs;    ///< of C1, likewise
 
   [[nodiscard]] const Eigencomponents& at(int n) const {
     return valences[static_cast<std::size_t>(n - kFirstValence)];

@@ -5,6 +5,7 @@
 
 #include "limn/regular/regular_mask.h"
 #include "limn/regular/smoothness/second_differences.h"
+#include "limn/study/c1_answers.h"
 
 namespace limn {
 namespace {
@@ -40,12 +41,17 @@ std::vector<ValenceRecord> valences_of(const Scheme& scheme, const RegularPart& 
                                        const RecordOptions& options) {
   FrequencyAnalysis analysis(scheme);
   std::vector<ValenceRecord> valences;
+  const int first = std::max(options.first_valence, 3);
+  const std::vector<certify::Answer> answers = first <= options.last_valence
+                                                   ? c1_answers(scheme, first, options.last_valence)
+                                                   : std::vector<certify::Answer>();
   for (int n = options.first_valence; n <= options.last_valence; ++n) {
     const Result<FrequencyBlocks> blocks = analysis.blocks(n);
     if (blocks)
       valences.push_back({n, approx_eigencomponents(*blocks, regular)});
     else
       valences.push_back({n, blocks.error()});
+    if (n >= first) valences.back().c1 = answers[static_cast<std::size_t>(n - first)];
   }
   return valences;
 }
@@ -89,7 +95,7 @@ SchemeRecord approx_record(const std::string& label, const Scheme& scheme,
       density_of(analysis, options.tolerance, ArtifactMeasure::total_energy);
   Result<SamplingDensity> mean =
       density_of(analysis, options.tolerance, ArtifactMeasure::mean_energy);
-  begin("eigencomponents");
+  begin("eigencomponents and proofs of C1");
   return {.label = label,
           .split = std::string(scheme.split->name),
           .interpolating = mask ? Result<bool>(interpolates(*mask)) : mask.error(),

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "limn/certify/certificate.h"
 #include "limn/regular/sampling_density.h"
 #include "limn/regular/smoothness/regularity.h"
 #include "limn/scheme/scheme.h"
@@ -31,6 +32,8 @@ inline constexpr double kWavelengths[] = {8, 4};
 struct ValenceRecord {
   int valence = 0;  ///< edges at a vertex; corners of a face under a dual split
   Result<Eigencomponents> components;
+  certify::Answer c1 =
+      certify::Answer::undecided;  ///< in ball arithmetic: c1_answers (c1_answers.h)
 };
 
 struct SchemeRecord {

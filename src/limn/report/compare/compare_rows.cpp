@@ -159,6 +159,20 @@ TableCell verdict_cell(const SchemeRecord& scheme, Truth Verdict::*part) {
   return {text, Between{sure, sure + static_cast<double>(undecided.size())}};
 }
 
+/// At which valences C1 is proved, and at which refuted.
+TableCell proof_cell(const SchemeRecord& scheme) {
+  std::vector<int> proved, refuted, undecided;
+  for (const ValenceRecord& one : scheme.valences)
+    (one.c1 == certify::Answer::proved    ? proved
+     : one.c1 == certify::Answer::refuted ? refuted
+                                          : undecided)
+        .push_back(one.valence);
+  std::string text = numbers_text(proved);
+  if (!refuted.empty()) text += " (refuted: " + numbers_text(refuted) + ")";
+  const auto sure = static_cast<double>(proved.size());
+  return {text, Between{sure, sure + static_cast<double>(undecided.size())}};
+}
+
 /// Eigenvalues tell convergence, and of C1 what is necessary alone; bounded curvature takes in the
 /// regular surface and presupposes C1.
 TableSection verdict_rows(const Comparison& comparison) {
@@ -172,6 +186,9 @@ TableSection verdict_rows(const Comparison& comparison) {
       row.cells.push_back(verdict_cell(scheme, part));
     section.rows.push_back(std::move(row));
   }
+  TableRow row{"C1 is proved (limn certify)", Better::more};
+  for (const SchemeRecord& scheme : comparison.schemes) row.cells.push_back(proof_cell(scheme));
+  section.rows.push_back(std::move(row));
   return section;
 }
 

@@ -42,10 +42,12 @@ nlohmann::ordered_json record_json(const SchemeRecord& record) {
   json["sampling"] = {{"total_energy", json_of(record.sampling, density_json)},
                       {"mean_energy", json_of(record.mean_sampling, density_json)}};
   json["valences"] = Json::array();
-  for (const ValenceRecord& one : record.valences)
+  for (const ValenceRecord& one : record.valences) {
     json["valences"].push_back(one.components
                                    ? eigen_json(*one.components)
                                    : Json{{"valence", one.valence}, {"components", nullptr}});
+    json["valences"].back()["c1"] = certify::to_string(one.c1);
+  }
   json["missing"] = missing_parts(record);
   return json;
 }
