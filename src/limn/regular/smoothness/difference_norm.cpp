@@ -64,24 +64,16 @@ class Box {
         hull_.least_combination(coordinates(v, {0, 0}), start_, 0);
     if (found.norm > to_double(bound) * (1 + kNearly)) return false;
     const FieldVector<Rational> u = exact_coordinates(v);
-    const std::size_t size = u.size();
-    // the row (v_i, i) for each difference: what reduces u to 0 tells the coefficients
-    Echelon<Rational> span(2 * size);
-    for (std::size_t i = 0; i < size; ++i) {
-      FieldVector<Rational> row(2 * size, Rational(0));
-      for (std::size_t j = 0; j < size; ++j)  // integers, exact in double precision
-        row[j] = Rational(hull_.points()(static_cast<Eigen::Index>(j), found.points[i]));
-      row[size + i] = 1;
-      span.insert(row);
+    std::vector<FieldVector<Rational>> points;
+    for (const Eigen::Index point : found.points) {
+      points.emplace_back();
+      for (const double entry : hull_.points().col(point))  // integers, exact in double precision
+        points.back().emplace_back(entry);
     }
-    FieldVector<Rational> labelled = u;
-    labelled.resize(2 * size, Rational(0));
-    const FieldVector<Rational> rest = span.reduced(std::move(labelled));
+    const std::optional<FieldVector<Rational>> c = Coordinates(points).of(u);
+    if (!c) return false;
     Rational sum = 0;
-    for (std::size_t j = 0; j < size; ++j) {
-      if (rest[j] != 0) return false;
-      sum += abs(rest[size + j]);
-    }
+    for (const Rational& entry : *c) sum += abs(entry);
     return sum <= bound;
   }
 
