@@ -8,6 +8,7 @@
 
 #include "limn/base/parallel.h"
 #include "limn/regular/algebra/echelon.h"
+#include "limn/regular/smoothness/exact_radius.h"
 #include "limn/regular/smoothness/rounding.h"
 #include "limn/regular/smoothness/symmetric_hull.h"
 #include "limn/regular/smoothness/transition_operators.h"
@@ -192,16 +193,19 @@ std::vector<double> difference_norms(const Mask& mask, int order, int most_steps
   return norms;
 }
 
-std::optional<int> steps_that_bound_second_differences(const Mask& mask, int most_steps) {
-  constexpr int kOrder = 2;
-  RefinedDifferences differences(mask, kOrder);
-  Rational bound = 1;
+std::optional<int> steps_that_bound_differences(const Mask& mask, int order, int most_steps,
+                                                const Stop& stop) {
+  RefinedDifferences differences(mask, order);
+  const int growth = mask.dilation.growth();
+  Rational squared = 1;  // of the bound
   for (int k = 1; k <= most_steps; ++k) {
-    differences.step();
-    if (differences.work() > kMostExactWork) break;
-    bound /= mask.dilation.growth();
-    const std::vector<char> each = differences.each<char>(
-        [&](const Box& box, const Laurent& v) -> char { return box.is_within(v, bound) ? 1 : 0; });
+    if (!differences.step(stop) || differences.work() > kMostExactWork) break;
+    for (int i = 0; i < order; ++i) squared /= growth;
+    const std::optional<Rational> bound = rational_root(squared, 2);
+    if (!bound) continue;
+    const std::vector<char> each = differences.each<char>([&](const Box& box, const Laurent& v) {
+      return static_cast<char>(!asked(stop) && box.is_within(v, *bound) ? 1 : 0);
+    });
     if (std::find(each.begin(), each.end(), 0) == each.end()) return k;
   }
   return std::nullopt;
