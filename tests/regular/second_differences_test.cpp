@@ -61,8 +61,8 @@ TEST(RegularPart, AtTheExponentTwoIsToldExactly) {
   EXPECT_EQ(four_point.bounded, Truth::no);
   EXPECT_NE(four_point.reason.find("Jordan block"), std::string::npos) << four_point.reason;
   // an exact norm of 1, of which a rounded one could only say that it is not below
-  EXPECT_EQ(steps_that_bound_differences(tensor({1, 3, 3, 1}, 4, 2), 2, 4), 1);
-  EXPECT_EQ(steps_that_bound_differences(tensor({-1, 0, 9, 16, 9, 0, -1}, 16, 2), 2, 2),
+  EXPECT_EQ(steps_that_bound_differences(tensor({1, 3, 3, 1}, 4, 2), 2, 2, 4), 1);
+  EXPECT_EQ(steps_that_bound_differences(tensor({-1, 0, 9, 16, 9, 0, -1}, 16, 2), 2, 2, 2),
             std::nullopt);
 }
 

@@ -107,18 +107,24 @@ class Decision {
     }
   }
 
+  /// Norms of fewer and fewer kinds of differences, each bounding all that they span.
   bool by_norm() {
-    const std::optional<int> steps =
-        steps_that_bound_differences(mask_, found_.order, kMostSteps, stop_);
-    if (!steps) return false;
-    found_.verdict = Truth::yes;
-    found_.reason = fmt::format(
-        "{} multipl{} differences of order {} by {} at most, exactly",
-        *steps == 1 ? "a step" : fmt::format("{} steps", *steps), *steps == 1 ? "ies" : "y",
-        found_.order,
-        to_string(*rational_root(1 / power(Rational(mask_.dilation.growth()), found_.order * *steps),
-                                 2)));
-    return true;
+    for (int most_alike = found_.order; most_alike >= 1 && !asked(stop_); --most_alike)
+      if (const std::optional<int> steps = steps_that_bound_differences(
+              mask_, found_.order, most_alike, kMostSteps, stop_)) {
+        found_.verdict = Truth::yes;
+        found_.reason = norm_text(*steps);
+        return true;
+      }
+    return false;
+  }
+
+  [[nodiscard]] std::string norm_text(int steps) const {
+    const Rational squared = 1 / power(Rational(mask_.dilation.growth()), found_.order * steps);
+    return fmt::format("{} multipl{} a norm of the differences of order {} by {} at most, exactly",
+                       steps == 1 ? "a step" : fmt::format("{} steps", steps),
+                       steps == 1 ? "ies" : "y", found_.order,
+                       to_string(*rational_root(squared, 2)));
   }
 
   [[nodiscard]] std::optional<int> power_bound(const std::vector<RationalMatrix>& matrices) const {

@@ -143,7 +143,7 @@ class Decision {
         break;
       case Side::unknown: break;
     }
-    if (const auto steps = steps_that_bound_differences(mask_, kOrder, kMostSteps))
+    if (const auto steps = steps_that_bound_differences(mask_, kOrder, kOrder, kMostSteps))
       return {
           Truth::yes,
           fmt::format("second differences over h² stay bounded: {} multipl{} them by 1 at most, "

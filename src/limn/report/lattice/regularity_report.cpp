@@ -81,6 +81,7 @@ std::string differences_text(int order) {
 /// |h|², |h|^log2(3)
 std::string power_text(const HolderBracket& bracket) {
   const bool whole = bracket.exact == std::to_string(bracket.attained.order);
+  if (bracket.exact == "1") return "|h|";
   return "|h|" + (whole ? superscript(bracket.attained.order) : "^" + bracket.exact);
 }
 
