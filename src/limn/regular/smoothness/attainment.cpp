@@ -57,10 +57,12 @@ class Decision {
     if (by_norm()) return found_;
     if (small && power_bound(operators->on_differences) == 0) {
       found_.verdict = Truth::yes;
-      found_.reason = "the blocks of the differences that have that joint spectral radius do not "
-                      "act on each other";
+      found_.reason =
+          "the blocks of the differences that have that joint spectral radius do not "
+          "act on each other";
       return found_;
     }
+    if (asked(stop_)) return undecided("the time ended");
     if (!small)
       return undecided(fmt::format("{} differences would have to be followed, too many", rows));
     return undecided("neither a bound of the differences nor a Jordan block was found");
@@ -85,7 +87,7 @@ class Decision {
 
   /// Looks for a larger Jordan block at ±eigenvalue.
   void try_product(const TransitionOperators& operators, const std::vector<int>& factors,
-                  const Rational& eigenvalue) {
+                   const Rational& eigenvalue) {
     std::vector<const RationalMatrix*> list;
     std::string digits;
     for (const int factor : factors) {
@@ -100,22 +102,24 @@ class Decision {
     if (most - 1 > found_.logarithm) {
       found_.verdict = Truth::no;
       found_.logarithm = most - 1;
-      found_.reason =
-          fmt::format("the steps with digits{}, repeated, have a Jordan block of {} rows at the "
-                      "eigenvalue {}",
-                      digits, most, to_string(eigenvalue));
+      found_.reason = fmt::format(
+          "the steps with digits{}, repeated, have a Jordan block of {} rows at the "
+          "eigenvalue {}",
+          digits, most, to_string(eigenvalue));
     }
   }
 
-  /// Norms of fewer and fewer kinds of differences, each bounding all that they span.
+  /// Norms of fewer and fewer kinds of differences, each bounding all that they span; one step of
+  /// each is tried first.
   bool by_norm() {
-    for (int most_alike = found_.order; most_alike >= 1 && !asked(stop_); --most_alike)
-      if (const std::optional<int> steps = steps_that_bound_differences(
-              mask_, found_.order, most_alike, kMostSteps, stop_)) {
-        found_.verdict = Truth::yes;
-        found_.reason = norm_text(*steps);
-        return true;
-      }
+    for (const int most_steps : {1, kMostSteps})
+      for (int most_alike = found_.order; most_alike >= 1 && !asked(stop_); --most_alike)
+        if (const std::optional<int> steps =
+                steps_that_bound_differences(mask_, found_.order, most_alike, most_steps, stop_)) {
+          found_.verdict = Truth::yes;
+          found_.reason = norm_text(*steps);
+          return true;
+        }
     return false;
   }
 

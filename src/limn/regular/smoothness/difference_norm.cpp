@@ -19,7 +19,7 @@ namespace {
 constexpr double kMostWork = 4e7;  // sequences times the square of their size
 constexpr double kMostExactWork = 2e6;
 constexpr std::ptrdiff_t kGrain = 8;
-constexpr int kWider = 2;          // points by which a box may be larger than what it holds
+constexpr int kWider = 2;         // points by which a box may be larger than what it holds
 constexpr double kNearly = 1e-9;  // by which a norm in double precision may miss an exact bound
 
 /// A sequence moved so that its least coordinates are 0, and signed so that its first value is

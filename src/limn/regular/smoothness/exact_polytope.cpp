@@ -143,8 +143,7 @@ class ExactGrowth {
 
  private:
   [[nodiscard]] bool must_end() const {
-    return static_cast<int>(hull_.vertices().size()) > limits_.most_vertices ||
-           asked(limits_.stop);
+    return static_cast<int>(hull_.vertices().size()) > limits_.most_vertices || asked(limits_.stop);
   }
 
   [[nodiscard]] std::vector<Vector> images_of(std::size_t vertex) const {
@@ -187,9 +186,8 @@ class ExactGrowth {
       for (std::size_t i = 0; i < batch.size(); ++i)
         if (!places[i].within) outside.emplace_back(batch[i], std::move(places[i]));
     }
-    std::stable_sort(outside.begin(), outside.end(), [](const auto& a, const auto& b) {
-      return a.second.norm > b.second.norm;
-    });
+    std::stable_sort(outside.begin(), outside.end(),
+                     [](const auto& a, const auto& b) { return a.second.norm > b.second.norm; });
     bool first = true;
     for (auto& [image, place] : outside) {
       if (must_end()) return;

@@ -14,10 +14,10 @@ namespace limn {
 [[nodiscard]] std::optional<Rational> rational_root(const Rational& q, int n);
 
 /// Leading eigenvectors, exactly, of the products that `best` has as equals: those with the
-/// eigenvalue ±level^length. With eigenvectors v_i and left eigenvectors w_i, w_i v_i = 1, powers of
-/// product i take v_j to (w_i v_j) v_i, so the polytope of s_i v_i can only close where
-/// |w_i v_j| s_j ≤ s_i; the scales s are chosen so that these quotients are alike for (i, j) and
-/// (j, i), in the mean over j [GuglielmiProtasov2016 §3]. Where no product has such an eigenvalue:
+/// eigenvalue ±level^length. With eigenvectors v_i and left eigenvectors w_i, w_i v_i = 1, powers
+/// of product i take v_j to (w_i v_j) v_i, so the polytope of s_i v_i can only close where |w_i
+/// v_j| s_j ≤ s_i; the scales s are chosen so that these quotients are alike for (i, j) and (j, i),
+/// in the mean over j [GuglielmiProtasov2016]. Where no product has such an eigenvalue:
 /// `best.leading`, rounded.
 [[nodiscard]] std::vector<FieldVector<Rational>> balanced_leading_vectors(
     const std::vector<RationalMatrix>& matrices, const Rational& level, const Product& best);

@@ -30,9 +30,10 @@ constexpr double kFine = 0.1;
 constexpr double kAtProduct = 1e-8;
 constexpr double kBelowTarget[] = {3e-2, 1e-3, 1e-5};  // how far below a target polytopes are tried
 constexpr double kNearTarget = 1e-6;
-constexpr double kFarBelow = 0.999;    // growth over that of the leading product: such a block is lower
-constexpr int kFewVertices = 1000;     // to prove that
-constexpr double kExactWork = 20'000;  // vertices times rows of an exact polytope
+constexpr double kFarBelow =
+    0.999;  // growth over that of the leading product: such a block is lower
+constexpr int kFewVertices = 1000;   // to prove that
+constexpr double kExactWork = 5000;  // vertices times rows of an exact polytope
 constexpr int kJump = 12;  // the finest level takes so many times the vertices of kFine, or fewer
 
 /// A diagonal block of more than one row.

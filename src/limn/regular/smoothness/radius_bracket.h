@@ -30,8 +30,8 @@ struct JointSpectralRadius {
   /// ρ ≥ |an eigenvalue of it|^(1/length). Empty where ρ = 0.
   std::vector<int> product;
   std::optional<Rational> eigenvalue;  ///< of the product, where it is rational
-  /// Proved: ρ is |eigenvalue|^(1/length), or 0 where there is no product. Every block is bounded by
-  /// it or below it.
+  /// Proved: ρ is |eigenvalue|^(1/length), or 0 where there is no product. Every block is bounded
+  /// by it or below it.
   bool exact = false;
   std::vector<Block> blocks;  ///< along one chain; ρ is the greatest of theirs
   bool time_ended = false;    ///< `stop` asked for an end: more time would narrow the bracket

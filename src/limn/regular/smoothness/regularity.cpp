@@ -139,7 +139,10 @@ class Analysis {
     HolderBracket& holder = result_.holder;
     const JointSpectralRadius& radius = holder.radius;
     if (!radius.exact || !radius.eigenvalue || !holder.upper || !(radius.upper < 1)) {
-      holder.attained.reason = "the exponent is not known exactly";
+      holder.attained.reason = result_.stable == Truth::yes || !radius.exact
+                                   ? "the exponent is not known exactly"
+                                   : "the exponent is known to be at least so much, not exactly: "
+                                     "stability is not proved";
       return;
     }
     const std::optional<double> whole = whole_exponent(radius, growth_);

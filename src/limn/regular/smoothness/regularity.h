@@ -19,16 +19,16 @@
 /// exactly, and the exponent with it: 2, log2(3). The polytope proves more: on its block, products
 /// of n operators are at most a constant times ρⁿ.
 ///
-/// **Attained.** An exponent α = r + s, r whole, 0 < s ≤ 1, is called attained where the derivatives
-/// of order r have differences of the first order that are O(|h|^s), that is, where differences of
-/// order r + 1 of the limit functions are O(|h|^α). This is so where products of n operators on
-/// differences of order r + 1 of the data are O(ρⁿ); for stable shifts only then. Where they
-/// grow like n^p ρⁿ, differences of order r + 1 grow like |h|^α log^p(1/|h|). For α not whole the
-/// operators on differences of order k tell as much. For whole α, r + 1 = α, and it is more than
-/// membership in Zygmund's class: the polynomials of degree α have the eigenvalue |det M|^(-α/2) on
-/// those differences too, and where it meets the ρ of the differences of order k there may be a
-/// Jordan block. So the four-point scheme is in Zygmund's class of the exponent 2, and its second
-/// differences have a logarithm [Dubuc1986]; the butterfly's have its square
+/// **Attained.** An exponent α = r + s, r whole, 0 < s ≤ 1, is called attained where the
+/// derivatives of order r have differences of the first order that are O(|h|^s), that is, where
+/// differences of order r + 1 of the limit functions are O(|h|^α). This is so where products of n
+/// operators on differences of order r + 1 of the data are O(ρⁿ); for stable shifts only then.
+/// Where they grow like n^p ρⁿ, differences of order r + 1 grow like |h|^α log^p(1/|h|). For α not
+/// whole the operators on differences of order k tell as much. For whole α, r + 1 = α, and it is
+/// more than membership in Zygmund's class: the polynomials of degree α have the eigenvalue |det
+/// M|^(-α/2) on those differences too, and where it meets the ρ of the differences of order k there
+/// may be a Jordan block. So the four-point scheme is in Zygmund's class of the exponent 2, and its
+/// second differences have a logarithm [Dubuc1986]; the butterfly's have its square
 /// [GuglielmiProtasov2016].
 
 #include <functional>
@@ -65,8 +65,8 @@ struct Attainment {
   /// Whether differences of order r + 1 are O(|h|^α): yes and no are proved.
   Truth verdict = Truth::undecided;
   int order = 0;  ///< r + 1; 0 where the exponent is not known exactly
-  /// The p for which they are not o(|h|^α log^p(1/|h|)), the greatest proved; > 0 where `verdict` is
-  /// no.
+  /// The p for which they are not o(|h|^α log^p(1/|h|)), the greatest proved; > 0 where `verdict`
+  /// is no.
   int logarithm = 0;
   bool sharp = false;  ///< proved: they are O(|h|^α log^p(1/|h|))
   std::string reason;  ///< what the verdict rests on, or what keeps it open

@@ -121,8 +121,7 @@ std::vector<Laurent> unit_differences(const std::vector<LatticeVector>& directio
   std::vector<Laurent> list;
   const std::vector<LatticeVector> others(directions.begin() + 1, directions.end());
   for (std::size_t k = powers.size(); k-- > 0;)
-    for (const Laurent& rest :
-         unit_differences(others, order - static_cast<int>(k), most_alike))
+    for (const Laurent& rest : unit_differences(others, order - static_cast<int>(k), most_alike))
       list.push_back(product(powers[k], rest));
   return list;
 }

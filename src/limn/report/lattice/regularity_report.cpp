@@ -31,20 +31,23 @@ std::string smoothness_text(int r, const Smoothness& smoothness) {
   return text + "\n";
 }
 
-/// Exactly, where that is proved.
-std::string block_bound_text(const JointSpectralRadius& radius,
-                             const JointSpectralRadius::Block& block) {
-  if (!block.bounded || block.below || !radius.eigenvalue) return rounded_up(block.upper);
-  const std::string size = to_string(abs(*radius.eigenvalue));
-  return radius.product.size() == 1 ? size : fmt::format("({})^(1/{})", size, radius.product.size());
+/// The growth of the leading product: "1/4", "(49/576)^(1/2)".
+std::string growth_text(const JointSpectralRadius& radius) {
+  if (!radius.eigenvalue) return "0";
+  const std::string size = to_string(Rational(abs(*radius.eigenvalue)));
+  return radius.product.size() == 1 ? size
+                                    : fmt::format("({})^(1/{})", size, radius.product.size());
 }
 
 std::string radius_text(const HolderBracket& bracket) {
   const JointSpectralRadius& radius = bracket.radius;
-  std::string text = fmt::format("joint spectral radius [{}, {}]", rounded_down(radius.lower),
-                                 rounded_up(radius.upper));
+  std::string text = radius.exact
+                         ? fmt::format("joint spectral radius {} exactly", growth_text(radius))
+                         : fmt::format("joint spectral radius [{}, {}]", rounded_down(radius.lower),
+                                       rounded_up(radius.upper));
   if (!bracket.digits.empty()) {
-    text += "; the product that has the lower: digits";
+    text += radius.exact ? "; a product that has it: digits"
+                         : "; the product that has the lower: digits";
     for (const LatticeVector digit : bracket.digits)
       text += fmt::format(" ({}, {})", digit[0], digit[1]);
   }
@@ -56,9 +59,9 @@ std::string radius_text(const HolderBracket& bracket) {
     text += fmt::format("  {} {} of 1 row\n", single, single == 1 ? "block" : "blocks");
   for (const JointSpectralRadius::Block& block : radius.blocks) {
     if (block.size == 1) continue;
-    text += fmt::format("  {}a block of {} rows, ≤ {}",
-                        block.irreducible ? "" : "perhaps reducible: ", block.size,
-                        block_bound_text(radius, block));
+    text += fmt::format(
+        "  {}a block of {} rows, ≤ {}", block.irreducible ? "" : "perhaps reducible: ", block.size,
+        block.bounded && !block.below ? growth_text(radius) : rounded_up(block.upper));
     if (block.vertices > 0) text += fmt::format(" by a polytope of {} vertices", block.vertices);
     text += '\n';
   }
@@ -119,8 +122,7 @@ Json holder_json(const HolderBracket& bracket) {
           {"attained", decided ? Json(attained.verdict == Truth::yes) : Json()},
           {"attained_reason", attained.reason},
           {"logarithm", decided ? Json(attained.logarithm) : Json()},
-          {"logarithm_sharp",
-           attained.verdict == Truth::no ? Json(attained.sharp) : Json()}};
+          {"logarithm_sharp", attained.verdict == Truth::no ? Json(attained.sharp) : Json()}};
 }
 
 Json proof_json(const Smoothness& smoothness) {
@@ -170,20 +172,19 @@ Json regularity_json(const std::string& name, const Regularity& regularity) {
     verdicts.push_back(to_string(smoothness[r].verdict));
     proofs[fmt::format("c{}", r)] = proof_json(smoothness[r]);
   }
-  return {
-      {"scheme", name},
-      {"holder", holder_json(holder)},
-      {"c0", to_string(smoothness[0].verdict)},
-      {"c1", to_string(smoothness[1].verdict)},
-      {"c2", to_string(smoothness[2].verdict)},
-      {"smoothness", std::move(verdicts)},
-      {"sum_rules", regularity.orders.sum_rules},
-      {"reproduction", regularity.orders.reproduction},
-      {"stable",
-       {{"verdict", to_string(regularity.stable)}, {"reason", regularity.stability_reason}}},
-      {"proofs", std::move(proofs)},
-      {"time_ended", regularity.time_ended},
-      {"joint_spectral_radius", radius_json(holder)}};
+  return {{"scheme", name},
+          {"holder", holder_json(holder)},
+          {"c0", to_string(smoothness[0].verdict)},
+          {"c1", to_string(smoothness[1].verdict)},
+          {"c2", to_string(smoothness[2].verdict)},
+          {"smoothness", std::move(verdicts)},
+          {"sum_rules", regularity.orders.sum_rules},
+          {"reproduction", regularity.orders.reproduction},
+          {"stable",
+           {{"verdict", to_string(regularity.stable)}, {"reason", regularity.stability_reason}}},
+          {"proofs", std::move(proofs)},
+          {"time_ended", regularity.time_ended},
+          {"joint_spectral_radius", radius_json(holder)}};
 }
 
 std::string regularity_text(const std::string& name, const Regularity& regularity) {
