@@ -66,6 +66,19 @@ TEST(RegularPart, AtTheExponentTwoIsToldExactly) {
             std::nullopt);
 }
 
+TEST(RegularPart, IsNotBoundedByANormThatIsALittleTooLarge) {
+  // (1 + z)² ((1 + z)/4 - ε (1 - z)²): of its second differences a step multiplies some by 1/4 + 2ε
+  const Rational tiny(1, 100'000'000'000);
+  const std::vector<Rational> row{Rational(1, 4) - tiny, Rational(3, 4), Rational(3, 4) + 2 * tiny,
+                                  Rational(1, 4), -tiny};
+  Mask mask{Lattice::quad, LatticeMatrix{{{{2, 0}, {0, 2}}}}, {}};
+  for (int i = 0; i < 5; ++i)
+    for (int j = 0; j < 5; ++j)
+      mask.coefficients[{2 * i - 4, 2 * j - 4}] =
+          row[static_cast<std::size_t>(i)] * row[static_cast<std::size_t>(j)];
+  EXPECT_EQ(steps_that_bound_differences(mask, 2, 2, 1), std::nullopt);
+}
+
 /// The largest second difference over h² along edges, level by level, of one raised vertex.
 std::vector<double> measured(const Scheme& scheme, int levels) {
   const Mesh mesh = torus(Lattice::triangle, 8, 8);

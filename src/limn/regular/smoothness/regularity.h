@@ -23,13 +23,17 @@
 /// derivatives of order r have differences of the first order that are O(|h|^s), that is, where
 /// differences of order r + 1 of the limit functions are O(|h|^α). This is so where products of n
 /// operators on differences of order r + 1 of the data are O(ρⁿ); for stable shifts only then.
-/// Where they grow like n^p ρⁿ, differences of order r + 1 grow like |h|^α log^p(1/|h|). For α not
-/// whole the operators on differences of order k tell as much. For whole α, r + 1 = α, and it is
-/// more than membership in Zygmund's class: the polynomials of degree α have the eigenvalue |det
-/// M|^(-α/2) on those differences too, and where it meets the ρ of the differences of order k there
-/// may be a Jordan block. So the four-point scheme is in Zygmund's class of the exponent 2, and its
-/// second differences have a logarithm [Dubuc1986]; the butterfly's have its square
-/// [GuglielmiProtasov2016].
+/// Where they grow like n^p ρⁿ, differences of order r + 1 grow like |h|^α log^p(1/|h|). (A step h
+/// is a sum of lattice steps, one of each level from |h| on. In the product of r + 1 such steps the
+/// longer ones are sums of steps of the finest level among them, so that lattice steps tell of
+/// all.)
+///
+/// For α not whole, the operators on differences of order k tell as much. For whole α = r + 1, to
+/// be attained is more than membership in Zygmund's class: the polynomials of degree α have an
+/// eigenvalue of the size |det M|^(-α/2) on those differences too, and where it meets the ρ of the
+/// differences of order k there may be a Jordan block. So the four-point scheme is in Zygmund's
+/// class of the exponent 2, and its second differences have a logarithm [Dubuc1986]; the
+/// butterfly's have its square [GuglielmiProtasov2016].
 
 #include <functional>
 #include <limits>
