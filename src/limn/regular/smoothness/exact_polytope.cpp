@@ -148,6 +148,7 @@ class ExactGrowth {
 
   [[nodiscard]] std::vector<Vector> images_of(std::size_t vertex) const {
     std::vector<Vector> images;
+    images.reserve(matrices_.size());
     for (const RationalMatrix& matrix : matrices_)
       images.push_back(product(matrix, hull_.vertices()[vertex]));
     return images;

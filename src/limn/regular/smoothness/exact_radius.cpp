@@ -91,6 +91,7 @@ std::vector<FieldVector<Rational>> balanced_leading_vectors(
   std::vector<Pair> pairs;
   for (const std::vector<int>& word : best.equals) {
     std::vector<const RationalMatrix*> list;
+    list.reserve(word.size());
     for (const int factor : word) list.push_back(&matrices[static_cast<std::size_t>(factor)]);
     const RationalMatrix product = product_of(list);
     for (const int sign : {1, -1})

@@ -24,6 +24,7 @@ Kind kind_of(const DiagonalBlock& block, const Rational& level, int length, cons
     return greatest > level ? Kind::unknown : greatest < level ? Kind::below : Kind::leading;
   }
   std::vector<Eigen::MatrixXd> matrices;
+  matrices.reserve(block.matrices.size());
   for (const RationalMatrix& matrix : block.matrices) matrices.push_back(approx_matrix(matrix));
   const Product best = approx_best_product(matrices, length, stop);
   const ExactPolytopeLimits limits{kMostVertices, stop, {}};

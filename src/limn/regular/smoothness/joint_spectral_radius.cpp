@@ -54,6 +54,7 @@ int product_length(std::size_t matrices, std::size_t size) {
 RationalMatrix product_along(const std::vector<RationalMatrix>& matrices,
                              const std::vector<int>& factors) {
   std::vector<const RationalMatrix*> list;
+  list.reserve(factors.size());
   for (const int factor : factors) list.push_back(&matrices[static_cast<std::size_t>(factor)]);
   return product_of(list);
 }
