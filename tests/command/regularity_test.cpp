@@ -20,6 +20,9 @@ TEST(RegularityCommand, GivesTheContractsJson) {
   EXPECT_EQ(loop.at("scheme"), "loop");
   EXPECT_EQ(loop.at("holder").at("lower"), 3);
   EXPECT_EQ(loop.at("holder").at("upper"), 3);
+  EXPECT_EQ(loop.at("holder").at("exact"), "3");
+  EXPECT_EQ(loop.at("holder").at("attained"), true);
+  EXPECT_EQ(loop.at("holder").at("logarithm"), 0);
   EXPECT_EQ(loop.at("c1"), "yes");
   EXPECT_EQ(loop.at("c2"), "yes");
   EXPECT_EQ(loop.at("sum_rules"), 4);
@@ -33,10 +36,39 @@ TEST(RegularityCommand, SaysInWordsWhatIsProved) {
   ASSERT_EQ(butterfly.code, 0) << butterfly.err;
   EXPECT_NE(butterfly.out.find("C1  yes"), std::string::npos);
   EXPECT_NE(butterfly.out.find("C2  no"), std::string::npos);
-  EXPECT_NE(butterfly.out.find(", 2]"), std::string::npos);
+  EXPECT_NE(butterfly.out.find("\nHölder exponent 2 exactly, not attained: second differences grow "
+                               "like |h|² log²(1/|h|)\n"),
+            std::string::npos)
+      << butterfly.out;
   const Outcome unstable = folder.limn("regularity box-spline-quad -p p=2 -p q=2 --json");
   ASSERT_EQ(unstable.code, 0) << unstable.err;
   EXPECT_TRUE(nlohmann::json::parse(unstable.out).at("holder").at("upper").is_null());
+}
+
+TEST(RegularityCommand, SaysWhetherTheExponentIsAttained) {
+  const Folder folder;
+  const auto holder = [&](const std::string& scheme) {
+    return nlohmann::json::parse(folder.limn("regularity " + scheme + " --json").out).at("holder");
+  };
+  const nlohmann::json butterfly = holder("butterfly");
+  EXPECT_EQ(butterfly.at("exact"), "2");
+  EXPECT_EQ(butterfly.at("attained"), false);
+  EXPECT_EQ(butterfly.at("logarithm"), 2);
+  EXPECT_EQ(butterfly.at("logarithm_sharp"), true);
+  const nlohmann::json high = holder("optimal-high");
+  EXPECT_EQ(high.at("exact"), "log2(3)");
+  EXPECT_EQ(high.at("attained"), true);
+  EXPECT_LT(high.at("lower"), high.at("upper"));
+  const nlohmann::json bracket = holder("sqrt3");
+  EXPECT_TRUE(bracket.at("exact").is_null());
+  EXPECT_TRUE(bracket.at("attained").is_null());
+  EXPECT_FALSE(std::string(bracket.at("attained_reason")).empty());
+  const Outcome text = folder.limn("regularity optimal-high");
+  EXPECT_NE(
+      text.out.find("Hölder exponent log2(3) = 1.584963 exactly, attained: second differences "
+                    "are at most a constant times |h|^log2(3)"),
+      std::string::npos)
+      << text.out;
 }
 
 TEST(RegularityCommand, TakesParametersBudgetAndTolerance) {

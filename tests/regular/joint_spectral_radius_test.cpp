@@ -94,6 +94,21 @@ TEST(JointSpectralRadius, OfOneMatrixIsItsSpectralRadius) {
   EXPECT_EQ(*single.eigenvalue, Rational(-3, 7));
 }
 
+TEST(JointSpectralRadius, IsExactWhereAPolytopeClosesAtARationalLevel) {
+  // fourth differences of the four-point scheme
+  const JointSpectralRadius found = enclose_joint_spectral_radius(
+      {matrix({{-1, 0}, {-1, 4}}, 16), matrix({{4, -1}, {0, -1}}, 16)});
+  EXPECT_TRUE(found.exact);
+  EXPECT_EQ(*found.eigenvalue, Rational(1, 4));
+  ASSERT_EQ(found.blocks.size(), 1U);
+  EXPECT_TRUE(found.blocks[0].bounded);
+  EXPECT_FALSE(found.blocks[0].below);
+  EXPECT_EQ(found.blocks[0].vertices, 2);
+  // an irrational radius stays a bracket
+  EXPECT_FALSE(
+      enclose_joint_spectral_radius({matrix({{1, 1}, {0, 1}}), matrix({{1, 0}, {1, 1}})}).exact);
+}
+
 TEST(JointSpectralRadius, LiesWithinWhatAllProductsGive) {
   std::mt19937 random(7);
   std::uniform_int_distribution<int> entry(-3, 3);
@@ -134,9 +149,20 @@ TEST(DiagonalBlocks, AreFoundBehindAChangeOfBasis) {
                            matrix({{1, 0, 2, 2}, {1, 1, 0, 1}, {0, 0, -1, 7}, {0, 0, 0, 1}})})
     matrices.push_back(product(product(show, rows), hide));
   std::vector<std::size_t> sizes;
+  Echelon<Rational> earlier(4);
   for (const DiagonalBlock& block : diagonal_blocks(matrices)) {
     sizes.push_back(block.size());
     EXPECT_TRUE(block.irreducible);
+    // the basis: images differ from what the block's matrix says by vectors of earlier blocks
+    for (std::size_t m = 0; m < matrices.size(); ++m)
+      for (std::size_t j = 0; j < block.size(); ++j) {
+        FieldVector<Rational> rest = product(matrices[m], block.basis[j]);
+        for (std::size_t i = 0; i < block.size(); ++i)
+          for (std::size_t k = 0; k < rest.size(); ++k)
+            rest[k] -= block.matrices[m][i][j] * block.basis[i][k];
+        EXPECT_TRUE(earlier.contains(rest));
+      }
+    for (const FieldVector<Rational>& v : block.basis) EXPECT_TRUE(earlier.insert(v));
   }
   std::sort(sizes.begin(), sizes.end());
   EXPECT_EQ(sizes, (std::vector<std::size_t>{1, 1, 2}));

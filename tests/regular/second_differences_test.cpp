@@ -61,9 +61,22 @@ TEST(RegularPart, AtTheExponentTwoIsToldExactly) {
   EXPECT_EQ(four_point.bounded, Truth::no);
   EXPECT_NE(four_point.reason.find("Jordan block"), std::string::npos) << four_point.reason;
   // an exact norm of 1, of which a rounded one could only say that it is not below
-  EXPECT_EQ(steps_that_bound_second_differences(tensor({1, 3, 3, 1}, 4, 2), 4), 1);
-  EXPECT_EQ(steps_that_bound_second_differences(tensor({-1, 0, 9, 16, 9, 0, -1}, 16, 2), 2),
+  EXPECT_EQ(steps_that_bound_differences(tensor({1, 3, 3, 1}, 4, 2), 2, 2, 4), 1);
+  EXPECT_EQ(steps_that_bound_differences(tensor({-1, 0, 9, 16, 9, 0, -1}, 16, 2), 2, 2, 2),
             std::nullopt);
+}
+
+TEST(RegularPart, IsNotBoundedByANormThatIsALittleTooLarge) {
+  // (1 + z)² ((1 + z)/4 - ε (1 - z)²): of its second differences a step multiplies some by 1/4 + 2ε
+  const Rational tiny(1, 100'000'000'000);
+  const std::vector<Rational> row{Rational(1, 4) - tiny, Rational(3, 4), Rational(3, 4) + 2 * tiny,
+                                  Rational(1, 4), -tiny};
+  Mask mask{Lattice::quad, LatticeMatrix{{{{2, 0}, {0, 2}}}}, {}};
+  for (int i = 0; i < 5; ++i)
+    for (int j = 0; j < 5; ++j)
+      mask.coefficients[{2 * i - 4, 2 * j - 4}] =
+          row[static_cast<std::size_t>(i)] * row[static_cast<std::size_t>(j)];
+  EXPECT_EQ(steps_that_bound_differences(mask, 2, 2, 1), std::nullopt);
 }
 
 /// The largest second difference over h² along edges, level by level, of one raised vertex.

@@ -2,6 +2,7 @@
 /// Linear algebra over an exact field (Rational, Modular): matrices, subspaces, spinning.
 
 #include <cstddef>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -122,6 +123,37 @@ template <class Field>
   }
   return result;
 }
+
+/// Coordinates along given vectors.
+template <class Field>
+class Coordinates {
+ public:
+  /// Cost: count · dimension · (size + count). Precondition: at least one vector, all of one size.
+  explicit Coordinates(const std::vector<FieldVector<Field>>& vectors)
+      : size_(vectors.front().size()), span_(size_ + vectors.size()) {
+    // the row (v_i, e_i) for each vector: what reduces u to 0 tells the coefficients
+    for (std::size_t i = 0; i < vectors.size(); ++i) {
+      FieldVector<Field> row = vectors[i];
+      row.resize(span_.size(), Field(0));
+      row[size_ + i] = Field(1);
+      span_.insert(row);
+    }
+  }
+  /// Some c with Σ c_i v_i = u; nothing where u lies outside the span.
+  [[nodiscard]] std::optional<FieldVector<Field>> of(FieldVector<Field> u) const {
+    u.resize(span_.size(), Field(0));
+    const FieldVector<Field> rest = span_.reduced(std::move(u));
+    for (std::size_t j = 0; j < size_; ++j)
+      if (rest[j] != Field(0)) return std::nullopt;
+    FieldVector<Field> coordinates;
+    for (std::size_t i = size_; i < rest.size(); ++i) coordinates.push_back(Field(0) - rest[i]);
+    return coordinates;
+  }
+
+ private:
+  std::size_t size_;
+  Echelon<Field> span_;
+};
 
 /// The null space of a matrix.
 template <class Field>

@@ -39,9 +39,11 @@ ModularFamily transposed_family(const ModularFamily& family) {
   return result;
 }
 
-/// The matrices on an invariant subspace and on the quotient by it.
+/// The matrices on an invariant subspace and on the quotient by it, and vectors of the whole space
+/// that their coordinates multiply (of the quotient: representatives).
 struct Halves {
   std::vector<RationalMatrix> sub, quotient;
+  RationalMatrix sub_basis, quotient_basis;  // a vector a row
 };
 
 /// Nothing where the reconstructed subspace is not invariant.
@@ -58,7 +60,12 @@ std::optional<Halves> split_along(const std::vector<RationalMatrix>& matrices,
     space.insert(lifted);
   }
   Halves halves;
+  halves.sub_basis = space.rows();
   const std::vector<std::size_t> others = space.free_columns();
+  for (const std::size_t j : others) {
+    halves.quotient_basis.emplace_back(space.size(), Rational(0));
+    halves.quotient_basis.back()[j] = 1;
+  }
   for (const RationalMatrix& matrix : matrices) {
     RationalMatrix& sub = halves.sub.emplace_back();  // its columns, for now
     for (const FieldVector<Rational>& row : space.rows()) {
@@ -183,14 +190,27 @@ Verdict split(const std::vector<RationalMatrix>& matrices, const Stop& stop) {
   return {};
 }
 
+RationalMatrix identity(std::size_t size) {
+  RationalMatrix result(size, FieldVector<Rational>(size, Rational(0)));
+  for (std::size_t i = 0; i < size; ++i) result[i][i] = 1;
+  return result;
+}
+
 }  // namespace
 
 std::vector<DiagonalBlock> diagonal_blocks(std::vector<RationalMatrix> matrices, const Stop& stop) {
   Verdict verdict = split(matrices, stop);
-  if (!verdict.halves) return {{std::move(matrices), verdict.irreducible}};
-  std::vector<DiagonalBlock> blocks = diagonal_blocks(std::move(verdict.halves->sub), stop);
-  for (DiagonalBlock& block : diagonal_blocks(std::move(verdict.halves->quotient), stop))
+  if (!verdict.halves) {
+    RationalMatrix basis = identity(matrices.front().size());
+    return {{std::move(matrices), std::move(basis), verdict.irreducible}};
+  }
+  Halves& halves = *verdict.halves;
+  std::vector<DiagonalBlock> blocks = diagonal_blocks(std::move(halves.sub), stop);
+  for (DiagonalBlock& block : blocks) block.basis = product(block.basis, halves.sub_basis);
+  for (DiagonalBlock& block : diagonal_blocks(std::move(halves.quotient), stop)) {
+    block.basis = product(block.basis, halves.quotient_basis);
     blocks.push_back(std::move(block));
+  }
   return blocks;
 }
 

@@ -14,6 +14,9 @@ using RationalMatrix = FieldMatrix<Rational>;
 /// The diagonal blocks, along one chain: each a list of square matrices, one for each given.
 struct DiagonalBlock {
   std::vector<RationalMatrix> matrices;
+  /// Vectors of the whole space, a row each, that span the block modulo those of the blocks before
+  /// it: the columns of `matrices` tell, modulo those, what the matrices given make of them.
+  RationalMatrix basis;
   bool irreducible = false;  ///< over the rationals, proved; else merely nothing was found to split
 
   [[nodiscard]] std::size_t size() const { return matrices.front().size(); }

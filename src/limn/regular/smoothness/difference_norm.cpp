@@ -8,6 +8,7 @@
 
 #include "limn/base/parallel.h"
 #include "limn/regular/algebra/echelon.h"
+#include "limn/regular/smoothness/exact_radius.h"
 #include "limn/regular/smoothness/rounding.h"
 #include "limn/regular/smoothness/symmetric_hull.h"
 #include "limn/regular/smoothness/transition_operators.h"
@@ -18,6 +19,7 @@ namespace {
 constexpr double kMostWork = 4e7;  // sequences times the square of their size
 constexpr double kMostExactWork = 2e6;
 constexpr std::ptrdiff_t kGrain = 8;
+constexpr int kWider = 2;         // points by which a box may be larger than what it holds
 constexpr double kNearly = 1e-9;  // by which a norm in double precision may miss an exact bound
 
 /// A sequence moved so that its least coordinates are 0, and signed so that its first value is
@@ -36,8 +38,9 @@ Laurent standard(const Laurent& v) {
 /// polynomials of degree < order are known without their values at a triangle of points.
 class Box {
  public:
-  Box(Lattice lattice, int order, LatticeVector size) : order_(order), size_(size), hull_(rows()) {
-    for (const Laurent& difference : unit_differences(edge_directions(lattice), order)) {
+  Box(const std::vector<Laurent>& differences, int order, LatticeVector size)
+      : order_(order), size_(size), hull_(rows()) {
+    for (const Laurent& difference : differences) {
       const Laurent atom = standard(difference);
       for (int x = 0; x < size_[0]; ++x)
         for (int y = 0; y < size_[1]; ++y) add(atom, {x, y});
@@ -46,6 +49,8 @@ class Box {
     axis_norms_ = hull_.axis_norms();
     start_ = hull_.start_at(hull_.first_basis());
   }
+
+  [[nodiscard]] bool spans() const { return hull_.spans(); }
 
   /// The norm of a sequence in the box, rounded up.
   [[nodiscard]] double norm(const Laurent& v) const {
@@ -64,24 +69,16 @@ class Box {
         hull_.least_combination(coordinates(v, {0, 0}), start_, 0);
     if (found.norm > to_double(bound) * (1 + kNearly)) return false;
     const FieldVector<Rational> u = exact_coordinates(v);
-    const std::size_t size = u.size();
-    // the row (v_i, i) for each difference: what reduces u to 0 tells the coefficients
-    Echelon<Rational> span(2 * size);
-    for (std::size_t i = 0; i < size; ++i) {
-      FieldVector<Rational> row(2 * size, Rational(0));
-      for (std::size_t j = 0; j < size; ++j)  // integers, exact in double precision
-        row[j] = Rational(hull_.points()(static_cast<Eigen::Index>(j), found.points[i]));
-      row[size + i] = 1;
-      span.insert(row);
+    std::vector<FieldVector<Rational>> points;
+    for (const Eigen::Index point : found.points) {
+      points.emplace_back();
+      for (const double entry : hull_.points().col(point))  // integers, exact in double precision
+        points.back().emplace_back(entry);
     }
-    FieldVector<Rational> labelled = u;
-    labelled.resize(2 * size, Rational(0));
-    const FieldVector<Rational> rest = span.reduced(std::move(labelled));
+    const std::optional<FieldVector<Rational>> c = Coordinates(points).of(u);
+    if (!c) return false;
     Rational sum = 0;
-    for (std::size_t j = 0; j < size; ++j) {
-      if (rest[j] != 0) return false;
-      sum += abs(rest[size + j]);
-    }
+    for (const Rational& entry : *c) sum += abs(entry);
     return sum <= bound;
   }
 
@@ -135,10 +132,13 @@ LatticeVector size_of(const std::set<Laurent>& sequences, int order) {
 /// What differences of the unit impulse become in k = 1, 2, … steps.
 class RefinedDifferences {
  public:
-  RefinedDifferences(const Mask& mask, int order)
-      : mask_(mask), order_(order), a_(integer_offsets(mask)), digits_(cosets(mask.dilation)) {
-    for (const Laurent& v : unit_differences(edge_directions(mask.lattice), order))
-      sequences_.insert(standard(v));
+  RefinedDifferences(const Mask& mask, int order, int most_alike)
+      : mask_(mask),
+        order_(order),
+        differences_(unit_differences(edge_directions(mask.lattice), order, most_alike)),
+        a_(integer_offsets(mask)),
+        digits_(cosets(mask.dilation)) {
+    for (const Laurent& v : differences_) sequences_.insert(standard(v));
   }
 
   /// False where it was stopped before it was done.
@@ -162,7 +162,7 @@ class RefinedDifferences {
   /// What `measure` says of each, in a box that holds them all.
   template <class T, class Measure>
   [[nodiscard]] std::vector<T> each(Measure measure) const {
-    const Box box(mask_.lattice, order_, size_of(sequences_, order_));
+    const Box box = spanned_box();
     const std::vector<Laurent> list(sequences_.begin(), sequences_.end());
     std::vector<T> results(list.size());
     parallel_for(
@@ -175,8 +175,18 @@ class RefinedDifferences {
   }
 
  private:
+  /// A box that holds the sequences, and enough differences to combine them from.
+  [[nodiscard]] Box spanned_box() const {
+    LatticeVector size = size_of(sequences_, order_);
+    Box box(differences_, order_, size);
+    for (int more = 1; more <= kWider && !box.spans(); ++more)
+      box = Box(differences_, order_, {size[0] + more, size[1] + more});
+    return box;
+  }
+
   const Mask& mask_;
   int order_;
+  std::vector<Laurent> differences_;  // that the norm is of
   Laurent a_;
   std::vector<LatticeVector> digits_;
   std::set<Laurent> sequences_;
@@ -186,7 +196,7 @@ class RefinedDifferences {
 
 std::vector<double> difference_norms(const Mask& mask, int order, int most_steps, double enough,
                                      const Stop& stop) {
-  RefinedDifferences differences(mask, order);
+  RefinedDifferences differences(mask, order, order);
   std::vector<double> norms;
   for (int k = 1; k <= most_steps; ++k) {
     if (!differences.step(stop)) return norms;
@@ -200,16 +210,19 @@ std::vector<double> difference_norms(const Mask& mask, int order, int most_steps
   return norms;
 }
 
-std::optional<int> steps_that_bound_second_differences(const Mask& mask, int most_steps) {
-  constexpr int kOrder = 2;
-  RefinedDifferences differences(mask, kOrder);
-  Rational bound = 1;
+std::optional<int> steps_that_bound_differences(const Mask& mask, int order, int most_alike,
+                                                int most_steps, const Stop& stop) {
+  RefinedDifferences differences(mask, order, most_alike);
+  const int growth = mask.dilation.growth();
+  Rational squared = 1;  // of the bound
   for (int k = 1; k <= most_steps; ++k) {
-    differences.step();
-    if (differences.work() > kMostExactWork) break;
-    bound /= mask.dilation.growth();
-    const std::vector<char> each = differences.each<char>(
-        [&](const Box& box, const Laurent& v) -> char { return box.is_within(v, bound) ? 1 : 0; });
+    if (!differences.step(stop) || differences.work() > kMostExactWork) break;
+    for (int i = 0; i < order; ++i) squared /= growth;
+    const std::optional<Rational> bound = rational_root(squared, 2);
+    if (!bound) continue;
+    const std::vector<char> each = differences.each<char>([&](const Box& box, const Laurent& v) {
+      return static_cast<char>(!asked(stop) && box.is_within(v, *bound) ? 1 : 0);
+    });
     if (std::find(each.begin(), each.end(), 0) == each.end()) return k;
   }
   return std::nullopt;

@@ -20,11 +20,15 @@ namespace limn {
 [[nodiscard]] std::vector<double> difference_norms(const Mask& mask, int order, int most_steps,
                                                    double enough, const Stop& stop = {});
 
-/// The least k ≤ most_steps for which k steps of the second differences have a norm, in the sense
-/// above, of at most |det M|^{-k}, in exact rationals: then second differences over h² are bounded
-/// at every level. Nothing where no such k was found, or would cost more than a second.
-/// Precondition: sum rules of order 2.
-[[nodiscard]] std::optional<int> steps_that_bound_second_differences(const Mask& mask,
-                                                                     int most_steps);
+/// The least k ≤ most_steps for which k steps of the differences of an order have a norm, in the
+/// sense above, of at most |det M|^{-order·k/2}, in exact rationals: then differences over h^order
+/// are bounded at every level. Steps for which the bound is irrational are passed over. Of the
+/// differences those are taken in which no direction occurs more than `most_alike` times: as long
+/// as they span, they bound all, and box splines, whose own directions are repeated a few times,
+/// have the bound for these alone. Nothing where no such k was found, or would cost more than a
+/// second. Precondition: sum rules of that order.
+[[nodiscard]] std::optional<int> steps_that_bound_differences(const Mask& mask, int order,
+                                                              int most_alike, int most_steps,
+                                                              const Stop& stop = {});
 
 }  // namespace limn

@@ -4,12 +4,15 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <optional>
+#include <utility>
 
 #include <fmt/core.h>
 #include <Eigen/Dense>
 
 #include "limn/regular/algebra/approx_matrix.h"
 #include "limn/regular/algebra/determinant.h"
+#include "limn/regular/smoothness/exact_radius.h"
 #include "limn/regular/smoothness/polytope_bound.h"
 #include "limn/regular/smoothness/product_search.h"
 #include "limn/regular/smoothness/rounding.h"
@@ -27,6 +30,10 @@ constexpr double kFine = 0.1;
 constexpr double kAtProduct = 1e-8;
 constexpr double kBelowTarget[] = {3e-2, 1e-3, 1e-5};  // how far below a target polytopes are tried
 constexpr double kNearTarget = 1e-6;
+constexpr double kFarBelow =
+    0.999;  // growth over that of the leading product: such a block is lower
+constexpr int kFewVertices = 1000;   // to prove that
+constexpr double kExactWork = 5000;  // vertices times rows of an exact polytope
 constexpr int kJump = 12;  // the finest level takes so many times the vertices of kFine, or fewer
 
 /// A diagonal block of more than one row.
@@ -47,6 +54,7 @@ int product_length(std::size_t matrices, std::size_t size) {
 RationalMatrix product_along(const std::vector<RationalMatrix>& matrices,
                              const std::vector<int>& factors) {
   std::vector<const RationalMatrix*> list;
+  list.reserve(factors.size());
   for (const int factor : factors) list.push_back(&matrices[static_cast<std::size_t>(factor)]);
   return product_of(list);
 }
@@ -68,6 +76,8 @@ class Enclosure {
     for (const DiagonalBlock& block : blocks_) look_at(block);
     tell("joint spectral radius: a lower bound");
     for (std::size_t b = 0; b < blocks_.size(); ++b) raise_lower(b);
+    if (result_.eigenvalue)
+      level_ = rational_root(abs(*result_.eigenvalue), static_cast<int>(result_.product.size()));
     result_.upper = result_.lower;
     result_.exact = true;
     std::vector<std::size_t> small_first(blocks_.size());  // the time may end
@@ -117,18 +127,17 @@ class Enclosure {
 
   void bound(std::size_t b) {
     JointSpectralRadius::Block& block = result_.blocks[b];
-    if (block.size == 1) {
-      block.upper = norm_bound(work_[b].matrices);
-      // blocks of one row are compared with the leading eigenvalue exactly
-      if (!is_within_leading(blocks_[b].matrices)) raise_upper(block.upper);
-      return;
-    }
     block.upper = norm_bound(work_[b].matrices);
-    if (options_.target)
+    if (block.size == 1) {
+      // blocks of one row are compared with the leading eigenvalue exactly
+      compare_with_leading(blocks_[b].matrices, block);
+    } else if (options_.target) {
       bring_below_target(work_[b], block);
-    else
-      refine_upper(work_[b], block);
-    if (block.upper > result_.lower || !result_.eigenvalue) raise_upper(block.upper);
+    } else {
+      refine_upper(b, block);
+    }
+    block.below = block.below || block.upper < result_.lower;
+    if (!block.bounded && !block.below) raise_upper(block.upper);
   }
 
   /// Whether a polytope bounds the block's ρ by the level, or nearly.
@@ -158,20 +167,53 @@ class Enclosure {
     }
   }
 
+  /// Whether a polytope says that a block whose products grow much less has a lower ρ.
+  bool is_far_below(const Work& work, JointSpectralRadius::Block& block) const {
+    if (work.best.growth > kFarBelow * result_.lower) return false;
+    const double between = std::max(std::sqrt(work.best.growth * result_.lower),
+                                    kFarBelow * kFarBelow * result_.lower);
+    int made = 0;
+    return polytope_reaches(work, block, between, std::min(kFewVertices, options_.budget), made) &&
+           block.upper < result_.lower;
+  }
+
+  /// Whether a polytope in exact numbers bounds the block's products by the leading one's growth.
+  bool is_bounded_exactly(std::size_t b, JointSpectralRadius::Block& block) const {
+    if (!level_) return false;
+    const int most = std::min(options_.budget, static_cast<int>(kExactWork / block.size));
+    const ExactPolytopeLimits limits{most, options_.stop, [&](int vertices) {
+                                       tell(fmt::format(
+                                           "joint spectral radius of {} rows: is it {} exactly? "
+                                           "{} vertices",
+                                           block.size, to_string(*level_), vertices));
+                                     }};
+    const std::optional<int> vertices =
+        bound_exactly(blocks_[b].matrices, *level_, work_[b].best, limits);
+    if (!vertices) return false;
+    block.bounded = true;
+    block.vertices = *vertices;
+    block.upper = std::min(block.upper, result_.lower * (1 + kRoot));
+    return true;
+  }
+
   /// From coarse levels to fine ones, as long as the vertices that the next will need are likely to
   /// be within the budget.
-  void refine_upper(const Work& work, JointSpectralRadius::Block& block) const {
+  void refine_upper(std::size_t b, JointSpectralRadius::Block& block) const {
+    const Work& work = work_[b];
     int last = 0;  // vertices at the level before
     const auto reaches = [&](double more, int most) {
       const double level = result_.lower * (1 + more);
       if (level == 0 || level >= block.upper) return level > 0;
       return polytope_reaches(work, block, level, most, last);
     };
+    if (is_far_below(work, block)) return;
+    bool tried = false;
     for (const double more : kLevels) {
       if (more <= options_.tolerance) break;
       // where the level before was easy, the next coarse one would teach little
       if (more > kFine && last > 0 && kJump * last <= options_.budget) continue;
       if (!reaches(more, options_.budget) && more <= kFine) return;
+      if (more <= kFine && !std::exchange(tried, true) && is_bounded_exactly(b, block)) return;
       if (more <= kFine && kJump * last <= options_.budget) break;
       if (2 * last > options_.budget) return;
     }
@@ -185,21 +227,28 @@ class Enclosure {
     result_.exact = false;
   }
 
-  [[nodiscard]] bool is_within_leading(const std::vector<RationalMatrix>& entries) const {
+  void compare_with_leading(const std::vector<RationalMatrix>& entries,
+                            JointSpectralRadius::Block& block) const {
     Rational greatest = 0;
     for (const RationalMatrix& entry : entries)
       greatest = std::max(greatest, Rational(abs(entry[0][0])));
-    if (greatest == 0) return true;
-    if (!result_.eigenvalue) return false;
+    const bool vanishes = greatest == 0;
+    if (!result_.eigenvalue) {
+      block.bounded = vanishes;
+      block.below = vanishes && result_.lower > 0;
+      return;
+    }
     Rational power = 1;
     for (std::size_t i = 0; i < result_.product.size(); ++i) power *= greatest;
-    return power <= abs(*result_.eigenvalue);
+    block.bounded = power <= abs(*result_.eigenvalue);
+    block.below = power < abs(*result_.eigenvalue);
   }
 
   JointSpectralRadiusOptions options_;
   std::vector<DiagonalBlock> blocks_;
   std::vector<Work> work_;
   JointSpectralRadius result_;
+  std::optional<Rational> level_;  // the leading product's growth, where it is rational
 };
 
 }  // namespace

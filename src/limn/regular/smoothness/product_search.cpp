@@ -31,7 +31,10 @@ void search(const std::vector<Eigen::MatrixXd>& matrices, std::size_t length,
   if (word.size() == length) {
     if (!stands_for_its_rotations(word)) return;
     const double growth = std::pow(spectral_radius(product), 1.0 / static_cast<double>(length));
-    if (growth > best.growth * kBetter) best = {word, growth, {}};
+    if (growth > best.growth * kBetter)
+      best = {word, growth, {word}, {}};
+    else if (best.factors.size() == length && growth * kBetter >= best.growth)
+      best.equals.push_back(word);
     return;
   }
   for (std::size_t i = 0; i < matrices.size(); ++i) {

@@ -11,6 +11,9 @@ namespace limn {
 struct Product {
   std::vector<int> factors;  ///< first factor first; no power of a shorter product
   double growth = 0;         ///< spectral radius, by the root of the length; approximate
+  /// All products of that length and growth, as far as double precision tells, one for each class
+  /// under rotation; the first is `factors`.
+  std::vector<std::vector<int>> equals;
   std::vector<Eigen::VectorXd> leading;  ///< a leading eigenvector, or its real and imaginary part
 };
 

@@ -19,6 +19,10 @@ struct JointSpectralRadius {
     double upper = 0;  ///< proved: of the block's ρ, or of that of all where this is smaller
     int vertices = 0;  ///< of the largest polytope made; 0 where size is 1
     bool irreducible = false;  ///< proved; else merely nothing was found to split
+    /// Proved: products of n of the block's matrices are bounded by a constant times gⁿ, where g is
+    /// the growth of `product`, exactly (exact_polytope.h).
+    bool bounded = false;
+    bool below = false;  ///< proved: the block's ρ is less than that growth
   };
   double lower = 0;  ///< proved: ρ ≥ lower
   double upper = 0;  ///< proved: ρ ≤ upper
@@ -26,7 +30,9 @@ struct JointSpectralRadius {
   /// ρ ≥ |an eigenvalue of it|^(1/length). Empty where ρ = 0.
   std::vector<int> product;
   std::optional<Rational> eigenvalue;  ///< of the product, where it is rational
-  bool exact = false;         ///< ρ is |eigenvalue|^(1/length), or 0: all blocks of size 1
+  /// Proved: ρ is |eigenvalue|^(1/length), or 0 where there is no product. Every block is bounded
+  /// by it or below it.
+  bool exact = false;
   std::vector<Block> blocks;  ///< along one chain; ρ is the greatest of theirs
   bool time_ended = false;    ///< `stop` asked for an end: more time would narrow the bracket
 };

@@ -8,6 +8,7 @@
 #include <fmt/core.h>
 
 #include "limn/base/outward.h"
+#include "limn/regular/smoothness/attainment.h"
 #include "limn/regular/smoothness/difference_norm.h"
 #include "limn/regular/smoothness/joint_spectral_radius.h"
 #include "limn/regular/smoothness/stability.h"
@@ -96,6 +97,7 @@ class Analysis {
     bound_above();
     for (int r = 1; r <= kAlways || result_.smoothness.back().verdict == Truth::yes; ++r) decide(r);
     for (int r = 1; r < static_cast<int>(result_.smoothness.size()); ++r) find_power(r);
+    decide_attained();
     result_.time_ended = result_.holder.radius.time_ended || time_.ended();
     return std::move(result_);
   }
@@ -130,6 +132,30 @@ class Analysis {
     const std::optional<double> whole = whole_exponent(holder.radius, growth_);
     holder.upper = std::min<double>(whole ? *whole : exponent(holder.radius.lower, growth_, 1),
                                     result_.orders.sum_rules);
+  }
+
+  /// Names the exponent where it is known exactly, and decides whether it is attained.
+  void decide_attained() {
+    HolderBracket& holder = result_.holder;
+    const JointSpectralRadius& radius = holder.radius;
+    if (!radius.exact || !radius.eigenvalue || !holder.upper || !(radius.upper < 1)) {
+      holder.attained.reason = result_.stable == Truth::yes || !radius.exact
+                                   ? "the exponent is not known exactly"
+                                   : "the exponent is known to be at least so much, not exactly: "
+                                     "stability is not proved";
+      return;
+    }
+    const std::optional<double> whole = whole_exponent(radius, growth_);
+    const double value = whole.value_or(exponent(radius.lower, growth_, 0));
+    if (value > result_.orders.sum_rules) {
+      holder.attained.reason = "the sum rules do not reach the exponent of the differences";
+      return;
+    }
+    tell("whether the exponent is attained");
+    holder.exact =
+        exponent_text(*radius.eigenvalue, static_cast<int>(radius.product.size()), growth_);
+    holder.attained = decide_attainment(mask_, radius, result_.orders.sum_rules, value,
+                                        whole.has_value(), time_.stop());
   }
 
   [[nodiscard]] std::string product_text() const {

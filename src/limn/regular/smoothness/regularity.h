@@ -13,6 +13,27 @@
 /// ρ lies between the spectral radius of one product and a norm (joint_spectral_radius.h), after
 /// common invariant subspaces have been split off exactly. All that is called proved rests on exact
 /// rationals or on doubles rounded outwards.
+///
+/// **Exact exponents.** Where the product has a rational eigenvalue μ, |μ|^(1/length) is rational
+/// too, and a polytope in exact numbers is invariant at that level (exact_polytope.h), ρ is known
+/// exactly, and the exponent with it: 2, log2(3). The polytope proves more: on its block, products
+/// of n operators are at most a constant times ρⁿ.
+///
+/// **Attained.** An exponent α = r + s, r whole, 0 < s ≤ 1, is called attained where the
+/// derivatives of order r have differences of the first order that are O(|h|^s), that is, where
+/// differences of order r + 1 of the limit functions are O(|h|^α). This is so where products of n
+/// operators on differences of order r + 1 of the data are O(ρⁿ); for stable shifts only then.
+/// Where they grow like n^p ρⁿ, differences of order r + 1 grow like |h|^α log^p(1/|h|). (A step h
+/// is a sum of lattice steps, one of each level from |h| on. In the product of r + 1 such steps the
+/// longer ones are sums of steps of the finest level among them, so that lattice steps tell of
+/// all.)
+///
+/// For α not whole, the operators on differences of order k tell as much. For whole α = r + 1, to
+/// be attained is more than membership in Zygmund's class: the polynomials of degree α have an
+/// eigenvalue of the size |det M|^(-α/2) on those differences too, and where it meets the ρ of the
+/// differences of order k there may be a Jordan block. So the four-point scheme is in Zygmund's
+/// class of the exponent 2, and its second differences have a logarithm [Dubuc1986]; the
+/// butterfly's have its square [GuglielmiProtasov2016].
 
 #include <functional>
 #include <limits>
@@ -43,12 +64,29 @@ struct RegularityOptions {
   TimeBudget::Clock clock = steady_seconds;  ///< what measures `seconds`
 };
 
+/// Whether the Hölder exponent α = r + s, 0 < s ≤ 1, is attained: see above.
+struct Attainment {
+  /// Whether differences of order r + 1 are O(|h|^α): yes and no are proved.
+  Truth verdict = Truth::undecided;
+  int order = 0;  ///< r + 1; 0 where the exponent is not known exactly
+  /// The p for which they are not o(|h|^α log^p(1/|h|)), the greatest proved; > 0 where `verdict`
+  /// is no.
+  int logarithm = 0;
+  bool sharp = false;  ///< proved: they are O(|h|^α log^p(1/|h|))
+  std::string reason;  ///< what the verdict rests on, or what keeps it open
+};
+
 /// Ends of an interval that holds the Hölder exponent.
 struct HolderBracket {
   double lower = 0;                   ///< proved for every limit function
   std::optional<double> upper;        ///< of φ; proved; nothing where stability is not
   JointSpectralRadius radius;         ///< of the transition operators, digit by digit
   std::vector<LatticeVector> digits;  ///< of radius.product
+  /// The exponent of φ in closed form, proved: "2", "3/2", "log2(24/7)", "log2(5)/3" and the like;
+  /// empty where there is none, or it is not proved. Then `lower` and `upper` are the doubles that
+  /// enclose it.
+  std::string exact;
+  Attainment attained;
 };
 
 /// Whether the scheme converges, uniformly, to limit functions that are r times continuously

@@ -10,6 +10,7 @@
 #include <fmt/core.h>
 
 #include "limn/base/outward.h"
+#include "limn/regular/algebra/jordan.h"
 #include "limn/regular/regular_mask.h"
 #include "limn/regular/smoothness/difference_norm.h"
 #include "limn/regular/smoothness/joint_spectral_radius.h"
@@ -57,19 +58,6 @@ RationalMatrix product_of(const std::vector<RationalMatrix>& matrices,
   for (std::size_t i = 1; i < factors.size(); ++i)
     result = product(result, matrices[static_cast<std::size_t>(factors[i])]);
   return result;
-}
-
-/// Whether an eigenvalue has a Jordan block of more than one row, exactly.
-bool has_jordan_block(RationalMatrix a, const Rational& eigenvalue) {
-  for (std::size_t i = 0; i < a.size(); ++i) a[i][i] -= eigenvalue;
-  const Echelon<Rational> null = null_space(a);
-  if (null.dimension() == 0) return false;
-  // a vector of the null space that is an image has a preimage in the chain
-  Echelon<Rational> images(a.size());
-  for (const FieldVector<Rational>& column : transposed(a)) images.insert(column);
-  const std::size_t rank = images.dimension();
-  for (const FieldVector<Rational>& vector : null.rows()) images.insert(vector);
-  return images.dimension() < rank + null.dimension();
 }
 
 /// Decides it for one mask.
@@ -155,7 +143,7 @@ class Decision {
         break;
       case Side::unknown: break;
     }
-    if (const auto steps = steps_that_bound_second_differences(mask_, kMostSteps))
+    if (const auto steps = steps_that_bound_differences(mask_, kOrder, kOrder, kMostSteps))
       return {
           Truth::yes,
           fmt::format("second differences over h² stay bounded: {} multipl{} them by 1 at most, "
@@ -185,7 +173,7 @@ class Decision {
     return std::any_of(products.begin(), products.end(), [&](const std::vector<int>& factors) {
       const RationalMatrix a = product_of(operators->on_differences, factors);
       const Rational critical = 1 / power(Rational(growth_), factors.size());
-      return has_jordan_block(a, critical) || has_jordan_block(a, -critical);
+      return largest_jordan_block(a, critical) > 1 || largest_jordan_block(a, -critical) > 1;
     });
   }
 

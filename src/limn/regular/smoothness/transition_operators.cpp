@@ -110,16 +110,19 @@ Laurent transition(const Laurent& a, const LatticeMatrix& dilation, LatticeVecto
   return result;
 }
 
-std::vector<Laurent> unit_differences(const std::vector<LatticeVector>& directions, int order) {
-  std::vector<Laurent> list;
+std::vector<Laurent> unit_differences(const std::vector<LatticeVector>& directions, int order,
+                                      int most_alike) {
   if (order == 0) return {{{{0, 0}, Rational(1)}}};
-  for (std::size_t d = 0; d < directions.size(); ++d) {
-    const std::vector<LatticeVector> others(directions.begin() + static_cast<std::ptrdiff_t>(d),
-                                            directions.end());
-    const Laurent step{{{0, 0}, Rational(1)}, {directions[d], Rational(-1)}};
-    for (const Laurent& rest : unit_differences(others, order - 1))
-      list.push_back(product(step, rest));
-  }
+  if (directions.empty()) return {};
+  const Laurent step{{{0, 0}, Rational(1)}, {directions.front(), Rational(-1)}};
+  std::vector<Laurent> powers{{{{0, 0}, Rational(1)}}};
+  for (int k = 1; k <= std::min(order, most_alike); ++k)
+    powers.push_back(product(step, powers.back()));
+  std::vector<Laurent> list;
+  const std::vector<LatticeVector> others(directions.begin() + 1, directions.end());
+  for (std::size_t k = powers.size(); k-- > 0;)
+    for (const Laurent& rest : unit_differences(others, order - static_cast<int>(k), most_alike))
+      list.push_back(product(powers[k], rest));
   return list;
 }
 

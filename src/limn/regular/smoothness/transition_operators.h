@@ -4,6 +4,7 @@
 /// refined n times is (v * Sⁿδ)(ε_1 + M ε_2 + … + Mⁿ i) = (T_{ε_n} … T_{ε_1} v)(i), so that
 /// products of the operators tell how fast differences shrink [CDM; Jungers2009 §5].
 
+#include <limits>
 #include <vector>
 
 #include "limn/regular/algebra/invariant_subspaces.h"
@@ -29,9 +30,11 @@ struct TransitionOperators {
 [[nodiscard]] Result<TransitionOperators> transition_operators(const Mask& mask, int order);
 
 /// The differences of an order along e1 and e2 of the unit impulse, or along other directions:
-/// Π (1 - z^d) for each choice, with repetition, of `order` of the directions d.
-[[nodiscard]] std::vector<Laurent> unit_differences(const std::vector<LatticeVector>& directions,
-                                                    int order);
+/// Π (1 - z^d) for each choice, with repetition, of `order` of the directions d, none of them more
+/// than `most_alike` times.
+[[nodiscard]] std::vector<Laurent> unit_differences(
+    const std::vector<LatticeVector>& directions, int order,
+    int most_alike = std::numeric_limits<int>::max());
 
 /// T_digit v for a finite sequence; `a` as from integer_offsets.
 [[nodiscard]] Laurent transition(const Laurent& a, const LatticeMatrix& dilation,
