@@ -68,7 +68,7 @@ inline Starts start_dual(const Mesh& control, int /*levels*/, const Mesh& /*quic
 /// Where both refined meshes begin, for a split.
 inline StartMaker start_of(const Split& split) {
   if (split.births.corners) return start_dual;
-  if (split.trisects_boundary) return start_sqrt3;
+  if (split.boundary_rests()) return start_sqrt3;
   return start_each_face;
 }
 

@@ -135,7 +135,7 @@ std::optional<GridCycle> grid_cycle(const Split& split) {
     if (split.dilation.growth() != 4 || split.births.faces != quads) return std::nullopt;
     return GridCycle{split.lattice, 2, 1};
   }
-  if (quads || !split.trisects_boundary || split.dilation.growth() != 3) return std::nullopt;
+  if (quads || split.odd_step_cut != 3 || split.dilation.growth() != 3) return std::nullopt;
   return GridCycle{split.lattice, 3, 2};
 }
 
