@@ -8,6 +8,7 @@
 #include <fmt/core.h>
 
 #include "limn/base/outward.h"
+#include "limn/regular/smoothness/box_spline.h"
 #include "limn/regular/smoothness/difference_norm.h"
 #include "limn/regular/smoothness/joint_spectral_radius.h"
 #include "limn/regular/smoothness/stability.h"
@@ -94,6 +95,7 @@ class Analysis {
       result_.stability_reason = "asked only of schemes that converge";
     }
     bound_above();
+    state_closed_form();
     for (int r = 1; r <= kAlways || result_.smoothness.back().verdict == Truth::yes; ++r) decide(r);
     for (int r = 1; r < static_cast<int>(result_.smoothness.size()); ++r) find_power(r);
     result_.time_ended = result_.holder.radius.time_ended || time_.ended();
@@ -132,6 +134,17 @@ class Analysis {
                                     result_.orders.sum_rules);
   }
 
+  /// Where differences prove less.
+  void state_closed_form() {
+    HolderBracket& holder = result_.holder;
+    const std::optional<BoxSpline> spline = find_box_spline(mask_);
+    if (!spline || result_.smoothness.front().verdict != Truth::yes) return;
+    if (holder.upper == holder.lower) return;
+    holder.lower = spline->exponent();
+    holder.exact = holder.lower;
+    holder.exact_reason = spline->text();
+  }
+
   [[nodiscard]] std::string product_text() const {
     std::string text;
     for (const LatticeVector digit : result_.holder.digits)
@@ -159,7 +172,10 @@ class Analysis {
   void decide(int r) {
     Smoothness& smoothness = result_.smoothness.emplace_back();
     const HolderBracket& holder = result_.holder;
-    if (holder.lower > r) {
+    if (holder.exact) {
+      smoothness = {*holder.exact > r ? Truth::yes : Truth::no, 0, 0,
+                    fmt::format("Hölder exponent {}: {}", *holder.exact, holder.exact_reason)};
+    } else if (holder.lower > r) {
       smoothness = {Truth::yes, 0, 0, "Hölder exponent ≥ " + rounded_down(holder.lower)};
     } else if (result_.smoothness.front().verdict == Truth::no) {
       smoothness = {Truth::no, 0, 0, "the scheme does not converge"};

@@ -13,6 +13,9 @@
 /// ρ lies between the spectral radius of one product and a norm (joint_spectral_radius.h), after
 /// common invariant subspaces have been split off exactly. All that is called proved rests on exact
 /// rationals or on doubles rounded outwards.
+///
+/// Differences tell no more than the sum rules, and nothing from above where shifts depend on one
+/// another. Where φ is a box spline (box_spline.h), its exponent is known in spite of that.
 
 #include <functional>
 #include <limits>
@@ -45,8 +48,12 @@ struct RegularityOptions {
 
 /// Ends of an interval that holds the Hölder exponent.
 struct HolderBracket {
-  double lower = 0;                   ///< proved for every limit function
-  std::optional<double> upper;        ///< of φ; proved; nothing where stability is not
+  double lower = 0;             ///< proved for every limit function
+  std::optional<double> upper;  ///< of φ; proved; nothing where stability is not
+  /// Of φ itself, where it is known in closed form, and differences prove less. `lower` is then the
+  /// same, and more than the radius tells.
+  std::optional<double> exact;
+  std::string exact_reason;           ///< what `exact` rests on
   JointSpectralRadius radius;         ///< of the transition operators, digit by digit
   std::vector<LatticeVector> digits;  ///< of radius.product
 };

@@ -34,7 +34,8 @@ TableCell truth_cell(Truth truth) {
 
 TableCell holder_cell(const Regularity& regularity) {
   const HolderBracket& holder = regularity.holder;
-  return {to_string(holder), Between{holder.lower, holder.upper.value_or(kInfinity)}};
+  return {to_string(holder),
+          Between{holder.lower, holder.exact.value_or(holder.upper.value_or(kInfinity))}};
 }
 
 /// Cr. The list ends with the first that is not proved; what is refuted there is so further on.

@@ -85,6 +85,7 @@ Json radius_json(const HolderBracket& bracket) {
 }  // namespace
 
 std::string to_string(const HolderBracket& bracket) {
+  if (bracket.exact) return fmt::format("{:.17g}", *bracket.exact);
   if (!bracket.upper) return "at least " + rounded_down(bracket.lower);
   if (*bracket.upper == bracket.lower) return fmt::format("{:.17g}", bracket.lower);
   return fmt::format("[{}, {}]", rounded_down(bracket.lower), rounded_up(*bracket.upper));
@@ -99,25 +100,30 @@ Json regularity_json(const std::string& name, const Regularity& regularity) {
     verdicts.push_back(to_string(smoothness[r].verdict));
     proofs[fmt::format("c{}", r)] = proof_json(smoothness[r]);
   }
-  return {
-      {"scheme", name},
-      {"holder", {{"lower", holder.lower}, {"upper", holder.upper ? Json(*holder.upper) : Json()}}},
-      {"c0", to_string(smoothness[0].verdict)},
-      {"c1", to_string(smoothness[1].verdict)},
-      {"c2", to_string(smoothness[2].verdict)},
-      {"smoothness", std::move(verdicts)},
-      {"sum_rules", regularity.orders.sum_rules},
-      {"reproduction", regularity.orders.reproduction},
-      {"stable",
-       {{"verdict", to_string(regularity.stable)}, {"reason", regularity.stability_reason}}},
-      {"proofs", std::move(proofs)},
-      {"time_ended", regularity.time_ended},
-      {"joint_spectral_radius", radius_json(holder)}};
+  return {{"scheme", name},
+          {"holder",
+           {{"lower", holder.lower},
+            {"upper", holder.upper ? Json(*holder.upper) : Json()},
+            {"exact", holder.exact ? Json(*holder.exact) : Json()},
+            {"exact_reason", holder.exact ? Json(holder.exact_reason) : Json()}}},
+          {"c0", to_string(smoothness[0].verdict)},
+          {"c1", to_string(smoothness[1].verdict)},
+          {"c2", to_string(smoothness[2].verdict)},
+          {"smoothness", std::move(verdicts)},
+          {"sum_rules", regularity.orders.sum_rules},
+          {"reproduction", regularity.orders.reproduction},
+          {"stable",
+           {{"verdict", to_string(regularity.stable)}, {"reason", regularity.stability_reason}}},
+          {"proofs", std::move(proofs)},
+          {"time_ended", regularity.time_ended},
+          {"joint_spectral_radius", radius_json(holder)}};
 }
 
 std::string regularity_text(const std::string& name, const Regularity& regularity) {
-  std::string text = fmt::format("{}\n{}\nHölder exponent {}\n", name,
-                                 orders_text(regularity.orders), to_string(regularity.holder));
+  std::string text = fmt::format("{}\n{}\nHölder exponent {}", name, orders_text(regularity.orders),
+                                 to_string(regularity.holder));
+  if (regularity.holder.exact) text += fmt::format(": {}", regularity.holder.exact_reason);
+  text += '\n';
   for (std::size_t r = 0; r < regularity.smoothness.size(); ++r)
     text += smoothness_text(static_cast<int>(r), regularity.smoothness[r]);
   text += fmt::format("stable shifts: {} ({})\n", to_string(regularity.stable),
