@@ -46,18 +46,24 @@ struct Quadratic {
   std::vector<Eigenvalue> jumps;   ///< of frequency 1
 };
 
-/// Nothing where one of them has a frequency of 3 or more, or the modulus alone.
-std::optional<Quadratic> quadratic(const Eigencomponents& components) {
+/// Nothing where one of them has a frequency of 3 or more, or the modulus alone. A step that
+/// `turns` the star maps one half of the waves of frequency n/2 to the other: of these both signs
+/// are one.
+std::optional<Quadratic> quadratic(const Eigencomponents& components, bool turns) {
   const double square = *components.tangent * *components.tangent;
   const int saddles = components.valence == 3 ? 1 : 2;  // their frequency; 2 is folded to 1
   Quadratic found;
   for (const BlockSpectrum& spectrum : components.spectra) {
     for (const Eigenvalue& one : spectrum.eigenvalues) {
       if (std::abs(std::abs(one.value) - square) > kEqualBelow) continue;
-      if (one.frequency > 2 || std::abs(one.value - square) > kEqualBelow) return std::nullopt;
+      const bool both = turns && 2 * one.frequency == components.valence;
+      const std::complex<double> value = both && one.value.real() < 0 ? -one.value : one.value;
+      if (one.frequency > 2 || std::abs(value - square) > kEqualBelow) return std::nullopt;
       const bool shape = one.frequency == 0 || one.frequency == saddles;
       std::vector<Eigenvalue>& list = shape ? found.shapes : found.jumps;
-      if (list.empty() || list.back().frequency != one.frequency) list.push_back(one);
+      if (list.empty() || list.back().frequency != one.frequency ||
+          std::abs(list.back().value - one.value) > kEqualBelow)
+        list.push_back(one);
     }
   }
   return found;
@@ -120,7 +126,8 @@ Result<VertexCurvature> approx_curvature_stencil(const Scheme& scheme, Frequency
   const Eigencomponents components = approx_eigencomponents(*near);
   if (components.verdict.curvature_necessary != Truth::yes)
     return VertexCurvature{{}, n == 2 ? NoCurvature::no_normal : NoCurvature::unbounded};
-  const std::optional<Quadratic> eigenvalues = quadratic(components);
+  const std::optional<Quadratic> eigenvalues =
+      quadratic(components, scheme.split->dilation.turns());
   if (!eigenvalues) return VertexCurvature{{}, NoCurvature::direction};
   const Result<FrequencyBlocks> wide =
       FrequencyAnalysis(scheme, near->rings + kWider + fitted_rings(*scheme.split) - 1)
