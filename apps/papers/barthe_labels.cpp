@@ -36,7 +36,7 @@ Result<NetPanel> label_panel(const Scheme& scheme, const FrequencyBlocks& blocks
   const Result<CharacteristicMap> map = approx_characteristic_map(scheme, kValence, 1);
   if (!map) return map.error();
   const std::vector<StarPlace> places = star_places(blocks);
-  const double turn = scheme.split->dilation.rows[0][1] == 0 ? 0 : 0.5;
+  const double turn = scheme.split->dilation.turns() ? 0.5 : 0;
   const Colour fine{0.75, 0.1, 0.1, 1};
   NetPanel panel;
   panel.title = title;

@@ -53,6 +53,7 @@ TEST(ArtifactsCommand, TakesMagnitudesAfterStepsAndStages) {
 TEST(ArtifactsCommand, HasTwoArtifactsForSqrt3AndParametersCount) {
   const Folder folder;
   EXPECT_EQ(parsed(folder.limn("artifacts sqrt3 -f .1,.1 --json")).at("artifacts").size(), 2U);
+  EXPECT_EQ(parsed(folder.limn("artifacts four-eight -f .1,.1 --json")).at("artifacts").size(), 1U);
   const auto signal = [&](const std::string& b) {
     return double(parsed(folder.limn("artifacts laplacian-butterfly -f .2,.1 --json -p b=" + b))
                       .at("signal"));

@@ -57,6 +57,63 @@ inline Starts start_sqrt3(const Mesh& control, int levels, const Mesh& quick) {
   return starts;
 }
 
+/// The vertex that a step of quad-sqrt2 puts into face f, or on its boundary edge.
+inline Index sqrt2_point(const Mesh& mesh, const SplitResult& split, Index f) {
+  const Births& births = split.births;
+  const auto place = [](const std::vector<Index>& list, Index one) {
+    return static_cast<Index>(std::find(list.begin(), list.end(), one) - list.begin());
+  };
+  for (Index h = mesh.face_begin(f); h < mesh.face_begin(f + 1); ++h)
+    if (const Index at = place(births.edges, mesh.edge(h)); at < births.from_edges)
+      return births.from_vertices + at;
+  const Index among = births.faces.empty() ? f : place(births.faces, f);
+  return births.from_vertices + births.from_edges + among;
+}
+
+inline Index halfedge_to(const Mesh& mesh, Index from, Index to) {
+  Index h = mesh.halfedge_of_vertex(from);
+  while (mesh.target(h) != to) h = mesh.rotate(h);
+  return h;
+}
+
+/// At even levels the first edge of each control face's patch; at odd ones the way from its first
+/// corner to the first cell's centre, which has the quick engine's number.
+inline Starts start_sqrt2(const Mesh& mesh, int levels, const Mesh& quick) {
+  const Split& split = *find_split("quad-sqrt2");
+  Mesh control = mesh;
+  int step = 0;
+  for (; control.uniform_degree() != 4 && step < 2 && step < levels; ++step)
+    control = split.apply(control, step).mesh;
+  if (step == 1 && levels > 1) control = split.apply(control, step++).mesh;
+  Starts starts;
+  if (control.uniform_degree() != 4 || step == 1) {  // the plain engine's own
+    for (Index f = 0; f < control.face_count(); ++f)
+      starts.emplace_back(control.face_begin(f), control.face_begin(f));
+    return starts;
+  }
+  std::vector<Index> ways;
+  for (Index f = 0; f < control.face_count(); ++f) ways.push_back(control.face_begin(f));
+  Mesh plain = control;
+  Index n = 1;
+  for (; step < levels; ++step) {
+    const SplitResult made = split.apply(plain, step);
+    if (step % 2 != 0) n *= 2;
+    for (Index& h : ways) {
+      const Index face = plain.face(step % 2 == 0 ? h : plain.twin(h));
+      h = halfedge_to(made.mesh, plain.origin(h), sqrt2_point(plain, made, face));
+    }
+    plain = made.mesh;
+  }
+  const Index centres = quick.vertex_count() - control.face_count() * n * n;
+  const Index patch_faces = n * n;
+  for (Index f = 0; f < control.face_count(); ++f) {
+    const Index corner = control.origin(control.face_begin(f));
+    starts.emplace_back(ways[f], levels % 2 == 0 ? quick.face_begin(f * patch_faces)
+                                                 : halfedge_to(quick, corner, centres + f * n * n));
+  }
+  return starts;
+}
+
 /// The faces of the control faces are the first of both meshes.
 inline Starts start_dual(const Mesh& control, int /*levels*/, const Mesh& /*quick*/) {
   Starts starts;
@@ -68,7 +125,8 @@ inline Starts start_dual(const Mesh& control, int /*levels*/, const Mesh& /*quic
 /// Where both refined meshes begin, for a split.
 inline StartMaker start_of(const Split& split) {
   if (split.births.corners) return start_dual;
-  if (split.trisects_boundary) return start_sqrt3;
+  if (split.odd_step_cut == 3) return start_sqrt3;
+  if (split.odd_step_cut == 2) return start_sqrt2;
   return start_each_face;
 }
 
@@ -211,6 +269,35 @@ next = "1/8"
 near = "3/4"
 far = "3/8"
 beyond = "-1/8"
+)toml";
+
+/// The same of √2.
+inline constexpr const char* kWideSqrt2 = R"toml(
+[roles.vertex]
+second = "vefev"
+
+[[vertex]]
+when = "n == 5"
+self = "3/8"
+ring = "1/(2*n)"
+diagonal = "1/(8*n)"
+
+[[vertex]]
+self = "1/2"
+ring = "1/(4*n)"
+second = "1/(4*n)"
+
+[face]
+corner = "1/n - 1/16"
+beyond = "1/32"
+
+[boundary.vertex]
+self = "3/4"
+next = "1/8"
+
+[boundary.edge]
+end = "9/16"
+beyond = "-1/16"
 )toml";
 
 /// The tensor product of the four-point scheme: of an edge's or face's two rings, not all.

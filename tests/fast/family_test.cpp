@@ -31,6 +31,7 @@ std::vector<Case> cases() {
   cases.push_back({"four-point", "quad-dyadic", kFourPoint + boundary});
   cases.push_back({"faces", "quad-dyadic", kFaces + boundary});
   cases.push_back({"wide-sqrt3", "sqrt3", kWideSqrt3});
+  cases.push_back({"wide-sqrt2", "quad-sqrt2", kWideSqrt2});
   cases.push_back({"near-dual", "quad-dual", kNear});
   cases.push_back({"wide-dual", "quad-dual", kWideDual});
   cases.push_back({"farther-dual", "quad-dual", kFarther});

@@ -25,6 +25,27 @@ void expect_limit(const FastRefiner& refiner, const FastRefiner::Limit& limit,
   }
 }
 
+/// Of a control mesh after some levels: whether there is a plan; if so, it is compared.
+inline bool expect_plain_limit(const Scheme& scheme, const Mesh& control, int levels,
+                               unsigned seed = 1) {
+  SCOPED_TRACE(testing::Message() << levels << " levels, seed " << seed);
+  const FastRefiner refiner = FastRefiner::make(scheme, control, levels).value();
+  const auto limit = approx_fast_limit(scheme, refiner);
+  if (limit && !*limit) return false;
+  const std::vector<Point3> points = random_points(control.vertex_count(), seed);
+  const std::vector<Point3> fine = as_points(evaluate<double>(refiner, points));
+  const Result<Mesh> mesh = Mesh::build(refined_polygons(refiner, fine));
+  if (!mesh) return false;  // a vertex of two faces keeps two edges between its neighbours
+  LimitOptions options;
+  options.steps_made = levels;
+  const auto expected = approx_limit_points(scheme, *mesh, fine, options);
+  EXPECT_EQ(limit.ok(), expected.ok());
+  if (!limit || !expected) return false;
+  expect_limit<double>(refiner, **limit, points, *expected, 1e-11, 1e-7);
+  expect_limit<float>(refiner, **limit, points, *expected, 1e-5, 2e-2);
+  return true;
+}
+
 /// Positions and normals, by one thread and by more.
 inline void expect_same_limit_bits(const Scheme& scheme, const Mesh& control, int levels) {
   const FastRefiner refiner = FastRefiner::make(scheme, control, levels).value();

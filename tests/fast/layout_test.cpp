@@ -147,7 +147,7 @@ TEST_P(FastLayout, NumbersFrames) {
 
 /// By definition, from places alone.
 TEST_P(FastLayout, WritesFaces) {
-  if (GetParam().centres && !triangles()) GTEST_SKIP() << "no split has them";
+  if (GetParam().centres && !triangles()) GTEST_SKIP() << "its faces are edges";
   each([](const Mesh& mesh, const GridLayout& layout) {
     const Index unit = layout.unit(), sides = layout.sides();
     std::vector<Index> expected;
@@ -179,6 +179,46 @@ TEST_P(FastLayout, WritesFaces) {
     layout.write_faces(0, mesh.face_count(), corners.data());
     EXPECT_EQ(corners, expected);
   });
+}
+
+/// A face for each edge of the grid, from places alone: those within patches, then those on control
+/// edges.
+TEST(FastLayoutOfCentres, WritesAFaceForEachEdgeOfQuads) {
+  constexpr Index kUnit = 2;
+  for (const Mesh& mesh : {test::cube(), fan(Lattice::quad, 1, 1), fan(Lattice::quad, 3, 2),
+                           star(Lattice::quad, 5, 2)})
+    for (const Index n : {1, 2, 4}) {
+      const GridLayout layout(mesh, Lattice::quad, n, kUnit, true);
+      std::vector<Index> expected, begin{0};
+      const auto add = [&](std::vector<Index> face) {
+        std::erase(face, kNone);
+        expected.insert(expected.end(), face.begin(), face.end());
+        begin.push_back(static_cast<Index>(expected.size()));
+      };
+      for (Index f = 0; f < mesh.face_count(); ++f) {
+        const auto at = [&](Index x, Index y) { return layout.point(4 * f, x, y); };
+        for (Index y = 0; y < 2 * n; y += 2) {
+          for (Index x = 2; x < 2 * n; x += 2)
+            add({at(x, y), at(x + 1, y + 1), at(x, y + 2), at(x - 1, y + 1)});
+          for (Index x = 0; x < 2 * n && y + 2 < 2 * n; x += 2)
+            add({at(x, y + 2), at(x + 1, y + 1), at(x + 2, y + 2), at(x + 1, y + 3)});
+        }
+      }
+      for (Index e = 0; e < mesh.edge_count(); ++e) {
+        const Index h = mesh.halfedge_of_edge(e);
+        const auto at = [&](Index x, Index y) { return layout.point_beyond(h, x, y); };
+        for (Index x = 0; x < 2 * n; x += 2)
+          add({at(x, 0), at(x + 1, -1), at(x + 2, 0), at(x + 1, 1)});
+      }
+      ASSERT_EQ(std::ssize(expected), layout.corner_count());
+      ASSERT_EQ(std::ssize(begin), layout.face_count() + 1);
+      std::vector<Index> corners(expected.size()), begins(begin.size());
+      layout.write_faces(0, mesh.face_count(), corners.data());
+      layout.write_edge_faces(corners.data() + 4 * mesh.face_count() * layout.patch_faces());
+      layout.write_face_begin(begins.data());
+      EXPECT_EQ(corners, expected);
+      EXPECT_EQ(begins, begin);
+    }
 }
 
 TEST(FastPlaces, AreThoseOfTheStar) {

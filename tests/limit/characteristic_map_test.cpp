@@ -16,9 +16,11 @@ namespace limn::test {
 namespace {
 
 TEST(CharacteristicMap, OfRegularVerticesIsTheIdentity) {
-  for (const auto& [name, n] : {std::pair{"loop", 6}, {"catmull-clark", 4}, {"butterfly", 6}}) {
+  for (const auto& [name, n] :
+       {std::pair{"loop", 6}, {"catmull-clark", 4}, {"butterfly", 6}, {"four-eight", 4}}) {
     const CharacteristicMap map = approx_characteristic_map(shipped(name), n).value();
-    EXPECT_NEAR(map.eigenvalue, 0.5, 1e-14);
+    const int growth = shipped(name).split->dilation.growth();
+    EXPECT_NEAR(map.eigenvalue, 1 / std::sqrt(growth), 1e-14);
     EXPECT_EQ(map.regular, Truth::yes) << map.reason;
     // the lattice, scaled: every limit point is a multiple of 1/16 of the spokes
     const double c = std::cos(2 * M_PI / n);
@@ -48,7 +50,7 @@ TEST(CharacteristicMap, IsMappedToItsMultipleByRefinement) {
 }
 
 TEST(CharacteristicMap, IsRegularWhereTheLiteratureSaysSo) {
-  for (const std::string name : {"loop", "catmull-clark", "sqrt3", "doo-sabin"})
+  for (const std::string name : {"loop", "catmull-clark", "sqrt3", "doo-sabin", "four-eight"})
     for (const int n : {3, 4, 5, 8, 12, 20}) {
       const CharacteristicMap map = approx_characteristic_map(shipped(name), n).value();
       EXPECT_EQ(map.regular, Truth::yes) << name << ' ' << n << ": " << map.reason;

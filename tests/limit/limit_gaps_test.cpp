@@ -59,13 +59,14 @@ TEST_P(LimitWithoutBoundaryRules, IsThatOfClosedMeshes) {
 
 INSTANTIATE_TEST_SUITE_P(Shipped, LimitWithoutBoundaryRules,
                          testing::Values("loop", "butterfly", "butterfly-modified", "sqrt3",
-                                         "laplacian-butterfly", "catmull-clark", "doo-sabin"),
+                                         "four-eight", "laplacian-butterfly", "catmull-clark",
+                                         "doo-sabin"),
                          [](const auto& info) { return test_name(info.param); });
 
 // Of an open mesh the limits that hang on no boundary are known; of the others the error names the
 // vertex.
 TEST(LimitGaps, MissingBoundaryRulesAreToldAtTheBoundary) {
-  for (const char* name : {"loop", "butterfly", "catmull-clark", "sqrt3"}) {
+  for (const char* name : {"loop", "butterfly", "catmull-clark", "sqrt3", "four-eight"}) {
     SCOPED_TRACE(name);
     const Scheme& whole = shipped(name);
     const Scheme scheme = without_boundary_rules(name);

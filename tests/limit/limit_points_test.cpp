@@ -149,18 +149,21 @@ TEST_P(LimitPointsOf, AreWhereRefinementGoes) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Shipped, LimitPointsOf,
-                         testing::Values("loop", "catmull-clark", "sqrt3", "optimal",
+                         testing::Values("loop", "catmull-clark", "sqrt3", "four-eight", "optimal",
                                          "butterfly-modified", "laplacian-loop",
                                          "laplacian-butterfly"),
                          [](const auto& info) { return test_name(info.param); });
 
 // Whatever the level at which they are asked for. At odd ones the boundary has yet to be cut.
-TEST(LimitPoints, OfSqrt3AreThoseOfTheNextLevel) {
-  const Scheme& scheme = shipped("sqrt3");
+class LimitPointsAtAnyLevel : public testing::TestWithParam<std::string> {};
+
+TEST_P(LimitPointsAtAnyLevel, AreThoseOfTheNextLevel) {
+  const Scheme& scheme = shipped(GetParam());
   int open = 0;
   for (unsigned seed = 1; seed <= 30; ++seed) {
     SCOPED_TRACE(seed);
-    const Mesh mesh = RandomMesh(seed).triangles();
+    const Mesh mesh =
+        scheme.split->any_polygons ? RandomMesh(seed).polygons() : RandomMesh(seed).triangles();
     std::vector<Point3> values;
     for (Index v = 0; v < mesh.vertex_count(); ++v)
       values.push_back({std::sin(v), std::cos(3.0 * v), std::sin(5.0 * v)});
@@ -181,9 +184,12 @@ TEST(LimitPoints, OfSqrt3AreThoseOfTheNextLevel) {
   EXPECT_GT(open, 0);
 }
 
+INSTANTIATE_TEST_SUITE_P(Shipped, LimitPointsAtAnyLevel, testing::Values("sqrt3", "four-eight"),
+                         [](const auto& info) { return test_name(info.param); });
+
 // Its matrix is dense: beyond a size it would take hours, and all memory.
 TEST(LimitPoints, OfHugeFansAreRefusedAtOnce) {
-  for (const char* name : {"loop", "catmull-clark", "sqrt3"})
+  for (const char* name : {"loop", "catmull-clark", "sqrt3", "four-eight"})
     for (const int faces : {1100, 1'000'000'000}) {
       const Result<LimitStencil> found = approx_boundary_limit_stencil(shipped(name), faces);
       ASSERT_FALSE(found);
@@ -240,8 +246,9 @@ std::vector<Point3> over_plane(Lattice lattice, const Mesh& mesh, double a, doub
 }
 
 TEST(LimitPoints, HaveTheCurvatureOfQuadraticSurfaces) {
-  for (const auto& [name, lattice] :
-       {std::pair{"loop", Lattice::triangle}, {"catmull-clark", Lattice::quad}}) {
+  for (const auto& [name, lattice] : {std::pair{"loop", Lattice::triangle},
+                                      {"catmull-clark", Lattice::quad},
+                                      {"four-eight", Lattice::quad}}) {
     const Mesh mesh = torus(lattice, 12, 12);
     LimitOptions options;
     options.curvatures = true;

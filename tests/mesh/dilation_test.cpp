@@ -46,13 +46,15 @@ TEST(Dilation, OrdersTheArtifactsAsThePaper) {
   EXPECT_EQ(dual_cosets(find_split("triangle-dyadic")->dilation), expected);
   EXPECT_EQ(dual_cosets(find_split("quad-dual")->dilation), expected);
   EXPECT_EQ(dual_cosets(find_split("sqrt3")->dilation).size(), 3U);
+  EXPECT_EQ(dual_cosets(find_split("quad-sqrt2")->dilation).size(), 2U);
   EXPECT_EQ(dual_cosets(kTernary).size(), 9U);
   EXPECT_EQ(dual_cosets(kQuincunx).size(), 2U);
 }
 
 TEST(Dilation, CosetsAreDisjointAndComplete) {
-  for (const LatticeMatrix& m : {find_split("triangle-dyadic")->dilation,
-                                 find_split("sqrt3")->dilation, kTernary, kQuincunx}) {
+  for (const LatticeMatrix& m :
+       {find_split("triangle-dyadic")->dilation, find_split("sqrt3")->dilation,
+        find_split("quad-sqrt2")->dilation, kTernary, kQuincunx}) {
     std::vector<int> count(static_cast<std::size_t>(m.growth()));
     for (int a = -6; a < 6; ++a)
       for (int b = -6; b < 6; ++b) {
@@ -70,6 +72,7 @@ TEST(Dilation, AritiesAndSymmetries) {
   EXPECT_EQ(arity(find_split("quad-dyadic")->dilation), 2);
   EXPECT_EQ(arity(find_split("sqrt3")->dilation), 3);
   EXPECT_EQ(arity(kTernary), 3);
+  EXPECT_EQ(arity(find_split("quad-sqrt2")->dilation), 2);
   EXPECT_EQ(arity(kQuincunx), 2);
   EXPECT_EQ(isometries(Lattice::triangle).size(), 12U);
   EXPECT_EQ(isometries(Lattice::quad).size(), 8U);

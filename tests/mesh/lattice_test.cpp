@@ -42,6 +42,34 @@ void expect_symmetric(const Mesh& mesh, Index first_ring, Index rings, Size size
   EXPECT_EQ(image, face_set(mesh));
 }
 
+TEST(CroppedStar, IsAStarWithoutTheCornersOfItsLastSquare) {
+  for (const Index n : {3, 4, 5, 8})
+    for (const Index rings : {2, 3, 4}) {
+      const Mesh mesh = cropped_star(n, rings);
+      EXPECT_EQ(mesh.check(), "");
+      EXPECT_EQ(mesh.vertex_count(), cropped_star_size(n, rings));
+      EXPECT_EQ(mesh.vertex_count(), star_size(Lattice::quad, n, rings) - n);
+      EXPECT_EQ(mesh.face_count(), n * (rings * rings - 1));
+      EXPECT_EQ(mesh.uniform_degree(), 4);
+      EXPECT_EQ(euler_characteristic(mesh), 1);
+      EXPECT_EQ(mesh.origin(0), 0);
+      EXPECT_EQ(mesh.target(0), 1);
+      EXPECT_EQ(mesh.valence(0), n);
+      // all that is within is regular
+      for (Index v = 1; v < cropped_star_size(n, rings - 1); ++v) {
+        EXPECT_FALSE(mesh.is_boundary_vertex(v));
+        EXPECT_EQ(mesh.valence(v), 4);
+      }
+      expect_symmetric(
+          mesh, 0, rings, [n](Index r) { return cropped_star_size(n, r); },
+          [](Index r) { return r == 0   ? 0
+                               : r == 1 ? 1
+                                        : 2 * r; });
+    }
+  EXPECT_EQ(cropped_star_size(5, 0), 1);
+  EXPECT_EQ(cropped_star_size(5, 1), 6);
+}
+
 TEST(Torus, HasTheFacesAndDirectionsOfItsHeader) {
   for (const auto& [nx, ny] : {std::pair{3, 3}, {3, 5}, {7, 4}}) {
     for (const Lattice lattice : kBoth) {

@@ -26,7 +26,7 @@ Index cut_faces(const Mesh& mesh, int step) {
     Index sides = 0;
     for (Index h = mesh.face_begin(f); h < mesh.face_begin(f + 1); ++h)
       sides += mesh.twin(h) == kNone;
-    cuts += sides == 1;
+    cuts += sides == 1 && mesh.degree(f) == 3;
   }
   return step % 2 == 0 ? 0 : cuts;
 }
@@ -47,6 +47,7 @@ Counts expected_counts(const Split& split, const Mesh& mesh, int step) {
             f + inner + inner_vertices(mesh, 3)};
   }
   const Index cuts = cut_faces(mesh, step);
+  if (split.name == "quad-sqrt2") return {v + f, corners + e - inner - cuts, e - cuts};
   return {v + f + cuts, e + 3 * f + cuts, 3 * f};
 }
 
@@ -57,14 +58,17 @@ void check_births(const Split& split, const Mesh& mesh, const SplitResult& refin
                 isolated ==
             refined.mesh.vertex_count());
   RC_ASSERT(split.births.vertices || births.from_vertices == 0);
-  RC_ASSERT(split.births.edges || split.trisects_boundary || births.from_edges == 0);
-  RC_ASSERT(split.trisects_boundary || births.edge_ends.empty());
+  RC_ASSERT(split.births.edges || split.boundary_rests() || births.from_edges == 0);
+  RC_ASSERT(split.odd_step_cut == 3 || births.edge_ends.empty());
+  RC_ASSERT(split.odd_step_cut == 2 || births.edges.empty());
+  RC_ASSERT(births.edges.empty() || static_cast<Index>(births.edges.size()) == births.from_edges);
+  for (const Index e : births.edges) RC_ASSERT(mesh.is_boundary_edge(e));
   RC_ASSERT(split.births.faces || births.from_faces == 0);
   RC_ASSERT(split.births.corners || births.from_corners == 0);
   RC_ASSERT(births.from_vertices == 0 || births.from_vertices == mesh.vertex_count());
   RC_ASSERT(births.edge_ends.empty() ||
             static_cast<Index>(births.edge_ends.size()) == births.from_edges);
-  RC_ASSERT(!births.edge_ends.empty() || births.from_edges == 0 ||
+  RC_ASSERT(!births.edge_ends.empty() || !births.edges.empty() || births.from_edges == 0 ||
             births.from_edges == mesh.edge_count());
   RC_ASSERT(births.faces.empty() || static_cast<Index>(births.faces.size()) == births.from_faces);
   for (Index i = 0; i < isolated; ++i) {
@@ -80,7 +84,8 @@ void check_step(const Split& split, const Mesh& mesh, int step, const SplitResul
   RC_ASSERT(fine.check() == "");
   RC_ASSERT((Counts{fine.vertex_count(), fine.edge_count(), fine.face_count()}) ==
             expected_counts(split, mesh, step));
-  RC_ASSERT(fine.halfedge_count() <= split.dilation.growth() * mesh.halfedge_count());
+  RC_ASSERT(fine.halfedge_count() <=
+            split.dilation.growth() * mesh.halfedge_count() + boundary_edges(mesh));
   RC_ASSERT(euler_characteristic(fine) == euler_characteristic(mesh));
   RC_ASSERT(boundary_loops(fine) == boundary_loops(mesh));
   RC_ASSERT(isolated_count(fine) == isolated_count(mesh));
@@ -132,7 +137,8 @@ TEST_P(SplitLaws, OldAndNewValencesOnClosedMeshes) {
     const Index face_points = v + refined.births.from_edges;
     for (; v < refined.mesh.vertex_count(); ++v) {
       if (refined.mesh.is_isolated(v)) continue;
-      const bool in_polygon = split.name == "quad-dyadic" && v >= face_points;
+      const bool in_polygon =
+          split.lattice == Lattice::quad && split.births.faces && v >= face_points;
       RC_ASSERT(refined.mesh.valence(v) == (in_polygon ? mesh.degree(v - face_points) : regular));
     }
   }));

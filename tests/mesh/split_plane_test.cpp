@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "limn/mesh/split/split.h"
@@ -78,7 +79,8 @@ Placed place(const Placed& old, SplitResult refined) {
   };
   for (Index i = 0; i < births.from_edges; ++i) {
     if (births.edge_ends.empty())
-      at.push_back(along(old.mesh.halfedge_of_edge(i), 0.5));
+      at.push_back(
+          along(old.mesh.halfedge_of_edge(births.edges.empty() ? i : births.edges[i]), 0.5));
     else
       at.push_back(along(births.edge_ends[i] / 2, births.edge_ends[i] % 2 == 0 ? 1 / 3. : 2 / 3.));
   }
@@ -175,6 +177,69 @@ TEST(Sqrt3, ClosedMeshesIgnoreTheParity) {
   const Split& sqrt3 = *find_split("sqrt3");
   EXPECT_EQ(snapshot(sqrt3.apply(icosahedron(), 0).mesh),
             snapshot(sqrt3.apply(icosahedron(), 1).mesh));
+}
+
+/// The corners of each face, from the least on; in order.
+std::set<std::vector<Index>> cycles(const Mesh& mesh) {
+  std::set<std::vector<Index>> all;
+  for (Index f = 0; f < mesh.face_count(); ++f) {
+    std::vector<Index> corners;
+    for (Index h = mesh.face_begin(f); h < mesh.face_begin(f + 1); ++h)
+      corners.push_back(mesh.origin(h));
+    std::rotate(corners.begin(), std::min_element(corners.begin(), corners.end()), corners.end());
+    all.insert(corners);
+  }
+  return all;
+}
+
+TEST(QuadSqrt2, TwoStepsAreOneOfQuadDyadic) {
+  const Split& sqrt2 = *find_split("quad-sqrt2");
+  EXPECT_TRUE(rc::check([&](unsigned seed) {
+    const Mesh mesh = RandomMesh(seed).polygons();
+    const SplitResult first = sqrt2.apply(mesh, 0);
+    const SplitResult second = sqrt2.apply(first.mesh, 1);
+    RC_ASSERT(first.births.from_edges == 0);
+    RC_ASSERT(first.mesh.face_count() == mesh.edge_count());  // face e comes from edge e
+    // the dyadic number of each vertex after two steps
+    std::vector<Index> dyadic;
+    for (Index v = 0; v < second.births.from_vertices; ++v)
+      dyadic.push_back(v < mesh.vertex_count() ? v : v + mesh.edge_count());
+    for (const Index e : second.births.edges)
+      dyadic.push_back(mesh.vertex_count() + first.mesh.face(first.mesh.halfedge_of_edge(e)));
+    for (Index i = 0; i < second.births.from_faces; ++i)
+      dyadic.push_back(mesh.vertex_count() +
+                       (second.births.faces.empty() ? i : second.births.faces[i]));
+    Polygons renamed = polygons_of(second.mesh);
+    for (Index& corner : renamed.corners) corner = dyadic[corner];
+    const Mesh expected = find_split("quad-dyadic")->apply(mesh, 0).mesh;
+    RC_ASSERT(is_simple(second.mesh));
+    RC_ASSERT(cycles(Mesh::build(renamed).value()) == cycles(expected));
+  }));
+}
+
+TEST(QuadSqrt2, HalvesOfQuadsStandAtTheBoundaryBetweenTwoEvenLevels) {
+  const Split& sqrt2 = *find_split("quad-sqrt2");
+  const Placed square{must_build(4, {{0, 1, 2, 3}}), {{0, 0, 0}, {2, 0, 0}, {2, 2, 0}, {0, 2, 0}}};
+  const Placed odd = place(square, sqrt2.apply(square.mesh, 0));
+  EXPECT_EQ(odd.mesh.uniform_degree(), 3);
+  EXPECT_EQ(odd.mesh.face_count(), 4);
+  for (Index f = 0; f < 4; ++f) EXPECT_NEAR(area(odd, f), 1, 1e-12);
+  const Placed even = place(odd, sqrt2.apply(odd.mesh, 1));
+  EXPECT_EQ(even.mesh.uniform_degree(), 4);
+  EXPECT_EQ(even.mesh.vertex_count(), 9);
+  for (Index f = 0; f < 4; ++f) EXPECT_NEAR(area(even, f), 1, 1e-12);
+}
+
+TEST(QuadSqrt2, AnOddFirstStepCutsOnlyTrianglesWithOneBoundaryEdge) {
+  const Split& sqrt2 = *find_split("quad-sqrt2");
+  const SplitResult quad = sqrt2.apply(must_build(4, {{0, 1, 2, 3}}), 1);
+  EXPECT_EQ(quad.births.from_edges, 0);
+  // the middle face has one boundary edge, its neighbours two each
+  const SplitResult strip = sqrt2.apply(must_build(5, {{0, 1, 2}, {2, 1, 3}, {2, 3, 4}}), 1);
+  EXPECT_EQ(strip.mesh.check(), "");
+  EXPECT_EQ(strip.births.faces, (std::vector<Index>{0, 2}));
+  EXPECT_EQ(strip.births.edges.size(), 1U);
+  EXPECT_EQ(strip.mesh.face_count(), 6);
 }
 
 TEST(QuadDual, CubeGivesTheRhombicuboctahedron) {

@@ -208,7 +208,9 @@ std::vector<std::vector<Index>> parents(const Mesh& mesh, const Births& births) 
   all.reserve(static_cast<std::size_t>(births.from_vertices + births.from_edges));
   for (Index v = 0; v < births.from_vertices; ++v) all.push_back({v});
   for (Index e = 0; e < births.from_edges; ++e) {
-    const Index h = births.edge_ends.empty() ? mesh.halfedge_of_edge(e) : births.edge_ends[e] / 2;
+    const Index h = births.edge_ends.empty()
+                        ? mesh.halfedge_of_edge(births.edges.empty() ? e : births.edges[e])
+                        : births.edge_ends[e] / 2;
     all.push_back({mesh.origin(h), mesh.target(h)});
   }
   for (Index i = 0; i < births.from_faces; ++i) {

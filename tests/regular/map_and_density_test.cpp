@@ -119,7 +119,7 @@ TEST(SamplingDensity, IsWhereTheMeasureMeetsTheTolerance) {
   for (const char* name : {"loop", "sqrt3", "doo-sabin", "butterfly", "interpolating-loop",
                            "laplacian-butterfly", "laplacian-loop", "optimal-high"})
     expect_density(name, 1, ArtifactMeasure::mean_energy);
-  for (const char* name : {"loop", "sqrt3", "doo-sabin", "catmull-clark"})
+  for (const char* name : {"loop", "sqrt3", "doo-sabin", "catmull-clark", "four-eight"})
     expect_density(name, 1, ArtifactMeasure::total_energy);
   for (const double tolerance : {.05, 5., 30., 100.}) {
     expect_density("loop", tolerance, ArtifactMeasure::total_energy);
@@ -145,7 +145,7 @@ TEST(SamplingDensity, OfMasksWithoutTheLatticesSymmetriesIsThatOfEachDirection) 
 }
 
 TEST(SamplingDensity, IsWorstInADirectionThatItNames) {
-  for (const char* name : {"loop", "catmull-clark", "sqrt3"}) {
+  for (const char* name : {"loop", "catmull-clark", "sqrt3", "four-eight"}) {
     const SamplingDensity density =
         sampling_density(shipped_analysis(name), 1, ArtifactMeasure::total_energy).value();
     for (const DirectionalDensity& end : {density.worst, density.best}) {

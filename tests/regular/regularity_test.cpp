@@ -127,6 +127,20 @@ TEST(Regularity, OfSqrtThreeIsC2) {
   EXPECT_EQ(found.orders.sum_rules, 3);
 }
 
+/// [VelhoZorin2001]: C4. Its shifts are dependent, and its sum rules end at 4.
+TEST(Regularity, OfFourEightIsKnownFromItsDirections) {
+  const Regularity found = of("four-eight");
+  EXPECT_EQ(found.orders.sum_rules, 4);
+  EXPECT_EQ(found.stable, Truth::undecided);
+  EXPECT_EQ(found.holder.lower, 5);
+  EXPECT_EQ(found.holder.exact, "5");
+  EXPECT_FALSE(found.holder.upper.has_value());
+  ASSERT_EQ(found.smoothness.size(), 6U);
+  for (std::size_t r = 0; r <= 4; ++r) EXPECT_EQ(found.smoothness[r].verdict, kYes) << r;
+  EXPECT_EQ(found.smoothness[5].verdict, kNo);
+  EXPECT_NE(found.holder.exact_reason.find("8 directions"), std::string::npos);
+}
+
 TEST(Regularity, OfUnstableShiftsHasALowerEndOnly) {
   const Regularity found = of("box-spline-quad", {"i=1", "j=1", "p=2", "q=1"});
   EXPECT_EQ(found.stable, Truth::undecided);

@@ -11,9 +11,9 @@
 namespace limn::test {
 namespace {
 
-const std::vector<std::string> kSchemes = {"loop",          "butterfly", "interpolating-loop",
-                                           "sqrt3",         "doo-sabin", "catmull-clark",
-                                           "laplacian-loop"};
+const std::vector<std::string> kSchemes = {"loop",           "butterfly", "interpolating-loop",
+                                           "sqrt3",          "doo-sabin", "catmull-clark",
+                                           "laplacian-loop", "four-eight"};
 
 void expect_components(const TorusWave& torus, const std::vector<Frequency>& waves,
                        const std::vector<double>& predicted, const std::string& what) {

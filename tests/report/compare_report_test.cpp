@@ -44,7 +44,7 @@ TEST(CompareRecord, KnowsWhatInterpolates) {
   };
   for (const char* name : {"butterfly", "butterfly-modified", "interpolating-loop"})
     EXPECT_TRUE(interpolating(name)) << name;
-  for (const char* name : {"loop", "sqrt3", "catmull-clark", "doo-sabin"})
+  for (const char* name : {"loop", "sqrt3", "catmull-clark", "doo-sabin", "four-eight"})
     EXPECT_FALSE(interpolating(name)) << name;
   // only its edge rule is blended
   EXPECT_TRUE(interpolating("laplacian-butterfly", "b=1/8"));
@@ -54,7 +54,7 @@ TEST(CompareRecord, KnowsWhatInterpolates) {
 
 /// A wave as long as the sampling density asks for has the artifacts that it allows.
 TEST(CompareRecord, ArtifactsAndSamplingDensityAgree) {
-  for (const char* name : {"sqrt3", "doo-sabin"}) {
+  for (const char* name : {"sqrt3", "doo-sabin", "four-eight"}) {
     const ArtifactAnalysis analysis = *ArtifactAnalysis::of(*regular_mask(*find_scheme(name)));
     const WaveArtifacts wave = wave_artifacts(analysis, 5);
     const auto density = [&](double percent) {

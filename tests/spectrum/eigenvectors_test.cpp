@@ -14,7 +14,8 @@ namespace {
 
 const std::vector<std::string>& names() {
   static const std::vector<std::string> list{"loop",      "catmull-clark",      "sqrt3",
-                                             "doo-sabin", "butterfly-modified", "optimal-high"};
+                                             "doo-sabin", "butterfly-modified", "optimal-high",
+                                             "four-eight"};
   return list;
 }
 
@@ -62,10 +63,11 @@ TEST(Eigenvectors, LieInTheirRings) {
   });
 }
 
-// √3's matrix turns the star by half a sector, so its spatial vectors are no plain eigenvectors.
+// √3's and √2's matrices turn the star by half a sector, so that spatial vectors are no plain
+// eigenvectors.
 TEST(Eigenvectors, InSpaceAreThoseOfTheDenseMatrix) {
   for (const std::string& name : names()) {
-    if (name == "sqrt3") continue;
+    if (shipped(name).split->dilation.turns()) continue;
     FrequencyAnalysis analysis(shipped(name));
     for (const int n : {3, 4, 5, 6, 8}) {
       const FrequencyBlocks blocks = analysis.blocks(n).value();
@@ -97,7 +99,9 @@ TEST(Eigenvectors, FunctionalsMeasureWhatIsThere) {
     if (eigenvalue.jordan > 1 || eigenvalue.multiplicity > 1) return;
     const int omega = eigenvalue.frequency;
     const bool alone = omega == 0 || 2 * omega == blocks.valence;
-    if (alone && (eigenvalue.value.imag() != 0 || (omega > 0 && name == "sqrt3"))) return;
+    if (alone &&
+        (eigenvalue.value.imag() != 0 || (omega > 0 && shipped(name).split->dilation.turns())))
+      return;
     const std::complex<double> c(0.6, alone ? 0 : -1.7);
     const auto values = spatial_vectors(blocks, omega, c * vectors.right.col(0))[0];
     const auto weights = spatial_functionals(blocks, omega, vectors.left.row(0));

@@ -93,6 +93,36 @@ TEST(FrequencyBlocks, OfSqrt3AreThePapersEntryByEntry) {
   }
 }
 
+TEST(FrequencyBlocks, OfFourEightAreWhatItsStencilsSay) {
+  FrequencyAnalysis analysis(shipped("four-eight"), 2);
+  for (int n = 3; n <= 12; ++n) {
+    const FrequencyBlocks blocks = analysis.blocks(n).value();
+    // the neighbours; then of ring 2 the one straight on, one beside it, the diagonal one, one more
+    ASSERT_EQ(blocks.orbits.size(), 5U);
+    for (int omega = 0; omega <= n / 2; ++omega) {
+      const double turn = M_PI * omega / n;  // by half a sector; c and s: by a quarter
+      const double c = 2 * std::cos(turn);
+      const std::complex<double> s = std::polar(1.0, turn / 2), t = std::conj(s);
+      Eigen::MatrixXcd expected(5, 5);
+      expected << c / 4, 0, 0, 1 / 4., 0,     // of the centre's faces
+          c / 8, 0, t / 8., 1 / 2., s / 8.,   // where the diagonal was
+          s / 4., s / 4., 0, t / 4., 1 / 4.,  // of the faces beyond
+          1 / 2., 1 / 8., 0, c / 8, 0,        // where the neighbour was
+          t / 4., t / 4., 1 / 4., s / 4., 0;
+      const Eigen::MatrixXcd& block = blocks.blocks[static_cast<std::size_t>(omega)];
+      EXPECT_LT((block.bottomRightCorner(5, 5) - expected).norm(), 1e-14)
+          << n << ' ' << omega << '\n'
+          << block;
+      if (omega > 0) continue;
+      Eigen::VectorXd to_centre(6);
+      to_centre << 1 / 2., 1 / 4., 0, 0, 1 / 8., 0;
+      EXPECT_LT((block.col(0) - to_centre).norm(), 1e-14) << n;
+      EXPECT_NEAR(block(0, 1).real(), 1 / 2., 1e-14);
+    }
+  }
+  EXPECT_FALSE(FrequencyAnalysis(shipped("four-eight"), 1).blocks(5).ok());
+}
+
 TEST(FrequencyBlocks, FindTheRingsThatControlTheSurface) {
   const auto rings = [](const std::string& name, int n) {
     const Result<FrequencyBlocks> blocks = FrequencyAnalysis(shipped(name)).blocks(n);
@@ -105,6 +135,7 @@ TEST(FrequencyBlocks, FindTheRingsThatControlTheSurface) {
   EXPECT_EQ(rings("butterfly-modified", 5), 3);
   EXPECT_GE(rings("doo-sabin", 5), 1);
   EXPECT_GE(rings("sqrt3", 5), 2);
+  EXPECT_EQ(rings("four-eight", 5), 3);
 }
 
 TEST(FrequencyBlocks, AreRefusedBelowTheLeastValenceAndOnTooFewRings) {

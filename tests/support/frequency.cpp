@@ -18,10 +18,14 @@ T must(Result<T> result) {
 
 bool has_center(const Split& split) { return split.births.vertices; }
 
+/// A step by half a sector.
+bool turns(const Split& split) { return split.name == "sqrt3" || split.name == "quad-sqrt2"; }
+
 }  // namespace
 
 int sector_size(const Split& split, int ring) {
   if (!has_center(split)) return 2 * ring - 1;
+  if (split.name == "quad-sqrt2" && ring == 1) return 1;  // the corners are in ring 2
   return split.lattice == Lattice::triangle ? ring : 2 * ring;
 }
 
@@ -64,7 +68,7 @@ Eigen::MatrixXcd frequency_block(const Split& split, const SubdivisionMatrix<dou
   Eigen::MatrixXcd space(matrix.size, static_cast<int>(basis.size()));
   for (int i = 0; i < space.cols(); ++i) space.col(i) = basis[static_cast<std::size_t>(i)];
   Eigen::MatrixXcd block = space.adjoint() * dense(matrix).cast<std::complex<double>>() * space;
-  if (split.name == "sqrt3") block *= std::polar(1.0, -kTurn * omega / (2 * n));
+  if (turns(split)) block *= std::polar(1.0, -kTurn * omega / (2 * n));
   return block;
 }
 

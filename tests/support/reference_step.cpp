@@ -189,6 +189,25 @@ class Reference {
     return std::move(fresh_);
   }
 
+  /// Velho and Zorin: a new vertex is the mean of its block's corners; an old one goes half the way
+  /// to the mean of those across its blocks' edges.
+  std::vector<double> four_eight() {
+    const bool boundary_moves = births_.from_edges > 0;
+    for (Index v = 0; v < births_.from_vertices; ++v) {
+      if (mesh_.is_boundary_vertex(v))
+        push(boundary_moves ? (6 * at(v) + boundary_neighbours(v)) / 8 : at(v));
+      else
+        push(mesh_.is_isolated(v) ? at(v) : (at(v) + neighbours(v) / mesh_.valence(v)) / 2);
+    }
+    for (const Index e : births_.edges) {
+      const Index h = mesh_.halfedge_of_edge(e);
+      push((at(mesh_.origin(h)) + at(mesh_.target(h))) / 2);
+    }
+    for (Index i = 0; i < births_.from_faces; ++i)
+      push(mean(births_.faces.empty() ? i : births_.faces[i]));
+    return std::move(fresh_);
+  }
+
  private:
   void push(double value) { fresh_.push_back(value); }
   [[nodiscard]] double at(Index v) const { return old_[static_cast<std::size_t>(v)]; }
@@ -329,7 +348,7 @@ class Reference {
 
 bool has_reference(const std::string& scheme) {
   return triangle_rules(scheme, {}) || scheme == "catmull-clark" || scheme == "doo-sabin" ||
-         scheme == "sqrt3" || scheme == "box-spline-quad";
+         scheme == "sqrt3" || scheme == "four-eight" || scheme == "box-spline-quad";
 }
 
 std::vector<double> reference_step(const std::string& scheme, std::optional<double> parameter,
@@ -339,6 +358,7 @@ std::vector<double> reference_step(const std::string& scheme, std::optional<doub
   if (scheme == "catmull-clark" || scheme == "box-spline-quad") return reference.catmull_clark();
   if (scheme == "doo-sabin") return reference.doo_sabin();
   if (scheme == "sqrt3") return reference.sqrt3();
+  if (scheme == "four-eight") return reference.four_eight();
   return reference.triangle_dyadic(*triangle_rules(scheme, parameter));
 }
 

@@ -99,7 +99,7 @@ std::vector<Trial> make_trials(const Scheme& scheme, std::optional<double> param
   std::vector<Trial> trials;
   for (const auto& [what, mesh] : deck(*scheme.split, is_mask_only(scheme.name))) {
     trials.push_back(make_trial(scheme, parameter, what, mesh, 0));
-    if (!scheme.split->trisects_boundary || !mesh.has_boundary()) continue;
+    if (!scheme.split->boundary_rests() || !mesh.has_boundary()) continue;
     const Mesh finer = trials.back().refined.mesh;
     trials.push_back(make_trial(scheme, parameter, what, mesh, 1));
     trials.push_back(make_trial(scheme, parameter, what + " refined", finer, 1));

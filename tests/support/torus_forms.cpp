@@ -61,6 +61,13 @@ std::vector<Offset> birth_places(const Mesh& mesh, const Births& births) {
   return places;
 }
 
+/// Twice the offset on the refined lattice, from four times that in control edges. The refined edges
+/// of a dyadic split are half of those; those of √2 go half the way along the diagonals.
+Offset doubled_offset(const Split& split, Offset quarters) {
+  if (split.name != "quad-sqrt2") return quarters;
+  return {(quarters[0] + quarters[1]) / 2, (quarters[1] - quarters[0]) / 2};
+}
+
 }  // namespace
 
 Result<Mask> refined_mask(const Scheme& scheme) {
@@ -79,6 +86,7 @@ Result<Mask> refined_mask(const Scheme& scheme) {
       Offset offset{};
       for (std::size_t d = 0; d < 2; ++d)
         offset[d] = nearest(places[i][d] - 4 * place_of(vertex)[d], 4 * kSide);
+      offset = doubled_offset(*scheme.split, offset);
       if (!weight.is_rational()) return Error{"an irrational coefficient"};
       const auto [entry, is_new] = mask.coefficients.emplace(offset, weight.rational());
       if (!is_new && entry->second != weight.rational())

@@ -32,7 +32,8 @@ struct CharacteristicMap {
   std::string reason;  ///< what `regular` rests on, one sentence
 };
 
-/// At valence n ≥ 3, after `steps` ≥ 0 steps (4: 16 faces along each edge, √3: 9). In double
+/// At valence n ≥ 3, after `steps` ≥ 0 steps (4: 16 faces along each edge, √3: 9;
+/// of √2 twice as many steps). In double
 /// precision. Cost: that of the frequency blocks, then O(n |det M|^steps). Fails where the scheme
 /// has no real tangent pair at n, and as `FrequencyAnalysis::blocks` does.
 [[nodiscard]] Result<CharacteristicMap> approx_characteristic_map(const Scheme& scheme, int n,

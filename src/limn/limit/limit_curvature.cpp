@@ -13,8 +13,8 @@ namespace {
 constexpr int kWider = 3;
 
 /// How many rings of limits tell a quadratic's shape: the corners of a square, a dual split's first
-/// ring, lie on its diagonals, where u² − v² is 0.
-int fitted_rings(const Split& split) { return split.births.corners ? 2 : 1; }
+/// ring, lie on its diagonals, where u² − v² is 0; a cropped star's on the axes, where 2uv is.
+int fitted_rings(const Split& split) { return split.births.corners ? 2 : least_star_rings(split); }
 
 constexpr int kQuadraticFrequencies = 3;  // 0, 1 and 2
 
@@ -25,7 +25,8 @@ struct Function {
 
 /// The real eigenvectors of an eigenvalue. Of Re((a + bi)(c + si)) = ac - bs the functionals give a
 /// and, turned, -b; so the functions are c and s.
-std::vector<Function> functions(const FrequencyBlocks& blocks, const Eigenvalue& eigenvalue) {
+std::vector<Function> functions(const Scheme& scheme, const FrequencyBlocks& blocks,
+                                const Eigenvalue& eigenvalue) {
   const Eigenvectors vectors = approx_eigenvectors(blocks, eigenvalue);
   const int omega = eigenvalue.frequency;
   std::vector<Function> list;
@@ -33,9 +34,13 @@ std::vector<Function> functions(const FrequencyBlocks& blocks, const Eigenvalue&
     auto weights = spatial_functionals(blocks, omega, vectors.left.row(i));
     auto values = spatial_vectors(blocks, omega, vectors.right.col(i));
     for (double& weight : weights[1]) weight = -weight;
+    const bool half = omega > 0 && 2 * omega == blocks.valence;
+    const bool complex = omega > 0 && (!half || scheme.split->dilation.turns());
+    if (half && complex)  // half of a real function is in the conjugate vector
+      for (std::vector<double>& part : weights)
+        for (double& weight : part) weight *= 2;
     list.push_back({std::move(values[0]), std::move(weights[0])});
-    if (omega > 0 && 2 * omega != blocks.valence)
-      list.push_back({std::move(values[1]), std::move(weights[1])});
+    if (complex) list.push_back({std::move(values[1]), std::move(weights[1])});
   }
   return list;
 }
@@ -46,14 +51,17 @@ struct Quadratic {
   std::vector<Eigenvalue> jumps;   ///< of frequency 1
 };
 
-/// Nothing where one of them has a frequency of 3 or more, or the modulus alone.
-std::optional<Quadratic> quadratic(const Eigencomponents& components) {
+/// Nothing where one of them has a frequency of 3 or more, or the modulus alone. Where a step
+/// `turns` the star, complex vectors of frequency n/2 have conjugates there, of the opposite value:
+/// one of the two stands for both.
+std::optional<Quadratic> quadratic(const Eigencomponents& components, bool turns) {
   const double square = *components.tangent * *components.tangent;
   const int saddles = components.valence == 3 ? 1 : 2;  // their frequency; 2 is folded to 1
   Quadratic found;
   for (const BlockSpectrum& spectrum : components.spectra) {
     for (const Eigenvalue& one : spectrum.eigenvalues) {
       if (std::abs(std::abs(one.value) - square) > kEqualBelow) continue;
+      if (turns && 2 * one.frequency == components.valence && one.value.real() < 0) continue;
       if (one.frequency > 2 || std::abs(one.value - square) > kEqualBelow) return std::nullopt;
       const bool shape = one.frequency == 0 || one.frequency == saddles;
       std::vector<Eigenvalue>& list = shape ? found.shapes : found.jumps;
@@ -89,9 +97,9 @@ Status add_shapes(const Scheme& scheme, const FrequencyBlocks& wide,
                   const Eigencomponents& components, const std::vector<Eigenvalue>& shapes,
                   CurvatureStencil& stencil) {
   const int rings = fitted_rings(*scheme.split);
-  const auto tangents = functions(wide, components.spectra[1].eigenvalues.front());
+  const auto tangents = functions(scheme, wide, components.spectra[1].eigenvalues.front());
   for (const Eigenvalue& eigenvalue : shapes)
-    for (const Function& function : functions(wide, eigenvalue)) {
+    for (const Function& function : functions(scheme, wide, eigenvalue)) {
       const auto at = ring_limits(scheme, wide, rings, tangents[0], tangents[1], function);
       if (!at) return at.error();
       Eigen::MatrixXd quadratics(static_cast<Eigen::Index>(at->size()), 3);
@@ -120,7 +128,8 @@ Result<VertexCurvature> approx_curvature_stencil(const Scheme& scheme, Frequency
   const Eigencomponents components = approx_eigencomponents(*near);
   if (components.verdict.curvature_necessary != Truth::yes)
     return VertexCurvature{{}, n == 2 ? NoCurvature::no_normal : NoCurvature::unbounded};
-  const std::optional<Quadratic> eigenvalues = quadratic(components);
+  const std::optional<Quadratic> eigenvalues =
+      quadratic(components, scheme.split->dilation.turns());
   if (!eigenvalues) return VertexCurvature{{}, NoCurvature::direction};
   const Result<FrequencyBlocks> wide =
       FrequencyAnalysis(scheme, near->rings + kWider + fitted_rings(*scheme.split) - 1)
@@ -131,7 +140,7 @@ Result<VertexCurvature> approx_curvature_stencil(const Scheme& scheme, Frequency
   stencil.rings = near->rings;
   stencil.cup = stencil.first_saddle = stencil.second_saddle = std::vector<double>(size, 0.0);
   for (const Eigenvalue& eigenvalue : eigenvalues->jumps)
-    for (Function& function : functions(*near, eigenvalue))
+    for (Function& function : functions(scheme, *near, eigenvalue))
       stencil.jumps.push_back(std::move(function.weights));
   if (Status status = add_shapes(scheme, *wide, components, eigenvalues->shapes, stencil); !status)
     return status.error();

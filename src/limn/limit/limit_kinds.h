@@ -173,7 +173,7 @@ class LimitSearch {
       const std::vector<Value>& values = in_patch ? patch.values : control_values;
       if (Status status = kinds_.prepare(mesh, patch.sites, refused, shared_); !status)
         return status;
-      const bool boundary_rests = scheme_.split->trisects_boundary && step % 2 != 0;
+      const bool boundary_rests = scheme_.split->boundary_rests() && step % 2 != 0;
       if (Status status = visit(mesh, values, boundary_rests, patch.sites); !status) return status;
       if (patch.sites.empty()) return Done{};
       if (options_.progress) options_.progress(static_cast<int>(patch.sites.size()));

@@ -37,6 +37,13 @@ std::vector<bool> within(const Mesh& mesh, bool dual, int rings) {
   return near;
 }
 
+/// Whole cycles where steps turn the star: sqrt3's of two steps each, sqrt2's, which are as one
+/// step of a dyadic split, as many as these.
+int steps_made(const Split& split, int steps) {
+  if (!split.boundary_rests()) return steps;
+  return 2 * (split.odd_step_cut == 2 ? steps : steps / 2);
+}
+
 /// The faces all of whose vertices are kept, and those vertices' limit points.
 Result<StarSurface> kept_part(const Mesh& mesh, const std::vector<bool>& kept,
                               const std::vector<Index>& vertices, const LimitPoints& limit) {
@@ -69,7 +76,7 @@ Result<StarSurface> approx_star_surface(const Scheme& scheme, int n, int rings,
                                         const std::vector<Point3>& values, int steps) {
   const Split& split = *scheme.split;
   const bool dual = split.births.corners;
-  const int step_count = split.trisects_boundary ? 2 * (steps / 2) : steps;
+  const int step_count = steps_made(split, steps);
   Refined<Point3> fine{split_star(split, n, rings), values};
   RuleTables<double> tables(scheme, Boundary::left_out);
   for (int step = 0; step < step_count; ++step) {

@@ -59,6 +59,21 @@ struct QuadRings {
   }
 };
 
+// the same without corners: those of each square are in the ring beyond
+struct CroppedRings {
+  Index n;
+  [[nodiscard]] Index size(Index rings) const {
+    return rings == 0 ? 1 : QuadRings{n}.size(rings) - n;
+  }
+  [[nodiscard]] Index vertex(Index s, Index x, Index y) const {
+    if (x == 0 && y == 0) return 0;
+    if (std::max(x, y) == 1 && x != y) return 1 + (s + y) % n;
+    const Index r = x == y ? x + 1 : std::max(x, y);
+    const Index k = x == y ? r : x == r ? y : 2 * r - x;
+    return size(r - 1) + (2 * r * s + k) % (2 * r * n);
+  }
+};
+
 // the dual star: sector s is the quadrant x, y ≥ 1 beyond corner s of the middle face, its x
 // axis towards sector s-1's y axis
 struct DualRings {
@@ -171,6 +186,21 @@ Mesh fan(Lattice lattice, Index sectors, Index rings) {
   return lattice == Lattice::triangle ? triangle_star(sectors, rings, true)
                                       : quad_star(sectors, rings, true);
 }
+
+Mesh cropped_star(Index n, Index rings) {
+  assert(n >= 2 && rings >= 2);
+  const CroppedRings at{n};
+  FaceList faces;
+  for (Index s = 0; s < n; ++s)
+    for (Index y = 0; y < rings; ++y)
+      for (Index x = 0; x < rings; ++x)
+        if (x + y < 2 * (rings - 1))
+          faces.add({at.vertex(s, x, y), at.vertex(s, x + 1, y), at.vertex(s, x + 1, y + 1),
+                     at.vertex(s, x, y + 1)});
+  return faces.mesh(at.size(rings));
+}
+
+Index cropped_star_size(Index n, Index rings) { return CroppedRings{n}.size(rings); }
 
 Index star_size(Lattice lattice, Index n, Index rings) {
   return lattice == Lattice::triangle ? TriangleRings{n}.size(rings) : QuadRings{n}.size(rings);

@@ -38,10 +38,17 @@ using Twelfths = std::array<Index, 2>;
 /// n ≥ 2, rings ≥ 1. At n = 2 two edges join the two neighbours of the centre in triangles.
 [[nodiscard]] Mesh star(Lattice lattice, Index n, Index rings);
 
-/// The same round a vertex on the boundary, with so many sectors (faces) ≥ 1: both outer spokes lie
-/// on the boundary, whose other vertices are regular. Rings follow one another as in `star`, each
-/// from the spoke of sector 0, on which half-edge 0 lies, to the last spoke: one vertex more a
-/// ring.
+/// The same of quads, but each corner of a square ring r counts to ring r + 1: ring r ≥ 2 has the
+/// points of the square ring r but for its n corners, and in their places those of the square ring
+/// r - 1; ring 1 the n neighbours of the centre. The outermost square lacks its corners, and the
+/// faces at them. Where a step turns the lattice by half a sector, the refined star of such rings
+/// lies within the old one, neighbours included; the corners of squares would not. rings ≥ 2.
+[[nodiscard]] Mesh cropped_star(Index n, Index rings);
+
+/// The same as `star` round a vertex on the boundary, with so many sectors (faces) ≥ 1: both outer
+/// spokes lie on the boundary, whose other vertices are regular. Rings follow one another as in
+/// `star`, each from the spoke of sector 0, on which half-edge 0 lies, to the last spoke: one
+/// vertex more a ring.
 [[nodiscard]] Mesh fan(Lattice lattice, Index sectors, Index rings);
 
 /// The dual star on quads: `rings` rings of vertices round a face of n corners (face 0), every
@@ -51,8 +58,10 @@ using Twelfths = std::array<Index, 2>;
 /// diagonal one in the middle. Half-edge 0 has origin vertex 0.
 [[nodiscard]] Mesh face_star(Index n, Index rings);
 
-/// Number of vertices in rings 0 … rings of `star` and `fan`, or 1 … rings of `face_star`.
+/// Number of vertices in rings 0 … rings of `star`, `cropped_star` and `fan`, or 1 … rings of
+/// `face_star`.
 [[nodiscard]] Index star_size(Lattice lattice, Index n, Index rings);
+[[nodiscard]] Index cropped_star_size(Index n, Index rings);
 [[nodiscard]] Index fan_size(Lattice lattice, Index sectors, Index rings);
 [[nodiscard]] Index face_star_size(Index n, Index rings);
 

@@ -16,7 +16,8 @@ struct Counts {
   double vertices = 0, edges = 0, faces = 0, halfedges = 0;
 };
 
-/// After one step, an upper bound: exact but for the boundaries of dual splits, which lose faces.
+/// After one step, an upper bound: exact but for the boundaries of dual splits, which lose faces,
+/// and where a mesh at an odd step is not one that an even step has made.
 Counts after_step(const Split& split, const Counts& c, int step) {
   Counts r;
   if (split.births.corners) {
@@ -27,12 +28,17 @@ Counts after_step(const Split& split, const Counts& c, int step) {
     return r;
   }
   r.vertices = c.vertices + (split.births.edges ? c.edges : 0) + (split.births.faces ? c.faces : 0);
-  if (split.trisects_boundary) {
-    const double cut = step % 2 == 1 ? 2 * c.edges - c.halfedges : 0;
+  const double boundary = 2 * c.edges - c.halfedges;
+  const double cut = split.boundary_rests() && step % 2 == 1 ? boundary : 0;
+  if (split.odd_step_cut == 3) {
     r.vertices += cut;  // two new vertices on a cut edge, none in its face
     r.faces = c.halfedges;
     r.halfedges = 3 * c.halfedges;
     r.edges = c.edges + c.halfedges + cut;
+  } else if (split.odd_step_cut == 2) {  // a cut edge has the vertex of its face, and makes no face
+    r.faces = c.edges - cut;
+    r.halfedges = 4 * (c.edges - boundary) + 3 * (boundary - cut);
+    r.edges = c.halfedges + boundary - cut;
   } else if (split.any_polygons) {
     r.faces = c.halfedges;
     r.halfedges = 4 * c.halfedges;

@@ -231,6 +231,7 @@ template <class Number>
 Status RuleTables<Number>::prepare_edges(const Mesh& mesh, const Births& births) {
   if (births.from_edges == 0) return Done{};
   if (!births.edge_ends.empty()) return add(RuleKind::boundary_edge_end, 0, 0);
+  if (!births.edges.empty()) return add(RuleKind::boundary_edge, 0, 0);
   bool interior = false;
   bool boundary = false;
   for (Index e = 0; e < mesh.edge_count() && !(interior && boundary); ++e)
@@ -244,7 +245,7 @@ Status RuleTables<Number>::prepare_edges(const Mesh& mesh, const Births& births)
 template <class Number>
 Status RuleTables<Number>::prepare(const Mesh& mesh, const Births& births) {
   const Split& split = *scheme_->split;
-  const bool boundary_refined = !split.trisects_boundary || !births.edge_ends.empty();
+  const bool boundary_refined = !split.boundary_rests() || births.from_edges > 0;
   if (split.births.vertices)
     if (Status status = prepare_vertices(mesh, boundary_refined); !status) return status;
   if (split.births.faces || split.births.corners)

@@ -8,6 +8,11 @@
 namespace limn {
 namespace {
 
+/// Whether corners of quad rings count to the ring beyond.
+bool crops_corners(const Split& split) {
+  return split.lattice == Lattice::quad && !split.births.corners && split.dilation.turns();
+}
+
 constexpr int kMargin = 4;  // rings round the neighbourhood, so that no row meets the rim
 
 /// The half-edge of the refined mesh that plays the part of half-edge 0 of the star.
@@ -24,10 +29,14 @@ Index refined_start(const Split& split, const Mesh& coarse, const SplitResult& f
 }  // namespace
 
 Mesh split_star(const Split& split, Index n, Index rings) {
+  if (crops_corners(split)) return cropped_star(n, rings);
   return split.births.corners ? face_star(n, rings) : star(split.lattice, n, rings);
 }
 
+int least_star_rings(const Split& split) { return crops_corners(split) ? 2 : 1; }
+
 Index split_star_size(const Split& split, Index n, Index rings) {
+  if (crops_corners(split)) return cropped_star_size(n, rings);
   return split.births.corners ? face_star_size(n, rings) : star_size(split.lattice, n, rings);
 }
 
@@ -51,7 +60,7 @@ FanStep fan_step(const Split& split, int sectors, int rings) {
   step.size = inner.vertex_count();
   step.fine.push_back(split.apply(step.coarse, 0));
   // the boundary of a trisecting split moves in every second step only
-  if (split.trisects_boundary) step.fine.push_back(split.apply(step.fine.front().mesh, 1));
+  if (split.boundary_rests()) step.fine.push_back(split.apply(step.fine.front().mesh, 1));
   const Mesh& last = step.fine.back().mesh;
   const bool found = Pattern(inner, 0).match(last, last.halfedge_of_vertex(0), step.images);
   assert(found);

@@ -138,7 +138,7 @@ class StepStencils {
   void visit_vertex(Index v, Sink& sink) const {
     const Index h = mesh_.halfedge_of_vertex(v);
     const bool boundary = mesh_.is_boundary_vertex(v);
-    if (h == kNone || (boundary && split_.trisects_boundary && births_.edge_ends.empty()))
+    if (h == kNone || (boundary && split_.boundary_rests() && births_.from_edges == 0))
       return sink(Source{v, false}, one_);
     const RuleKind kind = boundary ? RuleKind::boundary_vertex : RuleKind::vertex;
     visit_row(kind, h, false, tables_.row(kind, valence(v)), sink);
@@ -158,7 +158,8 @@ class StepStencils {
       return visit_row(RuleKind::boundary_edge_end, end / 2, end % 2 != 0,
                        tables_.row(RuleKind::boundary_edge_end, 0), sink);
     }
-    const Index h = mesh_.halfedge_of_edge(i), twin = mesh_.twin(h);
+    const Index h = mesh_.halfedge_of_edge(births_.edges.empty() ? i : births_.edges[i]);
+    const Index twin = mesh_.twin(h);
     if (twin == kNone)
       return visit_row(RuleKind::boundary_edge, h, false, tables_.row(RuleKind::boundary_edge, 0),
                        sink);

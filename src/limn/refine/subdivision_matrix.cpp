@@ -7,6 +7,15 @@
 #include "limn/refine/star_step.h"
 
 namespace limn {
+namespace {
+
+Error not_invariant(const Scheme& scheme, int n, int rings) {
+  return {fmt::format("the {}-ring neighbourhood at valence {} is not invariant under scheme '{}'",
+                      rings, n, scheme.name),
+          "take more rings"};
+}
+
+}  // namespace
 
 template <class Number>
 Result<SubdivisionMatrix<Number>> subdivision_matrix(const Scheme& scheme, int n, int rings) {
@@ -14,6 +23,7 @@ Result<SubdivisionMatrix<Number>> subdivision_matrix(const Scheme& scheme, int n
   if (n < kSmallestValence)
     return Error{fmt::format("valence {} is below {}", n, kSmallestValence)};
   if (rings < 1) return Error{"a neighbourhood needs at least one ring"};
+  if (rings < least_star_rings(split)) return not_invariant(scheme, n, rings);
   const StarStep step = star_step(split, n, rings);
   RuleTables<Number> tables(scheme, Boundary::left_out);
   if (Status status = tables.prepare(step.coarse, step.fine.births); !status) return status.error();
@@ -32,10 +42,7 @@ Result<SubdivisionMatrix<Number>> subdivision_matrix(const Scheme& scheme, int n
         matrix.entries[static_cast<std::size_t>(i) * static_cast<std::size_t>(step.size) +
                        static_cast<std::size_t>(vertex)] = value;
       } else if (Arithmetic<Number>::approx(value) != 0) {
-        return Error{fmt::format("the {}-ring neighbourhood at valence {} is not invariant under "
-                                 "scheme '{}'",
-                                 rings, n, scheme.name),
-                     "take more rings"};
+        return not_invariant(scheme, n, rings);
       }
     }
   return matrix;

@@ -81,7 +81,8 @@ std::string points_of_coset(const Scheme& scheme, LatticeVector member) {
   const auto [x, y] = member;
   if (scheme.split->births.corners) return "of one corner";
   if (x == 0 && y == 0) return "at the vertices";
-  if (!scheme.split->births.edges) return "of one kind of face";
+  if (!scheme.split->births.edges)
+    return scheme.split->dilation.growth() > 2 ? "of one kind of face" : "of the faces";
   if (y == 0) return "on the edges along (1, 0)";
   if (x == 0) return "on the edges along (0, 1)";
   return scheme.split->births.faces ? "of the faces" : "on the edges along (1, 1)";

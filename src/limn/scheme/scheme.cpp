@@ -30,10 +30,10 @@ bool has_use_for(const Split& split, RuleKind kind) {
     case RuleKind::boundary_vertex: return split.births.vertices;
     case RuleKind::edge:
     case RuleKind::edge_end: return split.births.edges;
-    case RuleKind::boundary_edge: return split.births.edges && !split.trisects_boundary;
+    case RuleKind::boundary_edge: return split.births.edges || split.odd_step_cut == 2;
     case RuleKind::face: return split.births.faces;
     case RuleKind::corner: return split.births.corners;
-    case RuleKind::boundary_edge_end: return split.trisects_boundary;
+    case RuleKind::boundary_edge_end: return split.odd_step_cut == 3;
   }
   return false;
 }

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdlib>
 #include <map>
+#include <set>
 #include <tuple>
 
 #include <fmt/core.h>
@@ -299,23 +300,39 @@ Result<CenterCases> center_cases(const Scheme& scheme, int n) {
 
 Result<int> control_rings(const Scheme& scheme, const CenterCases& cases,
                           const RegularNames& named) {
-  // D(r): the farthest ring that ring r of the refined star depends on. It grows more slowly than
-  // r, so that what controls the faces round the centre at every level is the last r ≤ D(r).
   const Result<StarForms> star = refined_star(scheme, cases, kMostRings, named);
   if (!star) return star.error();
   const OrbitPositions places(*scheme.split, kMostRings + kSeenBeyond);
-  const auto ring = [&](Index v) {
-    const OrbitPosition place = places.of(v);
-    return place.orbit == kCenter ? 0 : places.orbits()[static_cast<std::size_t>(place.orbit)].ring;
+  const auto ring = [&](int orbit) {
+    return orbit == kCenter ? 0 : places.orbits()[static_cast<std::size_t>(orbit)].ring;
   };
-  std::array<int, kMostRings + 1> farthest{};
-  for (Index v = 0; v < star->step.size; ++v)
+  std::map<int, std::set<int>> sees;  // the orbits that an orbit of the refined star depends on
+  std::set<int> controls;
+  for (Index v = 0; v < star->step.size; ++v) {
+    const int orbit = places.of(v).orbit;
+    controls.insert(orbit);
     for (const auto& [vertex, form] : star->forms[star->step.images[v]].terms)
-      farthest[static_cast<std::size_t>(ring(v))] =
-          std::max(farthest[static_cast<std::size_t>(ring(v))], ring(vertex));
+      sees[orbit].insert(places.of(vertex).orbit);
+  }
+  // What controls the faces round the centre at every level: the orbits that others depend on, of
+  // as many steps as one likes. Dependence grows more slowly than distance, so these are few.
+  for (std::size_t count = 0; count != controls.size();) {
+    count = controls.size();
+    std::set<int> further;
+    for (const int orbit : controls)
+      for (const int seen : sees[orbit])
+        if (ring(seen) <= kMostRings) further.insert(seen);
+    controls = std::move(further);
+  }
   int rings = 1;
-  for (int r = 1; r <= kMostRings; ++r)
-    if (farthest[static_cast<std::size_t>(r)] >= r) rings = r;
+  for (const int orbit : controls) rings = std::max(rings, ring(orbit));
+  const auto is_invariant = [&](int count) {
+    return std::all_of(sees.begin(), sees.end(), [&](const auto& one) {
+      return ring(one.first) > count || std::all_of(one.second.begin(), one.second.end(),
+                                                    [&](int seen) { return ring(seen) <= count; });
+    });
+  };
+  while (rings < kMostRings && !is_invariant(rings)) ++rings;
   if (rings < kMostRings) return rings;
   return Error{
       fmt::format("scheme '{}' reaches farther than {} rings", scheme.name, kMostRings - 1),
@@ -328,10 +345,11 @@ Result<int> control_rings(const Scheme& scheme, const CenterCases& cases,
 Result<SectorPattern> sector_pattern(const Scheme& scheme, const CenterCases& cases, int rings,
                                      const RegularNames& named) {
   const Split& split = *scheme.split;
+  if (rings < least_star_rings(split)) return not_invariant(scheme, rings);
   const Result<StarForms> star = refined_star(scheme, cases, rings, named);
   if (!star) return star.error();
   const OrbitPositions places(split, rings);
-  const double turn = split.dilation.rows[0][1] == 0 ? 0 : 0.5;
+  const double turn = split.dilation.turns() ? 0.5 : 0;
   SectorPattern pattern{rings, places.orbits(), !split.births.corners, star->namer.names, {}};
   for (Index v = 0; v < star->step.size; ++v) {
     const OrbitPosition place = places.of(v);

@@ -16,12 +16,10 @@ class GridFamily final : public Family {
   /// All steps are left to the plain engine where there are no tables.
   GridFamily(const Scheme& scheme, const GridCycle& cycle, const Mesh& control, int levels)
       : cycle_(cycle), split_(*scheme.split), control_(control), plain_(levels) {
-    if (!is_grid(control) && levels == 0) return;
-    if (!is_grid(control)) {
-      refined_ = scheme.split->apply(control, 0).mesh;
-      first_ = 1;
-    }
-    if (control.face_count() == 0) return;
+    while (!is_grid(mesh()) && first_ < levels) refine_once();
+    // the cycle begins with its first step
+    while (first_ % cycle.steps != 0 && first_ < levels) refine_once();
+    if (control.face_count() == 0 || !is_cycle_begun()) return;
     std::vector<VertexKind> kinds = vertex_kinds(mesh());
     Result<std::vector<StencilTables>> read =
         read_stencils(scheme, cycle, kinds, boundary_sides(mesh()));
@@ -38,10 +36,10 @@ class GridFamily final : public Family {
   [[nodiscard]] int plain_steps() const override { return plain_; }
 
   [[nodiscard]] Size size(int level) const override {
-    if (level < first_ || !is_grid(mesh()))
-      return {control_.vertex_count(), control_.face_count(), control_.halfedge_count()};
+    if (!is_cycle_begun())
+      return {mesh().vertex_count(), mesh().face_count(), mesh().halfedge_count()};
     const GridLayout at = step(level).old_points;
-    return {at.vertex_count(), at.face_count(), corners() * at.face_count()};
+    return {at.vertex_count(), at.face_count(), at.corner_count()};
   }
 
   [[nodiscard]] StepPlan plan(int level) const override {
@@ -75,31 +73,37 @@ class GridFamily final : public Family {
 
   void write_faces(int level, std::span<Index> corners) const override {
     constexpr std::ptrdiff_t kChunk = 32768;  // faces that one call of the parallel loop writes
-    if (level < first_ || !is_grid(mesh())) {
-      for (Index h = 0; h < control_.halfedge_count(); ++h) corners[h] = control_.origin(h);
+    if (!is_cycle_begun()) {
+      for (Index h = 0; h < mesh().halfedge_count(); ++h) corners[h] = mesh().origin(h);
       return;
     }
-    const std::ptrdiff_t faces = step(level).old_points.patch_faces();
+    const GridLayout at = step(level).old_points;
+    const std::ptrdiff_t faces = at.patch_faces();
     parallel_for(
         Index{0}, mesh().face_count(),
         [&](Index first, Index last) {
           write_face_blocks(level, first, last, corners.data() + first * this->corners() * faces);
         },
-        std::max<std::ptrdiff_t>(1, kChunk / faces));
+        std::max<std::ptrdiff_t>(1, kChunk / std::max<std::ptrdiff_t>(1, faces)));
+    at.write_edge_faces(corners.data() + mesh().face_count() * this->corners() * faces);
   }
 
   [[nodiscard]] Index face_blocks(int level) const override {
-    return level < first_ || !is_grid(mesh()) ? 1 : std::max<Index>(1, mesh().face_count());
+    return !is_cycle_begun() || has_halves() ? 1 : std::max<Index>(1, mesh().face_count());
   }
 
   void write_face_blocks(int level, Index first, Index last, Index* corners) const override {
     step(level).old_points.write_faces(first, last, corners);
   }
 
-  [[nodiscard]] Index corners_per_face() const override { return is_grid(mesh()) ? corners() : 0; }
+  /// Between full cycles, quads at a boundary are halved.
+  [[nodiscard]] Index corners_per_face() const override {
+    return is_cycle_begun() && !has_halves() ? corners() : 0;
+  }
 
-  void write_face_begin(int /*level*/, std::span<Index> begin) const override {
-    for (Index f = 0; f <= control_.face_count(); ++f) begin[f] = control_.face_begin(f);
+  void write_face_begin(int level, std::span<Index> begin) const override {
+    if (is_cycle_begun()) return step(level).old_points.write_face_begin(begin.data());
+    for (Index f = 0; f <= mesh().face_count(); ++f) begin[f] = mesh().face_begin(f);
   }
 
  private:
@@ -107,8 +111,19 @@ class GridFamily final : public Family {
   [[nodiscard]] bool is_grid(const Mesh& mesh) const {
     return mesh.uniform_degree() == corners() || mesh.face_count() == 0;
   }
-  /// What is cut into grids, from level first_ on; the control mesh if no level was asked for.
+  /// What is cut into grids, from level first_ on; or, where so few levels were asked for that
+  /// there is nothing to be cut, the last of them.
   [[nodiscard]] const Mesh& mesh() const { return first_ > 0 ? refined_ : control_; }
+  [[nodiscard]] bool has_halves() const {
+    return cycle_.steps > 1 && corners() == 4 && mesh().has_boundary();
+  }
+  [[nodiscard]] bool is_cycle_begun() const {
+    return is_grid(mesh()) && first_ % cycle_.steps == 0;
+  }
+  void refine_once() {
+    refined_ = split_.apply(mesh(), first_).mesh;
+    ++first_;
+  }
   [[nodiscard]] GridStep step(int level) const {
     assert(level >= first_);
     return {mesh(), cycle_, level - first_};
@@ -142,8 +157,10 @@ std::optional<GridCycle> grid_cycle(const Split& split) {
     if (split.dilation.growth() != 4 || split.births.faces != quads) return std::nullopt;
     return GridCycle{split.lattice, 2, 1};
   }
-  if (quads || !split.trisects_boundary || split.dilation.growth() != 3) return std::nullopt;
-  return GridCycle{split.lattice, 3, 2};
+  const Index cut = split.odd_step_cut;
+  if (!split.births.faces || cut != (quads ? 2 : 3) || split.dilation.growth() != cut)
+    return std::nullopt;
+  return GridCycle{split.lattice, cut, 2};
 }
 
 std::unique_ptr<Family> make_grid_family(const Scheme& scheme, const GridCycle& cycle,

@@ -4,10 +4,10 @@
 /// (lattice_step.h).
 ///
 /// The mesh is the control mesh where all its faces have as many sides as the cells of the lattice.
-/// Otherwise it is the one that the split makes of it, and the family's own: the first step is left
-/// to the plain engine, and levels are numbered from there on. After the split of other polygons
-/// than quads by quad-dyadic, control edge e has vertex V + e, control face f has vertex V + E + f,
-/// and control half-edge h is the patch number h.
+/// Otherwise it is the one that the split makes of it, and the family's own: the steps of the first
+/// cycle are left to the plain engine, and levels are numbered from there on. After the split of
+/// other polygons than quads by quad-dyadic, control edge e has vertex V + e, control face f has
+/// vertex V + E + f, and control half-edge h is the patch number h.
 
 #include "limn/fast/families/family.h"
 #include "limn/fast/layout/lattice_step.h"

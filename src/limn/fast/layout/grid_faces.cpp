@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "limn/base/parallel.h"
 #include "limn/fast/layout/grid_layout.h"
 
 namespace limn::fast {
@@ -78,6 +79,9 @@ class Rows {
     for (Index x = 1; x < n; ++x) row[x] = top(n - x);
     row[n] = mesh.origin(h + 2);
   }
+
+  /// The numbers of a row of quads.
+  [[nodiscard]] const Index* row(Index y) const { return numbers_.data() + y * (layout_.n() + 1); }
 
   void swap(Rows& other) { numbers_.swap(other.numbers_); }
 
@@ -209,6 +213,24 @@ class CentreFaces {
   std::array<std::vector<Index>, 3> sides_, across_;
 };
 
+Index* put_quad(Index a, Index b, Index c, Index d, Index* out) {
+  put(Four{a, b, c, d}, out);
+  return out + 4;
+}
+
+/// The faces within a patch of quads that have centres.
+Index* write_inner_edges(const GridLayout& layout, Index f, const Rows<false>& points, Index* out) {
+  const Index n = layout.n();
+  Index own = layout.centre_begin(f);  // of the row of cells
+  for (Index y = 0; y < n; ++y, own += n) {
+    const Index *low = points.row(y), *high = points.row(y + 1);
+    for (Index x = 1; x < n; ++x) out = put_quad(low[x], own + x, high[x], own + x - 1, out);
+    for (Index x = 0; x < n && y + 1 < n; ++x)
+      out = put_quad(high[x], own + x, high[x + 1], own + n + x, out);
+  }
+  return out;
+}
+
 template <bool kTriangles>
 void write_grid(const GridLayout& layout, Index first, Index last, Index* out) {
   // vectors are read of what was written in single numbers: not at once
@@ -227,8 +249,55 @@ void GridLayout::write_faces(Index first, Index last, Index* out) const {
   if (!centres_)
     return sides_ == 3 ? write_grid<true>(*this, first, last, out)
                        : write_grid<false>(*this, first, last, out);
+  if (sides_ == 4) {
+    Rows<false> points(*this);
+    for (Index f = first; f < last; ++f) {
+      points.fill(f);
+      out = write_inner_edges(*this, f, points, out);
+    }
+    return;
+  }
   CentreFaces faces(*this);
   for (Index f = first; f < last; ++f) out = faces.patch(f, out);
+}
+
+std::vector<Index> GridLayout::boundary_before() const {
+  std::vector<Index> before{0};
+  before.reserve(static_cast<std::size_t>(control().edge_count()) + 1);
+  for (Index e = 0; e < control().edge_count(); ++e)
+    before.push_back(before.back() + (control().is_boundary_edge(e) ? 1 : 0));
+  return before;
+}
+
+void GridLayout::write_edge_faces(Index* out) const {
+  if (edge_faces() == 0) return;
+  const Mesh& mesh = control();
+  const std::vector<Index> before = boundary_before();
+  parallel_for_each(mesh.edge_count(), [&](Index e) {
+    const Index h = mesh.halfedge_of_edge(e), twin = mesh.twin(h), last = n() - 1;
+    Index* to = out + std::ptrdiff_t{n()} * (std::ptrdiff_t{4} * e - before[e]);
+    for (Index t = 0; t <= last; ++t) {
+      const Index v = point(h, unit_ * t, 0), w = point(h, unit_ * (t + 1), 0);
+      const Index left = point(h, unit_ * t + 1, 1);
+      if (twin != kNone) {
+        to = put_quad(v, point(twin, unit_ * (last - t) + 1, 1), w, left, to);
+        continue;
+      }
+      to[0] = v;
+      to[1] = w;
+      to[2] = left;
+      to += 3;
+    }
+  });
+}
+
+void GridLayout::write_face_begin(Index* out) const {
+  const Index inside = control().face_count() * patch_faces();
+  for (Index f = 0; f <= inside; ++f) out[f] = sides_ * f;
+  if (edge_faces() == 0) return;
+  Index* to = out + inside;
+  for (Index e = 0; e < control().edge_count(); ++e)
+    for (Index t = 0; t < n(); ++t, ++to) to[1] = to[0] + (control().is_boundary_edge(e) ? 3 : 4);
 }
 
 }  // namespace limn::fast

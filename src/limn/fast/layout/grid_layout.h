@@ -12,7 +12,11 @@
 /// ascending. Of triangles: (x, y) (x+1, y) (x, y+1), and but for the last of a row (x+1, y) (x+1,
 /// y+1) (x, y+1), then the next x. Of quads: (x, y) (x+1, y) (x+1, y+1) (x, y+1). A triangle with a
 /// centre gives three faces, half-edge by half-edge: its origin, the centre across, the triangle's
-/// own; at a boundary edge: its origin, its target, the centre.
+/// own; at a boundary edge: its origin, its target, the centre. Of quads with centres the faces are
+/// the grid's edges: each between its ends v, w and the centres beside it, (v, right, w, left) as
+/// seen from v. A patch has those within it: row by row the upright ones between its cells, then
+/// those over the row, x ascending; after all patches come those on the control edges, edge by edge
+/// from the origin of halfedge_of_edge(e): at the boundary (v, w, left).
 
 #include <vector>
 
@@ -43,9 +47,19 @@ class GridLayout : public EdgePoints {
   [[nodiscard]] Index vertex_count() const {
     return centres_at_ + (centres_ ? control().face_count() * n() * n() : 0);
   }
-  [[nodiscard]] Index face_count() const { return control().face_count() * patch_faces(); }
-  /// Of each patch.
-  [[nodiscard]] Index patch_faces() const { return (centres_ ? 3 : 1) * n() * n(); }
+  [[nodiscard]] Index face_count() const {
+    return control().face_count() * patch_faces() + control().edge_count() * edge_faces();
+  }
+  /// Of each patch, and of each control edge besides.
+  [[nodiscard]] Index patch_faces() const {
+    if (faces_are_edges()) return 2 * n() * (n() - 1);
+    return (centres_ ? 3 : 1) * n() * n();
+  }
+  [[nodiscard]] Index edge_faces() const { return faces_are_edges() ? n() : 0; }
+  [[nodiscard]] Index corner_count() const {
+    const Index boundary = 2 * control().edge_count() - control().halfedge_count();
+    return sides_ * face_count() - boundary * edge_faces();
+  }
 
   /// The inner points of face f's grid, and how many these are; its centres.
   [[nodiscard]] Index face_begin(Index f) const { return faces_at_ + f * face_size_; }
@@ -88,11 +102,17 @@ class GridLayout : public EdgePoints {
     return h + k < end ? h + k : h + k - 3;
   }
 
-  /// The corners of the faces of patches first … last-1 (grid_faces.cpp). With centres: of
-  /// triangles.
+  /// The corners of the faces of patches first … last-1 (grid_faces.cpp).
   void write_faces(Index first, Index last, Index* out) const;
+  /// Those of the control edges, which follow the last patch's. In parallel.
+  void write_edge_faces(Index* out) const;
+  /// Where each face begins among the corners of all: face_count() + 1 numbers.
+  void write_face_begin(Index* out) const;
 
  private:
+  [[nodiscard]] bool faces_are_edges() const { return centres_ && sides_ == 4; }
+  /// Of each control edge how many before it lie on the boundary, and of all.
+  [[nodiscard]] std::vector<Index> boundary_before() const;
   [[nodiscard]] Spot grid_spot(Index k, Index x, Index y) const;
 
   Lattice lattice_;

@@ -20,11 +20,30 @@ Index halfedge_between(const Mesh& mesh, Index from, Index to) {
   return kNone;
 }
 
+/// The vertex that a step puts into face f, or on its boundary edge where that is halved.
+Index point_of_face(const Mesh& mesh, const Births& births, Index f) {
+  const auto place = [](const std::vector<Index>& list, Index one) {
+    const auto found = std::lower_bound(list.begin(), list.end(), one);
+    return found != list.end() && *found == one
+               ? static_cast<Index>(std::distance(list.begin(), found))
+               : kNone;
+  };
+  for (Index h = mesh.face_begin(f); h < mesh.face_begin(f + 1) && !births.edges.empty(); ++h)
+    if (mesh.twin(h) == kNone)
+      if (const Index at = place(births.edges, mesh.edge(h)); at != kNone)
+        return births.from_vertices + at;
+  return births.from_vertices + births.from_edges +
+         (births.faces.empty() ? f : place(births.faces, f));
+}
+
 /// The vertex that lies next to the origin of h on its edge, once a cycle has cut that; `last` is
-/// what the cycle's last step bears. Of two steps, the first gives its face at the origin of h the
-/// number of h, and keeps the number of a boundary edge.
-Index next_along(const Mesh& coarse, const GridCycle& cycle, const Births& last, Index h) {
+/// what the cycle's last step bears, of the mesh `middle`. Of two steps that cut edges in three,
+/// the first gives its face at the origin of h the number of h, and keeps the number of a boundary
+/// edge; of two that halve them, its face e comes from edge e.
+Index next_along(const Mesh& coarse, const Mesh& middle, const GridCycle& cycle, const Births& last,
+                 Index h) {
   if (cycle.steps == 1) return last.from_vertices + coarse.edge(h);
+  if (cycle.cut == 2) return point_of_face(middle, last, coarse.edge(h));
   const auto position = [](const std::vector<Index>& list, auto found) {
     return static_cast<Index>(std::distance(list.begin(), found));
   };
@@ -72,9 +91,10 @@ class Order {
     const bool triangles = cycle_.lattice == Lattice::triangle;
     Index row = side;  // the half-edge from (0, y) to (1, y)
     for (int level = 0; level < full_; level += cycle_.steps) {
-      const SplitResult& last = steps_[static_cast<std::size_t>(level + cycle_.steps) - 1];
-      row = halfedge_between(last.mesh, mesh(level).origin(row),
-                             next_along(mesh(level), cycle_, last.births, row));
+      const int end = level + cycle_.steps;
+      row = halfedge_between(mesh(end), mesh(level).origin(row),
+                             next_along(mesh(level), mesh(end - 1), cycle_,
+                                        steps_[static_cast<std::size_t>(end) - 1].births, row));
     }
     centre_ = made_.old_points.centre_begin(f);
     for (Index y = 0; y < n; ++y) {

@@ -98,7 +98,10 @@ Birth birth_of(const Mesh& mesh, const Births& births, Index made) {
   if (made < births.from_vertices) return {Birth::vertex, mesh.halfedge_of_vertex(made)};
   made -= births.from_vertices;
   if (made < births.from_edges) {
-    if (births.edge_ends.empty()) return {Birth::edge, mesh.halfedge_of_edge(made)};
+    if (births.edge_ends.empty()) {
+      const Index e = births.edges.empty() ? made : births.edges[static_cast<std::size_t>(made)];
+      return {Birth::edge, mesh.halfedge_of_edge(e)};
+    }
     const Index end = births.edge_ends[static_cast<std::size_t>(made)];
     return {Birth::edge_end, end / 2, end % 2 != 0};
   }
@@ -132,7 +135,7 @@ std::set<Index> dependence(const Scheme& scheme, const Mesh& mesh, const Births&
         for (Index sector = h, left = mesh.valence(v); left > 0;
              --left, sector = mesh.rotate(sector))
           explorer.explore(RuleKind::vertex, sector);
-      } else if (scheme.split->trisects_boundary && births.edge_ends.empty()) {
+      } else if (scheme.split->boundary_rests() && births.from_edges == 0) {
         explorer.seen.insert(v);  // it stays
       } else {
         explorer.explore(RuleKind::boundary_vertex, mesh.halfedge_of_vertex(v));

@@ -1,5 +1,6 @@
 #include "limn/fast/sites/site.h"
 
+#include <algorithm>
 #include <cassert>
 
 #include "limn/mesh/lattice.h"
@@ -19,8 +20,10 @@ SectorPoint in_sector(Lattice lattice, Index sector, Offset place) {
 /// The weighted sum of places that belong together, in whatever sectors near one another they are.
 class PlaceSum {
  public:
-  /// `home`: the sector in whose coordinates the sum is taken.
-  PlaceSum(const StarShape& shape, Index home) : shape_(shape), home_(home) {}
+  /// `home`: the sector in whose coordinates the sum is taken. Of two sectors the other one is on
+  /// both sides: `before` says that it is met over the spoke at which `home` begins.
+  PlaceSum(const StarShape& shape, Index home, bool before)
+      : shape_(shape), home_(home), before_(before) {}
 
   void add(Index weight, const SectorPoint& p) {
     const Offset place = at_home(p);
@@ -40,7 +43,8 @@ class PlaceSum {
     Index turn = p.sector - home_;
     if (!shape_.open && (turn > 1 || turn < -1))
       turn += turn > 0 ? -shape_.sectors : shape_.sectors;
-    if (!shape_.open && shape_.sectors == 2 && turn != 0) turn = 1;  // a spoke ends the sector
+    // a spoke of the other sector ends this one
+    if (!shape_.open && shape_.sectors == 2 && turn != 0) turn = before_ && p.y > 0 ? -1 : 1;
     assert(-1 <= turn && turn <= 1);
     if (turn == 0) return {p.x, p.y};
     if (turn > 0) return {-p.y, triangle ? p.x + p.y : p.x};
@@ -49,6 +53,7 @@ class PlaceSum {
 
   const StarShape& shape_;
   Index home_;
+  bool before_;
   Offset sum_;
 };
 
@@ -112,7 +117,12 @@ void Site::place_new(Step& step) const {
       if (within || (home == kNone && p.x + p.y > 0)) home = p.sector;
       divisor += weight;
     }
-    PlaceSum sum(shape_, home == kNone ? 0 : home);
+    if (home == kNone) home = 0;
+    const bool before = std::any_of(from.begin(), from.end(), [&](const auto& parent) {
+      const SectorPoint& p = step.places[at(parent.second)];
+      return p.sector == home && p.x > 0 && p.y == 0;
+    });
+    PlaceSum sum(shape_, home, before);
     for (const auto& [weight, old] : from) sum.add(weight, step.places[at(old)]);
     step.made.push_back(normal(sum.part(divisor)));
     step.vertices[slot(step.made.back())] = v;

@@ -28,6 +28,8 @@ struct LatticeMatrix {
   [[nodiscard]] constexpr int growth() const {
     return determinant() < 0 ? -determinant() : determinant();
   }
+  /// Whether M turns the plane, besides stretching it: of the splits by half a sector.
+  [[nodiscard]] constexpr bool turns() const { return rows[0][1] != 0; }
   /// M k
   [[nodiscard]] constexpr LatticeVector apply(LatticeVector k) const {
     return {rows[0][0] * k[0] + rows[0][1] * k[1], rows[1][0] * k[0] + rows[1][1] * k[1]};

@@ -9,6 +9,8 @@ constexpr LatticeMatrix kDyadic{{{{2, 0}, {0, 2}}}};
 /// The refined basis is (2 e1 + e2)/3, the way to the centroid of a triangle, and that turned by
 /// 120°.
 constexpr LatticeMatrix kSqrt3{{{{1, 1}, {-1, 2}}}};
+/// The refined basis is (e1 + e2)/2, the way to the centroid of a quad, and that turned by 90°.
+constexpr LatticeMatrix kSqrt2{{{{1, 1}, {-1, 1}}}};
 
 }  // namespace
 
@@ -38,9 +40,17 @@ const std::vector<Split>& splits() {
        .description = "each triangle into three, by a point of the face, and the old edges flipped",
        .lattice = Lattice::triangle,
        .births = {.vertices = true, .faces = true},
-       .trisects_boundary = true,
+       .odd_step_cut = 3,
        .dilation = kSqrt3,
        .apply = detail::split_sqrt3},
+      {.name = "quad-sqrt2",
+       .description = "a quad for each inner edge, between its ends and points of its faces",
+       .lattice = Lattice::quad,
+       .any_polygons = true,
+       .births = {.vertices = true, .faces = true},
+       .odd_step_cut = 2,
+       .dilation = kSqrt2,
+       .apply = detail::split_quad_sqrt2},
   };
   return list;
 }

@@ -18,8 +18,9 @@ namespace limn {
 struct Births {
   Index from_vertices = 0;  ///< new vertices 0 … : child of old vertex i; or none (dual)
   /// The next block: the number of new vertices born from edges. Where `edge_ends` is empty child i
-  /// belongs to edge i.
+  /// belongs to edge i, or to edges[i] where that list is not empty.
   Index from_edges = 0;
+  std::vector<Index> edges;  ///< the boundary edges that have a child, or empty: all edges have
   /// A trisected boundary edge has two children, each named by the (boundary) half-edge it lies on
   /// and the end it is near: 2*halfedge + end with end 0 at the origin, 1 at the target.
   std::vector<Index> edge_ends;
@@ -51,14 +52,19 @@ struct Split {
     bool faces = false;     ///< faces
     bool corners = false;   ///< corners (dual splits)
   } births;                 ///< which old elements have a child
-  /// The boundary is left alone in even steps and each of its edges cut in three in odd ones.
-  bool trisects_boundary = false;
+  /// The boundary is left alone in even steps, and each of its edges cut into so many pieces, 2 or
+  /// 3, in odd ones. 0: the boundary is refined in every step.
+  int odd_step_cut = 0;
   /// Coordinates of old vertices in the refined lattice; the lattice may turn (sqrt3: by 30°).
   LatticeMatrix dilation;
-  /// One step. `step` counts from 0: sqrt3 refines the boundary in every second step only.
+  /// One step. `step` counts from 0: see odd_step_cut.
   /// Preconditions: all faces are triangles unless any_polygons; dilation.growth() *
-  /// halfedge_count() is below 2^31 (no split gives more half-edges than that). Cost O(V + H).
+  /// halfedge_count() and the number of boundary edges are together below 2^31 (no split gives
+  /// more half-edges than that). Cost O(V + H).
   SplitResult (*apply)(const Mesh& mesh, int step);
+
+  /// Whether the boundary is refined in every second step only.
+  [[nodiscard]] bool boundary_rests() const { return odd_step_cut > 0; }
 };
 
 /// All splits, in the order in which the documentation lists them.

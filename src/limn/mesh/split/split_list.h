@@ -13,6 +13,7 @@ SplitResult split_triangle_dyadic(const Mesh& mesh, int step);
 SplitResult split_quad_dyadic(const Mesh& mesh, int step);
 SplitResult split_quad_dual(const Mesh& mesh, int step);
 SplitResult split_sqrt3(const Mesh& mesh, int step);
+SplitResult split_quad_sqrt2(const Mesh& mesh, int step);
 
 /// A dyadic split cuts edge e into edge 2e, at the origin of the half-edge that stands for e,
 /// and edge 2e+1. These are the halves at the origin and at the target of h.

@@ -9,6 +9,7 @@
 
 #include "limn/base/outward.h"
 #include "limn/regular/smoothness/attainment.h"
+#include "limn/regular/smoothness/box_spline.h"
 #include "limn/regular/smoothness/difference_norm.h"
 #include "limn/regular/smoothness/joint_spectral_radius.h"
 #include "limn/regular/smoothness/stability.h"
@@ -95,6 +96,7 @@ class Analysis {
       result_.stability_reason = "asked only of schemes that converge";
     }
     bound_above();
+    state_closed_form();
     for (int r = 1; r <= kAlways || result_.smoothness.back().verdict == Truth::yes; ++r) decide(r);
     for (int r = 1; r < static_cast<int>(result_.smoothness.size()); ++r) find_power(r);
     decide_attained();
@@ -158,6 +160,17 @@ class Analysis {
                                         whole.has_value(), time_.stop());
   }
 
+  /// Where differences prove less.
+  void state_closed_form() {
+    HolderBracket& holder = result_.holder;
+    const std::optional<BoxSpline> spline = find_box_spline(mask_);
+    if (!spline || result_.smoothness.front().verdict != Truth::yes) return;
+    if (holder.upper == holder.lower) return;
+    holder.lower = spline->exponent();
+    holder.exact = fmt::format("{:.17g}", holder.lower);
+    holder.exact_reason = spline->text();
+  }
+
   [[nodiscard]] std::string product_text() const {
     std::string text;
     for (const LatticeVector digit : result_.holder.digits)
@@ -185,7 +198,10 @@ class Analysis {
   void decide(int r) {
     Smoothness& smoothness = result_.smoothness.emplace_back();
     const HolderBracket& holder = result_.holder;
-    if (holder.lower > r) {
+    if (holder.exact) {
+      smoothness = {*holder.exact > r ? Truth::yes : Truth::no, 0, 0,
+                    fmt::format("Hölder exponent {}: {}", *holder.exact, holder.exact_reason)};
+    } else if (holder.lower > r) {
       smoothness = {Truth::yes, 0, 0, "Hölder exponent ≥ " + rounded_down(holder.lower)};
     } else if (result_.smoothness.front().verdict == Truth::no) {
       smoothness = {Truth::no, 0, 0, "the scheme does not converge"};

@@ -34,6 +34,9 @@
 /// differences of order k there may be a Jordan block. So the four-point scheme is in Zygmund's
 /// class of the exponent 2, and its second differences have a logarithm [Dubuc1986]; the
 /// butterfly's have its square [GuglielmiProtasov2016].
+///
+/// Differences tell no more than the sum rules, and nothing from above where shifts depend on one
+/// another. Where φ is a box spline (box_spline.h), its exponent is known in spite of that.
 
 #include <functional>
 #include <limits>
@@ -78,14 +81,17 @@ struct Attainment {
 
 /// Ends of an interval that holds the Hölder exponent.
 struct HolderBracket {
-  double lower = 0;                   ///< proved for every limit function
-  std::optional<double> upper;        ///< of φ; proved; nothing where stability is not
+  double lower = 0;             ///< proved for every limit function
+  std::optional<double> upper;  ///< of φ; proved; nothing where stability is not
   JointSpectralRadius radius;         ///< of the transition operators, digit by digit
   std::vector<LatticeVector> digits;  ///< of radius.product
   /// The exponent of φ in closed form, proved: "2", "3/2", "log2(24/7)", "log2(5)/3" and the like;
   /// empty where there is none, or it is not proved. Then `lower` and `upper` are the doubles that
   /// enclose it.
   std::string exact;
+  /// What `exact` rests on where differences prove less and φ is a box spline (box_spline.h); empty
+  /// otherwise. `lower` is then the exponent, more than the radius tells, and `upper` nothing.
+  std::string exact_reason;
   Attainment attained;
 };
 

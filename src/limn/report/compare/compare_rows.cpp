@@ -35,7 +35,8 @@ TableCell truth_cell(Truth truth) {
 TableCell holder_cell(const Regularity& regularity) {
   const HolderBracket& holder = regularity.holder;
   const char* attained = holder.attained.verdict == Truth::no ? ", not attained" : "";
-  return {to_string(holder) + attained, Between{holder.lower, holder.upper.value_or(kInfinity)}};
+  const double most = holder.exact.empty() ? kInfinity : holder.lower;
+  return {to_string(holder) + attained, Between{holder.lower, holder.upper.value_or(most)}};
 }
 
 /// Cr. The list ends with the first that is not proved; what is refuted there is so further on.

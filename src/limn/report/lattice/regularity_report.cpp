@@ -109,6 +109,9 @@ std::string attainment_text(const HolderBracket& bracket) {
 /// The line of the exponent.
 std::string holder_text(const HolderBracket& bracket) {
   if (bracket.exact.empty()) return fmt::format("Hölder exponent {}\n", to_string(bracket));
+  if (!bracket.exact_reason.empty())
+    return fmt::format("Hölder exponent {} exactly: {}\n", to_string(bracket),
+                       bracket.exact_reason);
   return fmt::format("Hölder exponent {} exactly, {}\n", to_string(bracket),
                      attainment_text(bracket));
 }
@@ -119,6 +122,7 @@ Json holder_json(const HolderBracket& bracket) {
   return {{"lower", bracket.lower},
           {"upper", bracket.upper ? Json(*bracket.upper) : Json()},
           {"exact", bracket.exact.empty() ? Json() : Json(bracket.exact)},
+          {"exact_reason", bracket.exact_reason.empty() ? Json() : Json(bracket.exact_reason)},
           {"attained", decided ? Json(attained.verdict == Truth::yes) : Json()},
           {"attained_reason", attained.reason},
           {"logarithm", decided ? Json(attained.logarithm) : Json()},
@@ -156,8 +160,9 @@ Json radius_json(const HolderBracket& bracket) {
 }  // namespace
 
 std::string to_string(const HolderBracket& bracket) {
-  if (!bracket.exact.empty() && *bracket.upper != bracket.lower)
+  if (!bracket.exact.empty() && bracket.upper && *bracket.upper != bracket.lower)
     return fmt::format("{} = {:.6f}", bracket.exact, bracket.lower);
+  if (!bracket.exact.empty()) return bracket.exact;
   if (!bracket.upper) return "at least " + rounded_down(bracket.lower);
   if (*bracket.upper == bracket.lower) return fmt::format("{:.17g}", bracket.lower);
   return fmt::format("[{}, {}]", rounded_down(bracket.lower), rounded_up(*bracket.upper));

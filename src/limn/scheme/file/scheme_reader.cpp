@@ -321,7 +321,7 @@ class SchemeFileReader {
 
   /// Precondition, as for the next: the split is known.
   [[nodiscard]] bool gives_every_face_a_vertex() const {
-    return scheme_.split->births.faces && !scheme_.split->trisects_boundary;
+    return scheme_.split->births.faces && !scheme_.split->boundary_rests();
   }
 
   /// Fails at `at` where the walk makes no sense in the rule. Precondition: the split is known.
