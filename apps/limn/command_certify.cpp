@@ -30,6 +30,7 @@ struct CertifyCommand {
   double seconds = kSecondsToCertify;
   std::string output, resume, check;
   bool json = false;
+  bool latex = false;
 };
 
 Result<certify::Certificate> read_certificate(const std::string& path) {
@@ -85,8 +86,8 @@ Result<certify::CertifyOptions> options_of(const CertifyCommand& command, const 
   if (!std::equal(before->texts.begin(), before->texts.end(), scheme.texts.begin(),
                   scheme.texts.end(), same) ||
       before->parameters != certify::set_parameters_of(scheme))
-    return Error{"it is a certificate of another scheme, or of other parameters", {},
-                 command.resume, 0, 0};
+    return Error{
+        "it is a certificate of another scheme, or of other parameters", {}, command.resume, 0, 0};
   options.known = std::move(before->valences);
   return options;
 }
@@ -110,14 +111,14 @@ int prove(const CertifyCommand& command) {
     return report(certificate.error());
   }
   if (!command.output.empty())
-    if (Status written = write_file(command.output,
-                                    certify::certificate_json(*certificate).dump(1) + "\n");
+    if (Status written =
+            write_file(command.output, certify::certificate_json(*certificate).dump(1) + "\n");
         !written)
       return report(written.error());
   if (command.json)
     print_json(certify::answers_json(*certificate));
   else
-    print_text(certificate_text(*certificate));
+    print_text(command.latex ? certificate_latex(*certificate) : certificate_text(*certificate));
   const bool undecided = std::any_of(
       certificate->valences.begin(), certificate->valences.end(),
       [](const certify::ValenceClaim& c) { return c.c1 == certify::Answer::undecided; });
@@ -135,8 +136,9 @@ void declare_certify(CLI::App& parser, Action& action) {
   command->add_option("--valence", chosen->valence, "a valence or a range, as 3..50")
       ->capture_default_str();
   command->add_option("-o,--output", chosen->output, "where the certificate is written, as JSON");
-  CLI::Option* check_option = command->add_option(
-      "--check", chosen->check, "a certificate that is verified, without a search; takes no SCHEME");
+  CLI::Option* check_option =
+      command->add_option("--check", chosen->check,
+                          "a certificate that is verified, without a search; takes no SCHEME");
   command
       ->add_option("--resume", chosen->resume,
                    "a certificate of the same scheme; what it shows, once checked, is taken over")
@@ -145,7 +147,8 @@ void declare_certify(CLI::App& parser, Action& action) {
       ->check(CLI::Range(64, kMostBits))
       ->capture_default_str();
   declare_time(*command, chosen->seconds, "how long to look for proofs; the rest is undecided");
-  command->add_flag("--json", chosen->json, "print one JSON object");
+  CLI::Option* json = command->add_flag("--json", chosen->json, "print one JSON object");
+  command->add_flag("--latex", chosen->latex, "print the proof in LaTeX")->excludes(json);
   command->footer(
       "Example: limn certify loop --valence 3..50 -o loop.json\n"
       "         limn certify --check loop.json\n"

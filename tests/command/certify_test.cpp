@@ -6,6 +6,7 @@
 #include <string>
 
 #include "run_command.h"
+#include "support/latex_structure.h"
 
 namespace limn::test {
 namespace {
@@ -55,6 +56,15 @@ TEST(CertifyCommand, RefusesWhatIsWrong) {
   text.replace(at, 19, "\"eigenvalue\": 0.376");
   folder.write("other.json", text);
   expect_refused(folder.limn("certify --check other.json"), "valence 4");
+}
+
+TEST(CertifyCommand, PrintsAProof) {
+  const Folder folder;
+  const Outcome proof = folder.limn("certify butterfly --valence 7..8 --latex");
+  ASSERT_EQ(proof.code, 0) << proof.err;
+  EXPECT_EQ(latex_fault(proof.out), "") << proof.out;
+  EXPECT_NE(proof.out.find("8 & refuted & 2 & 0.469"), std::string::npos) << proof.out;
+  expect_refused(folder.limn("certify loop --latex --json"), "--json");
 }
 
 TEST(CertifyCommand, GoesOnFromACertificate) {
