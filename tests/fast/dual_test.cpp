@@ -1,7 +1,8 @@
 // The quick engine on dual splits: against the plain engine.
 
 #include "fast/families.h"
-#include "limn/fast/sites/dual_tables.h"
+#include "limn/fast/families/grid_family.h"
+#include "limn/fast/families/kite_steps.h"
 #include "support/shipped.h"
 
 namespace limn::test {
@@ -15,16 +16,22 @@ int expect_same_dual(const Scheme& scheme, const Mesh& control, int levels, unsi
 
 TEST(FastDualTables, SeeHowFarRulesLook) {
   const Mesh mesh = cube();
-  const fast::DualTables near = fast::read_dual_tables(shipped("doo-sabin"), mesh).value();
-  EXPECT_TRUE(near.own_face);
-  EXPECT_EQ(near.halo, 1);
-  EXPECT_EQ(near.zone, 1);
-  EXPECT_EQ(near.smallest_grid, 1);
-  EXPECT_EQ(near.interior[0].size(), 4U);
-  EXPECT_EQ(near.zones.at(3).table.terms.size(), 9U);
-  const fast::DualTables wide = fast::read_dual_tables(parsed(kWideDual), mesh).value();
-  EXPECT_FALSE(wide.own_face);
-  EXPECT_GT(wide.zone, 1);
+  const fast::Kites kites(mesh);
+  const auto tables = [&](const Scheme& scheme) {
+    return fast::read_kite_tables(scheme, *fast::grid_cycle(*scheme.split), kites,
+                                  fast::group_kites(kites))
+        .value();
+  };
+  const fast::KiteTables near = tables(shipped("doo-sabin"));
+  EXPECT_TRUE(near.own_face());
+  EXPECT_EQ(near.interior.reach.star_zone.size, 1);
+  EXPECT_EQ(near.interior.reach.star_rings, 2);
+  EXPECT_EQ(near.interior.reach.smallest_side, 4);
+  EXPECT_EQ(near.interior.interior[0].size(), 4U);
+  EXPECT_EQ(near.interior.stars.at(3).rows.terms.size(), 9U);
+  const fast::KiteTables wide = tables(parsed(kWideDual));
+  EXPECT_FALSE(wide.own_face());
+  EXPECT_GT(wide.interior.reach.star_zone.size, 1);
 }
 
 TEST(FastDual, IsThePlainEngineOnBodies) {

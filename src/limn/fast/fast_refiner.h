@@ -9,7 +9,7 @@
 /// first steps where rules look farther than a control edge: their sums are then written down
 /// (plain_rows.h). Topology is worked out once; positions may be evaluated often.
 ///
-/// Numbers of the refined mesh: see grid_layout.h, grid_family.h and dual_layout.h. Where a split
+/// Numbers of the refined mesh: see grid_layout.h, grid_family.h and kites.h. Where a split
 /// keeps the old vertices, control vertices keep their numbers, so vertex v < V is the image of
 /// control vertex v; the vertices of the levels in between do not come first. The order is another
 /// than the plain engine's.

@@ -50,9 +50,8 @@ class GridFamily final : public Family {
     StepPlan plan;
     plan.patches = plan_patches(step, tables.interior, faces_, Made::next_level);
     add_side_rows(
-        side_rows(tables, step.step), sides_,
-        [&](Index faces) { return tables.reach.zone(faces, true); }, step.old_points,
-        step.new_points, plan.rows);
+        tables.strips, sides_, [&](Index faces) { return tables.reach.zone(faces, true); },
+        step.old_points, step.new_points, plan.rows);
     const bool overlap = tables.reach.zones_meet(step.side());
     for (const ZoneGroup& group : groups_)
       plan.rows.push_back(zone_rows(table_of(tables, group.kind), group, step.old_points,
@@ -130,7 +129,11 @@ class GridFamily final : public Family {
 
 std::optional<GridCycle> grid_cycle(const Split& split) {
   const bool quads = split.lattice == Lattice::quad;
-  if (!split.births.vertices || split.births.corners) return std::nullopt;
+  if (split.births.corners) {
+    if (!quads || split.births.vertices || split.dilation.growth() != 4) return std::nullopt;
+    return GridCycle{split.lattice, 2, 1, true};
+  }
+  if (!split.births.vertices) return std::nullopt;
   if (split.births.edges) {
     if (split.dilation.growth() != 4 || split.births.faces != quads) return std::nullopt;
     return GridCycle{split.lattice, 2, 1};

@@ -1,11 +1,7 @@
 #pragma once
 /// The limit surface at the vertices of a level of grids (grid_layout.h), as a plan (step_plan.h).
-///
-/// How far a vertex or a boundary is felt is not derived from the rules but read: on a star or fan
-/// of each kind, sums are compared with those of a regular vertex, or along boundary sides with
-/// those of a straight boundary, and what differs is its zone.
 
-#include "limn/fast/families/family.h"
+#include "limn/fast/limit/limit_tables.h"
 #include "limn/fast/sites/zones.h"
 
 namespace limn::fast {

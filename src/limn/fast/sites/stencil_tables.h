@@ -7,9 +7,14 @@
 
 #include "limn/fast/sites/reach.h"
 #include "limn/fast/sites/vertex_kinds.h"
-#include "limn/refine/linear_form.h"
+#include "limn/refine/refine_values.h"
 
 namespace limn::fast {
+
+/// Forms of new points over site.mesh(step).
+[[nodiscard]] Result<std::vector<LinearForm<double>>> read_new_points(
+    const Scheme& scheme, RuleTables<double>& rules, const Site& site, int step,
+    const std::vector<SectorPoint>& points);
 
 /// New points round a vertex, as sums over the old ones round it.
 struct ZoneTable {
@@ -23,14 +28,24 @@ struct ZoneTable {
 [[nodiscard]] ZoneTable zone_table(std::span<const LinearForm<double>> forms, const Site& site,
                                    int step, std::vector<SectorPoint> targets);
 
+/// A row of points along a side of the mesh that runs along the first axis, the mesh lying above:
+/// those (x, y) with x ≡ phase (mod period). One sum for each, or several.
+struct SideRow {
+  Index y = 0, phase = 0, period = 1;
+  RowTable table;
+  std::vector<Offset> sources;  ///< from the point
+};
+
+/// Forms of a point of a site on the plane, or on half of it, as that of a row.
+[[nodiscard]] SideRow side_row(std::span<const LinearForm<double>> forms, const Site& site,
+                               int step, const SectorPoint& point, Index period);
+
 /// Of one step.
 struct StencilTables {
   Reach reach;
   std::vector<Stencil> interior;  ///< by class (lattice_step.h), local, from the anchor
-  /// Of new points (X, Y) along a boundary side that runs along the first axis, the mesh lying
-  /// above: number cut · Y + X mod cut, for Y ≤ reach.strip_depth; from the point. Empty without a
-  /// boundary, and where there is no new point.
-  std::vector<Stencil> strips;
+  /// Along a boundary, for y ≤ reach.strip_depth.
+  std::vector<SideRow> strips;
   std::map<Index, ZoneTable> stars;  ///< by valence of an interior vertex
   std::map<Index, ZoneTable> fans;   ///< by number of faces at a boundary vertex
 };

@@ -151,16 +151,4 @@ void add_side_rows(const std::vector<SideRow>& rows, const std::vector<Index>& s
   }
 }
 
-std::vector<SideRow> side_rows(const StencilTables& tables, const LatticeStep& step) {
-  std::vector<SideRow> rows;
-  for (Index c = 0; c < std::ssize(tables.strips); ++c) {
-    const Stencil& stencil = tables.strips[static_cast<std::size_t>(c)];
-    if (stencil.empty()) continue;
-    SideRow& row = rows.emplace_back(SideRow{c / step.cut, c % step.cut, step.cut, {}, {}});
-    row.table = to_rows(stencil);
-    for (const Tap& tap : stencil) row.sources.push_back(tap.place);
-  }
-  return rows;
-}
-
 }  // namespace limn::fast

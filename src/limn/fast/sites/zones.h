@@ -30,12 +30,6 @@ struct ZoneGroup {
                                 const GridLayout& old_points, const GridLayout& new_points,
                                 bool overlap);
 
-/// A row of points along boundary sides: those (x, y) with x ≡ phase (mod period).
-struct SideRow {
-  Index y = 0, phase = 0, period = 1;
-  RowTable table;
-  std::vector<Offset> sources;  ///< from the point
-};
 /// The zone of the points round a boundary vertex of so many faces.
 using ZoneOfFaces = std::function<Zone(Index faces)>;
 
@@ -43,8 +37,5 @@ using ZoneOfFaces = std::function<Zone(Index faces)>;
 void add_side_rows(const std::vector<SideRow>& rows, const std::vector<Index>& sides,
                    const ZoneOfFaces& zone_of, const GridLayout& old_points,
                    const GridLayout& new_points, std::vector<RowPlan>& plans);
-
-/// Those of a step.
-[[nodiscard]] std::vector<SideRow> side_rows(const StencilTables& tables, const LatticeStep& step);
 
 }  // namespace limn::fast
