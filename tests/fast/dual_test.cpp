@@ -2,7 +2,7 @@
 
 #include "fast/families.h"
 #include "limn/fast/families/grid_family.h"
-#include "limn/fast/families/kite_steps.h"
+#include "limn/fast/sites/stencil_tables.h"
 #include "support/shipped.h"
 
 namespace limn::test {
@@ -15,23 +15,22 @@ int expect_same_dual(const Scheme& scheme, const Mesh& control, int levels, unsi
 }
 
 TEST(FastDualTables, SeeHowFarRulesLook) {
-  const Mesh mesh = cube();
-  const fast::Kites kites(mesh);
   const auto tables = [&](const Scheme& scheme) {
-    return fast::read_kite_tables(scheme, *fast::grid_cycle(*scheme.split), kites,
-                                  fast::group_kites(kites))
-        .value();
+    const std::vector<fast::VertexKind> kinds{{false, 3, {}}, {false, 4, {}}};
+    return fast::read_stencils(scheme, *fast::grid_cycle(*scheme.split), kinds, {true})
+        .value()
+        .front();
   };
-  const fast::KiteTables near = tables(shipped("doo-sabin"));
-  EXPECT_TRUE(near.own_face());
-  EXPECT_EQ(near.interior.reach.star_zone.size, 1);
-  EXPECT_EQ(near.interior.reach.star_rings, 2);
-  EXPECT_EQ(near.interior.reach.smallest_side, 4);
-  EXPECT_EQ(near.interior.interior[0].size(), 4U);
-  EXPECT_EQ(near.interior.stars.at(3).rows.terms.size(), 9U);
-  const fast::KiteTables wide = tables(parsed(kWideDual));
-  EXPECT_FALSE(wide.own_face());
-  EXPECT_GT(wide.interior.reach.star_zone.size, 1);
+  const fast::StencilTables near = tables(shipped("doo-sabin"));
+  EXPECT_EQ(near.reach.rim, 1);
+  EXPECT_EQ(near.reach.star_zone.size, 1);
+  EXPECT_EQ(near.reach.star_rings, 2);
+  EXPECT_EQ(near.reach.smallest_side, 4);
+  EXPECT_EQ(near.interior[0].size(), 4U);
+  EXPECT_EQ(near.stars.at(3).tables.front().rows.terms.size(), 9U);
+  const fast::StencilTables wide = tables(parsed(kWideDual));
+  EXPECT_GT(wide.reach.rim, 1);
+  EXPECT_GT(wide.reach.star_zone.size, 1);
 }
 
 TEST(FastDual, IsThePlainEngineOnBodies) {

@@ -4,7 +4,7 @@
 #include <cassert>
 
 #include "limn/base/parallel.h"
-#include "limn/fast/limit/grid_limit.h"
+#include "limn/fast/limit/limit_tables.h"
 #include "limn/fast/plain/plain_order.h"
 #include "limn/fast/sites/zones.h"
 
@@ -45,25 +45,23 @@ class GridFamily final : public Family {
   }
 
   [[nodiscard]] StepPlan plan(int level) const override {
-    const GridStep step = this->step(level);
-    const StencilTables& tables = tables_of(level);
-    StepPlan plan;
-    plan.patches = plan_patches(step, tables.interior, faces_, Made::next_level);
-    add_side_rows(
-        tables.strips, sides_, [&](Index faces) { return tables.reach.zone(faces, true); },
-        step.old_points, step.new_points, plan.rows);
-    const bool overlap = tables.reach.zones_meet(step.side());
-    for (const ZoneGroup& group : groups_)
-      plan.rows.push_back(zone_rows(table_of(tables, group.kind), group, step.old_points,
-                                    step.new_points, overlap));
-    return plan;
+    return plan(tables_of(level), step(level), Made::next_level);
   }
 
   [[nodiscard]] Result<std::optional<StepPlan>> limit_plan(int level,
                                                            LimitReader& reader) const override {
     if (groups_.empty() || level < first_) return std::optional<StepPlan>();
-    return plan_grid_limit({split_, cycle_, mesh(), groups_, sides_, faces_}, level - first_, level,
-                           reader);
+    LimitControl control{split_, cycle_, {}, !sides_.empty(), false};
+    for (const Index h : sides_)
+      control.lone = control.lone ||
+                     (mesh().twin(mesh().next(h)) == kNone && mesh().twin(mesh().prev(h)) == kNone);
+    for (const ZoneGroup& group : groups_)
+      if (group.kind.faces > 0)
+        control.kinds.push_back({cycle_.lattice, group.kind.faces, group.kind.open});
+    const auto tables = read_limit_tables(control, level - first_, level, reader);
+    if (!tables) return tables.error();
+    if (!*tables) return std::optional<StepPlan>();
+    return std::optional(plan(**tables, step(level), Made::same_level));
   }
 
   [[nodiscard]] std::vector<Index> plain_order(
@@ -95,6 +93,20 @@ class GridFamily final : public Family {
   }
 
  private:
+  [[nodiscard]] StepPlan plan(const StencilTables& tables, const GridStep& step, Made made) const {
+    const GridLayout& from = step.old_points;
+    const GridLayout& to = made == Made::same_level ? from : step.new_points;
+    StepPlan plan;
+    plan.patches = plan_patches(step, tables.interior, faces_, made);
+    add_side_rows(tables, sides_, from, to, plan.rows);
+    const bool overlap = tables.reach.zones_meet(step.side());
+    for (const ZoneGroup& group : groups_)
+      for (const ZoneTable& table :
+           (group.kind.open ? tables.fans : tables.stars).at(group.kind.faces).tables)
+        plan.rows.push_back(zone_rows(table, group, from, to, overlap));
+    return plan;
+  }
+
   [[nodiscard]] Index corners() const { return cycle_.lattice == Lattice::triangle ? 3 : 4; }
   [[nodiscard]] bool is_grid(const Mesh& mesh) const {
     return mesh.uniform_degree() == corners() || mesh.face_count() == 0;

@@ -97,10 +97,4 @@ std::pair<RowTable, std::vector<Offset>> limit_rows(const LimitStencils& stencil
 
 RowTable isolated_limit_rows() { return {1, {0, 1, 1, 1}, {{0, 1.0}}}; }
 
-void add_isolated_limits(const std::vector<Index>& vertices, std::vector<RowPlan>& rows) {
-  if (vertices.empty()) return;
-  rows.push_back(
-      {isolated_limit_rows(), HugeArray<Index>(vertices), HugeArray<Index>(vertices), false});
-}
-
 }  // namespace limn::fast

@@ -31,7 +31,5 @@ void drop_rounding(LinearForm<double>& form);
 
 /// The rows of an isolated vertex, which stays and has no tangents.
 [[nodiscard]] RowTable isolated_limit_rows();
-/// Those of the vertices with these numbers.
-void add_isolated_limits(const std::vector<Index>& vertices, std::vector<RowPlan>& rows);
 
 }  // namespace limn::fast

@@ -30,8 +30,8 @@ class TableMaker {
         steps_made_(steps_made),
         reader_(reader) {}
 
-  Result<std::optional<LimitTables>> make() {
-    using Found = std::optional<LimitTables>;
+  Result<std::optional<StencilTables>> make() {
+    using Found = std::optional<StencilTables>;
     for (const auto read :
          {&TableMaker::find_rings, &TableMaker::read_plane, &TableMaker::read_sides,
           &TableMaker::read_kinds, &TableMaker::read_near}) {
@@ -40,10 +40,17 @@ class TableMaker {
       if (!found && n_ > 1) return found.error();
       if (!found || !*found) return Found();
     }
+    for (const Stencil& stencil : interior_) {
+      Stencil& local = tables_.interior.emplace_back(stencil);
+      for (Tap& tap : local) tap.place = step_.to_local(tap.place);
+      std::sort(local.begin(), local.end(),
+                [](const Tap& p, const Tap& q) { return p.place < q.place; });
+    }
     for (const auto& [y, sums] : side_rows_) {
       auto [table, places] = limit_rows(sums);
-      tables_.sides.push_back({y, y % edge_, edge_, std::move(table), std::move(places)});
+      tables_.strips.push_back({y, y % edge_, edge_, std::move(table), std::move(places)});
     }
+    tables_.stars[0].tables = {{0, {SectorPoint{}}, {SectorPoint{}}, isolated_limit_rows()}};
     return Found(std::move(tables_));
   }
 
@@ -141,7 +148,7 @@ class TableMaker {
     if (!plane) return plane.error();
     if (!*plane || (*plane)->sums.front().size() != 3) return false;
     const LimitSums& sums = (*plane)->sums.front();
-    tables_.interior = on_plane_from(sums, (*plane)->site, first);
+    interior_ = on_plane_from(sums, (*plane)->site, first);
     Index far = 0;
     for (const Form& form : sums)
       for (const auto& [vertex, weight] : form.terms)
@@ -178,7 +185,7 @@ class TableMaker {
       const auto& [sector, x, y] = points[i];
       if (all[i].size() != 3) return false;
       rows[y] = on_plane_from(all[i], site, points[i]);
-      const auto expected = moved(tables_.interior, site, [&, x = x, y = y](Offset tap) {
+      const auto expected = moved(interior_, site, [&, x = x, y = y](Offset tap) {
         const auto at = plane.find({x + tap.a, y + tap.b});
         return at == plane.end() ? std::nullopt : std::optional(at->second);
       });
@@ -211,9 +218,7 @@ class TableMaker {
     const bool first = shape.open && sector == 0 && x > 0 && side_rows_.contains(y);
     const bool last = shape.open && sector == shape.sectors - 1 && y > 0 && side_rows_.contains(x);
     if (first && last) return std::nullopt;  // two sides would make it
-    const LimitStencils& stencils = first  ? side_rows_.at(y)
-                                    : last ? side_rows_.at(x)
-                                           : tables_.interior;
+    const LimitStencils& stencils = first ? side_rows_.at(y) : last ? side_rows_.at(x) : interior_;
     return moved(stencils, site, [&, point = point](Offset tap) -> std::optional<SectorPoint> {
       // a fan's last spoke is the end of a side, which leads to the middle
       if (last) tap = {tap.b, mirrored(lattice_, 0, tap.a, tap.b)};
@@ -231,20 +236,20 @@ class TableMaker {
     for (const StarShape& shape : control_.kinds) {
       // the middle of a regular star is a point like any other, or none
       if (control_.cycle.offset && shape.sectors == plane_sectors(lattice_)) continue;
-      LimitZone& zone = tables_.zones[shape.open ? 1 : 0][shape.sectors];
-      Known found = read_kind(shape, zone);
+      ZoneTables& around = (shape.open ? tables_.fans : tables_.stars)[shape.sectors];
+      Known found = read_kind(shape, around);
       if (!found || !*found) return found;
-      if (!fits(shape, zone)) return false;
+      if (!fits(shape, around)) return false;
     }
     return chain_rings_ <= n_;
   }
 
-  Known read_kind(const StarShape& shape, LimitZone& zone) {
+  Known read_kind(const StarShape& shape, ZoneTables& around) {
     const bool near = shape.open ? is_near_boundary() : inner_ <= 1 && !control_.cycle.offset;
     if (!near && shape.sectors > kLargestZone) return false;
     for (Index seen = near ? 0 : kFewestSeen; seen <= kMostSeen; seen *= 2) {
-      Known found = read_zone(shape, seen * edge_, zone);
-      if (!found || !*found || seen == 0 || zone.size <= (seen - 1) * edge_) return found;
+      Known found = read_zone(shape, seen * edge_, around);
+      if (!found || !*found || seen == 0 || around.zone.size <= (seen - 1) * edge_) return found;
     }
     return false;
   }
@@ -262,21 +267,21 @@ class TableMaker {
     return points;
   }
 
-  Known read_zone(const StarShape& shape, Index seen, LimitZone& zone) {
+  Known read_zone(const StarShape& shape, Index seen, ZoneTables& around) {
     // the sectors of a star are alike
     Places points = points_round(shape.open ? shape.sectors : 1, shape.open, seen);
     auto found = read(shape, seen, points);
     if (!found) return found.error();
     if (!*found) return false;
-    zone.size = 0;
+    around.zone = {0, lattice_ == Lattice::quad};
     for (std::size_t i = 0; i < points.size(); ++i) {
       if (points[i] == SectorPoint{}) continue;
       const auto expected = usual((*found)->site, points[i]);
       if (!expected || (*found)->sums[i].size() != 3 || !same_limit(*expected, (*found)->sums[i]))
-        zone.size = std::max(zone.size, ring_of(lattice_, points[i].x, points[i].y));
+        around.zone.size = std::max(around.zone.size, ring_of(lattice_, points[i].x, points[i].y));
     }
-    if (!shape.open) turn(zone.size, **found, points);
-    add_tables(**found, points, zone);
+    if (!shape.open) turn(around.zone.size, **found, points);
+    add_tables(**found, points, around);
     if (is_near_boundary() || !shape.open || shape.sectors > 1) return true;
     // where the only face at a corner gives the normal, it has to be of the level itself
     const Result<LimitSums> chain =
@@ -305,39 +310,40 @@ class TableMaker {
       }
   }
 
-  void add_tables(const Read& read, const Places& points, LimitZone& zone) const {
-    zone.tables.clear();
+  void add_tables(const Read& read, const Places& points, ZoneTables& around) const {
+    around.tables.clear();
     const bool alike = read.sums.front().size() == 3;
     for (const bool centre : {true, false}) {
       std::vector<Form> forms;
       Places targets;
       for (std::size_t i = 0; i < points.size(); ++i) {
-        if (ring_of(lattice_, points[i].x, points[i].y) > zone.size) continue;
+        if (ring_of(lattice_, points[i].x, points[i].y) > around.zone.size) continue;
         if (centre != (alike || points[i] == SectorPoint{})) continue;
         targets.push_back(points[i]);
         forms.insert(forms.end(), read.sums[i].begin(), read.sums[i].end());
       }
       if (!targets.empty())
-        zone.tables.push_back(zone_table(forms, read.site, index_, std::move(targets)));
+        around.tables.push_back(zone_table(forms, read.site, index_, std::move(targets)));
     }
   }
 
   /// Whether a zone ends, and its sums do, before another's begins.
-  [[nodiscard]] bool fits(const StarShape& shape, const LimitZone& zone) const {
+  [[nodiscard]] bool fits(const StarShape& shape, const ZoneTables& around) const {
     const Index side = side_;
     const bool alone = n_ == 1;
     const auto all_sources = [&](auto condition) {
-      return std::all_of(zone.tables.begin(), zone.tables.end(), [&](const ZoneTable& table) {
+      return std::all_of(around.tables.begin(), around.tables.end(), [&](const ZoneTable& table) {
         return std::all_of(table.sources.begin(), table.sources.end(), condition);
       });
     };
     // a zone may hold the centre of its only triangle, that across the triangle's third side
     // counts, and the next vertices along the boundary
-    if (alone && control_.cycle.steps == 2 && shape.open && shape.sectors == 1 && zone.size < edge_)
+    if (alone && control_.cycle.steps == 2 && shape.open && shape.sectors == 1 &&
+        around.zone.size < edge_)
       return all_sources([&](const SectorPoint& p) {
         return (p.x <= side && p.y <= side) || (p.x * p.y == 0 && p.x + p.y <= 2 * side);
       });
-    if (zone.size > 0 && 2 * zone.size + edge_ > side) return false;
+    if (around.zone.size > 0 && 2 * around.zone.size + edge_ > side) return false;
     // neighbours see one another's control vertices, and no more (read_near)
     return all_sources([&](const SectorPoint& p) {
       const Index far = ring_of(lattice_, p.x, p.y);
@@ -377,13 +383,14 @@ class TableMaker {
   Index reach_ = 1;                           // edges that a regular vertex's sums reach
   Index chain_rings_ = 1;                     // the most of a LimitChain
   std::map<Index, LimitStencils> side_rows_;  // by row
-  LimitTables tables_;
+  LimitStencils interior_;
+  StencilTables tables_;
 };
 
 }  // namespace
 
-Result<std::optional<LimitTables>> read_limit_tables(const LimitControl& control, int level,
-                                                     int steps_made, LimitReader& reader) {
+Result<std::optional<StencilTables>> read_limit_tables(const LimitControl& control, int level,
+                                                       int steps_made, LimitReader& reader) {
   return TableMaker(control, level, steps_made, reader).make();
 }
 

@@ -6,9 +6,6 @@
 /// kind, sums are compared with those of a regular vertex, or along boundary sides with those of a
 /// straight boundary, and what differs is its zone.
 
-#include <array>
-#include <map>
-
 #include "limn/fast/limit/limit_sums.h"
 #include "limn/fast/sites/stencil_tables.h"
 
@@ -23,24 +20,11 @@ struct LimitControl {
   bool lone = false;             ///< whether all sides of one are
 };
 
-/// The points round a vertex whose sums are not those of the lattice, or that stencils cannot make.
-/// The centre may have another number of sums than the rest.
-struct LimitZone {
-  Index size = 0;
-  std::vector<ZoneTable> tables;
-};
-
-struct LimitTables {
-  LimitStencils interior;                           ///< of regular vertices
-  std::vector<SideRow> sides;                       ///< along a boundary
-  std::array<std::map<Index, LimitZone>, 2> zones;  ///< of interior, boundary places, by faces
-};
-
 /// At the level that `level` steps of the cycle make of the patches, and `steps_made` of the
 /// control mesh. Nothing where the sums are of no use or take more than the level's grid has. Fails
 /// as `reader`.
-[[nodiscard]] Result<std::optional<LimitTables>> read_limit_tables(const LimitControl& control,
-                                                                   int level, int steps_made,
-                                                                   LimitReader& reader);
+[[nodiscard]] Result<std::optional<StencilTables>> read_limit_tables(const LimitControl& control,
+                                                                     int level, int steps_made,
+                                                                     LimitReader& reader);
 
 }  // namespace limn::fast

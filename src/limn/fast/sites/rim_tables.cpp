@@ -8,10 +8,14 @@ constexpr Index kMargin = 3;  // points between what is read and the end of a si
 /// Quads round a vertex, of which two are beyond a straight side, and of which none is inside.
 const RimPattern kWideSide{3, 3, 0, 1}, kNarrowSide{0, 1, 0, 1};
 
+/// What is to be read at points of a site: as many forms for each, one after the other; or none.
+using RimForms = std::vector<LinearForm<double>>;
+
+template <class Read>
 class RimMaker {
  public:
   RimMaker(const Split& split, const GridCycle& cycle, Index near, Index edge, Index first,
-           const ReadRim& read)
+           Read read)
       : split_(split), cycle_(cycle), edge_(edge), first_(first), read_(read) {
     rims_.near = near;
   }
@@ -74,27 +78,44 @@ class RimMaker {
   const Split& split_;
   const GridCycle& cycle_;
   Index edge_, first_;
-  const ReadRim& read_;
+  Read read_;
   RimTables rims_;
 };
 
 }  // namespace
 
-Result<std::optional<RimTables>> make_rim_tables(const Split& split, const GridCycle& cycle,
-                                                 const std::set<RimPattern>& patterns, Index near,
-                                                 Index edge, Index first, const ReadRim& read) {
-  return RimMaker(split, cycle, near, edge, first, read).make(patterns);
-}
-
 Result<RimTables> read_rims(const Scheme& scheme, const GridCycle& cycle,
                             const std::set<RimPattern>& patterns, const Reach& reach) {
   RuleTables<double> rules(scheme, Boundary::left_out);
-  const ReadRim read = [&](const Site& site, const std::vector<SectorPoint>& points) {
+  const auto read = [&](const Site& site, const std::vector<SectorPoint>& points) {
     return read_new_points(scheme, rules, site, 0, points);
   };
-  auto made = make_rim_tables(*scheme.split, cycle, patterns, reach.rim, cycle.new_edge(), 1, read);
+  auto made = RimMaker(*scheme.split, cycle, reach.rim, cycle.new_edge(), 1, read).make(patterns);
   if (!made) return made.error();
   return *std::move(*made);
+}
+
+Result<std::optional<RimTables>> read_limit_rims(const Split& split, const GridCycle& cycle,
+                                                 const std::set<RimPattern>& patterns,
+                                                 int steps_made, LimitReader& reader) {
+  const Result<Index> rings = reader.regular_rings(false);
+  if (!rings) return rings.error();
+  if (*rings > 1) return std::optional<RimTables>();
+  const auto read = [&](const Site& site,
+                        const std::vector<SectorPoint>& points) -> Result<RimForms> {
+    std::vector<Index> vertices;
+    for (const SectorPoint& point : points) vertices.push_back(site.old_vertex(0, point));
+    const auto found = reader.read(site.mesh(0), steps_made, false, vertices);
+    if (!found) return found.error();
+    RimForms all;
+    for (const std::optional<LimitForms>& forms : *found) {
+      if (!forms) return RimForms();
+      all.insert(all.end(), forms->begin(), forms->end());
+    }
+    return all;
+  };
+  const LatticeStep step(cycle, 0);
+  return RimMaker(split, cycle, 1, step.edge, step.first(), read).make(patterns);
 }
 
 }  // namespace limn::fast

@@ -4,10 +4,10 @@
 /// of points, and round the centre of a face at the boundary points need a table, for each way in
 /// which the face may touch the boundary.
 
-#include <functional>
 #include <map>
 #include <set>
 
+#include "limn/fast/families/family.h"
 #include "limn/fast/sites/stencil_tables.h"
 
 namespace limn::fast {
@@ -22,21 +22,15 @@ struct RimTables {
   std::map<RimPattern, ZoneTable> zones;
 };
 
-/// What is to be read at points of a site: as many forms for each, one after the other; or none.
-using RimForms = std::vector<LinearForm<double>>;
-using ReadRim =
-    std::function<Result<RimForms>(const Site& site, const std::vector<SectorPoint>& points)>;
-
-/// At the points of a level (`edge` steps apart, from the `first` step on), for faces of these
-/// patterns. Nothing where there are no forms; fails as `read`.
-[[nodiscard]] Result<std::optional<RimTables>> make_rim_tables(const Split& split,
-                                                               const GridCycle& cycle,
-                                                               const std::set<RimPattern>& patterns,
-                                                               Index near, Index edge, Index first,
-                                                               const ReadRim& read);
-
 /// Of new points. Fails where a rule is missing.
 [[nodiscard]] Result<RimTables> read_rims(const Scheme& scheme, const GridCycle& cycle,
                                           const std::set<RimPattern>& patterns, const Reach& reach);
+
+/// Of the limit surface, after so many steps, where a vertex's sums are over its own faces; else
+/// nothing. Fails as `reader`.
+[[nodiscard]] Result<std::optional<RimTables>> read_limit_rims(const Split& split,
+                                                               const GridCycle& cycle,
+                                                               const std::set<RimPattern>& patterns,
+                                                               int steps_made, LimitReader& reader);
 
 }  // namespace limn::fast

@@ -90,7 +90,11 @@ class TableMaker {
   Status read_zones(const VertexKind& kind) {
     const bool open = kind.open;
     const Index sectors = kind.faces;
-    if (sectors == 0) return Done{};
+    if (sectors == 0) {  // it stays
+      const ZoneTable identity{0, {SectorPoint{}}, {SectorPoint{}}, {1, {0, 1}, {{0, 1.0}}}};
+      for (StencilTables& tables : tables_) tables.stars[0].tables = {identity};
+      return Done{};
+    }
     if (sectors > kLargestTable ||
         (!open && sectors < fewest_sectors(cycle_.lattice, cycle_.offset)))
       return Error{fmt::format("no table for a place of {} faces", sectors)};
@@ -99,8 +103,8 @@ class TableMaker {
       Places wanted = points_round(i, sectors, open);
       const Result<std::vector<Form>> forms = read(site, i, wanted);
       if (!forms) return forms.error();
-      (open ? of(i).fans : of(i).stars)
-          .emplace(sectors, zone_table(*forms, site, i, std::move(wanted)));
+      (open ? of(i).fans : of(i).stars)[sectors] = {
+          of(i).reach.zone(sectors, open), {zone_table(*forms, site, i, std::move(wanted))}};
     }
     return Done{};
   }

@@ -24,6 +24,12 @@ struct ZoneTable {
   RowTable rows;                     ///< of the targets over the sources
 };
 
+/// Of all places of a kind.
+struct ZoneTables {
+  Zone zone;                      ///< the points that the tables make
+  std::vector<ZoneTable> tables;  ///< one, or one for the centre and one for the rest
+};
+
 /// Forms over the old vertices of a site's step, as rows of the targets.
 [[nodiscard]] ZoneTable zone_table(std::span<const LinearForm<double>> forms, const Site& site,
                                    int step, std::vector<SectorPoint> targets);
@@ -40,14 +46,14 @@ struct SideRow {
 [[nodiscard]] SideRow side_row(std::span<const LinearForm<double>> forms, const Site& site,
                                int step, const SectorPoint& point, Index period);
 
-/// Of one step.
+/// Of one step, or of the limit surface at a level (limit_tables.h).
 struct StencilTables {
   Reach reach;
-  std::vector<Stencil> interior;  ///< by class (lattice_step.h), local, from the anchor
-  /// Along a boundary, for y ≤ reach.strip_depth.
-  std::vector<SideRow> strips;
-  std::map<Index, ZoneTable> stars;  ///< by valence of an interior vertex
-  std::map<Index, ZoneTable> fans;   ///< by number of faces at a boundary vertex
+  /// By class (lattice_step.h), or the limit's three; local, from the anchor.
+  std::vector<Stencil> interior;
+  std::vector<SideRow> strips;        ///< along a boundary
+  std::map<Index, ZoneTables> stars;  ///< by faces at an interior vertex; 0 at an isolated one
+  std::map<Index, ZoneTables> fans;   ///< by faces at a boundary vertex
 };
 
 inline constexpr Index kLargestTable = 1000;  ///< valence of a table

@@ -113,26 +113,20 @@ std::vector<ZoneGroup> group_vertices(std::vector<VertexKind> kinds, const Mesh&
   return groups;
 }
 
-const ZoneTable& table_of(const StencilTables& tables, const VertexKind& kind) {
-  static const ZoneTable identity{0, {SectorPoint{}}, {SectorPoint{}}, {1, {0, 1}, {{0, 1.0}}}};
-  if (kind.faces == 0) return identity;
-  return (kind.open ? tables.fans : tables.stars).at(kind.faces);
-}
-
 RowPlan zone_rows(const ZoneTable& table, const ZoneGroup& group, const GridLayout& old_points,
                   const GridLayout& new_points, bool overlap) {
   return {table.rows, number_points(group, old_points, table.sources),
           number_points(group, new_points, table.targets), overlap};
 }
 
-void add_side_rows(const std::vector<SideRow>& rows, const std::vector<Index>& sides,
-                   const ZoneOfFaces& zone_of, const GridLayout& old_points,
-                   const GridLayout& new_points, std::vector<RowPlan>& plans) {
+void add_side_rows(const StencilTables& tables, const std::vector<Index>& sides,
+                   const GridLayout& old_points, const GridLayout& new_points,
+                   std::vector<RowPlan>& plans) {
   const Mesh& mesh = new_points.control();
   const Lattice lattice = new_points.lattice();
   const Index side = new_points.side();
-  const auto zone_at = [&](Index v) { return zone_of(mesh.valence(v) - 1); };
-  for (const SideRow& row : rows) {
+  const auto zone_at = [&](Index v) { return tables.fans.at(mesh.valence(v) - 1).zone; };
+  for (const SideRow& row : tables.strips) {
     std::vector<Index> sources, targets;
     for (const Index h : sides) {
       const Zone left = zone_at(mesh.origin(h)), right = zone_at(mesh.target(h));

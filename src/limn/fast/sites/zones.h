@@ -2,8 +2,6 @@
 /// Rows for the points round control vertices, from the tables of their valences, and for those
 /// along boundaries, with the numbers that a layout gives them.
 
-#include <functional>
-
 #include "limn/fast/layout/grid_patches.h"
 #include "limn/fast/sites/stencil_tables.h"
 
@@ -22,20 +20,14 @@ struct ZoneGroup {
 [[nodiscard]] std::vector<ZoneGroup> group_vertices(std::vector<VertexKind> kinds,
                                                     const Mesh& control);
 
-/// The table of a group's vertices; an isolated vertex stays.
-[[nodiscard]] const ZoneTable& table_of(const StencilTables& tables, const VertexKind& kind);
-
 /// A table's rows round each vertex of a group, from points of one layout to points of another.
 [[nodiscard]] RowPlan zone_rows(const ZoneTable& table, const ZoneGroup& group,
                                 const GridLayout& old_points, const GridLayout& new_points,
                                 bool overlap);
 
-/// The zone of the points round a boundary vertex of so many faces.
-using ZoneOfFaces = std::function<Zone(Index faces)>;
-
-/// The rows' points but for those in zones; `sides` are the boundary half-edges.
-void add_side_rows(const std::vector<SideRow>& rows, const std::vector<Index>& sides,
-                   const ZoneOfFaces& zone_of, const GridLayout& old_points,
-                   const GridLayout& new_points, std::vector<RowPlan>& plans);
+/// The rows along boundary sides, but for the points in zones; `sides` are the boundary half-edges.
+void add_side_rows(const StencilTables& tables, const std::vector<Index>& sides,
+                   const GridLayout& old_points, const GridLayout& new_points,
+                   std::vector<RowPlan>& plans);
 
 }  // namespace limn::fast
