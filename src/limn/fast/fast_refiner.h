@@ -1,5 +1,5 @@
 #pragma once
-/// The quick engine: refinement of a control mesh by a fixed number of steps, many times as fast
+/// The fast engine: refinement of a control mesh by a fixed number of steps, many times as fast
 /// as the plain engine (refine/refine.h), whose results it gives to rounding, for every scheme of
 /// a split that has a family (families.h).
 ///
@@ -26,7 +26,7 @@ namespace fast {
 class LimitReader;  // families/family.h
 }
 
-/// Whether there is a quick engine for schemes of this split.
+/// Whether there is a fast engine for schemes of this split.
 [[nodiscard]] bool has_fast_layout(const Split& split);
 
 /// A control mesh's topology, worked out for a scheme and a number of steps.

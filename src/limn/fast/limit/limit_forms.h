@@ -1,5 +1,5 @@
 #pragma once
-/// Limit points as linear forms: what the quick engine reads its limit stencils from.
+/// Limit points as linear forms: what the fast engine reads its limit stencils from.
 
 #include <array>
 #include <optional>
