@@ -23,7 +23,7 @@
 
 namespace limn {
 namespace fast {
-class LimitReader;  // families/family.h
+class LimitReader;  // limit/limit_forms.h
 }
 
 /// Whether there is a fast engine for schemes of this split.
@@ -89,7 +89,7 @@ class FastRefiner {
     explicit Limit(std::unique_ptr<const Plan> plan);
     std::unique_ptr<const Plan> plan_;
   };
-  /// `reader` knows the limit surface (fast/families/family.h). Nothing where it looks too far for
+  /// `reader` knows the limit surface (fast/limit/limit_forms.h). Nothing where it looks too far for
   /// so few levels (sums over two rings need control edges cut into 4 or 8), or a normal at a
   /// regular vertex is not that of two sums. Fails as `reader`.
   [[nodiscard]] Result<std::optional<Limit>> limit(fast::LimitReader& reader) const;

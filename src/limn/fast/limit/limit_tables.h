@@ -6,6 +6,7 @@
 /// kind, sums are compared with those of a regular vertex, or along boundary sides with those of a
 /// straight boundary, and what differs is its zone.
 
+#include "limn/fast/limit/limit_forms.h"
 #include "limn/fast/limit/limit_sums.h"
 #include "limn/fast/sites/stencil_tables.h"
 

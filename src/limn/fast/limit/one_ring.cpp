@@ -4,6 +4,7 @@
 #include <cassert>
 #include <map>
 
+#include "limn/fast/limit/limit_forms.h"
 #include "limn/fast/limit/limit_sums.h"
 #include "limn/fast/sites/stencil_tables.h"
 

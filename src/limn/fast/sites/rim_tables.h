@@ -7,7 +7,7 @@
 #include <map>
 #include <set>
 
-#include "limn/fast/families/family.h"
+#include "limn/fast/limit/limit_forms.h"
 #include "limn/fast/sites/stencil_tables.h"
 
 namespace limn::fast {
