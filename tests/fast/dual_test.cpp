@@ -16,7 +16,7 @@ int expect_same_dual(const Scheme& scheme, const Mesh& control, int levels, unsi
 
 TEST(FastDualTables, SeeHowFarRulesLook) {
   const auto tables = [&](const Scheme& scheme) {
-    const std::vector<fast::VertexKind> kinds{{false, 3, {}}, {false, 4, {}}};
+    const std::vector<fast::StarShape> kinds{{Lattice::quad, 3}, {Lattice::quad, 4}};
     return fast::read_stencils(scheme, *fast::grid_cycle(*scheme.split), kinds, {true})
         .value()
         .front();

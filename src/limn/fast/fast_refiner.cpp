@@ -7,7 +7,7 @@
 #include <optional>
 
 #include "limn/base/parallel.h"
-#include "limn/fast/families/families.h"
+#include "limn/fast/families/family.h"
 #include "limn/fast/kernel/patch_step.h"
 #include "limn/fast/kernel/row_step.h"
 #include "limn/fast/plain/plain_steps.h"

@@ -1,7 +1,7 @@
 #pragma once
 /// The fast engine: refinement of a control mesh by a fixed number of steps, many times as fast
 /// as the plain engine (refine/refine.h), whose results it gives to rounding, for every scheme of
-/// a split that has a family (families.h).
+/// a split that has a family (families/family.h).
 ///
 /// The finer the mesh, the more of it is regular: it falls into patches, whose insides need a few
 /// stencils and whose connectivity is arithmetic. Nothing is typed in for a scheme: all stencils
@@ -89,8 +89,8 @@ class FastRefiner {
     explicit Limit(std::unique_ptr<const Plan> plan);
     std::unique_ptr<const Plan> plan_;
   };
-  /// `reader` knows the limit surface (fast/limit/limit_forms.h). Nothing where it looks too far for
-  /// so few levels (sums over two rings need control edges cut into 4 or 8), or a normal at a
+  /// `reader` knows the limit surface (fast/limit/limit_forms.h). Nothing where it looks too far
+  /// for so few levels (sums over two rings need control edges cut into 4 or 8), or a normal at a
   /// regular vertex is not that of two sums. Fails as `reader`.
   [[nodiscard]] Result<std::optional<Limit>> limit(fast::LimitReader& reader) const;
 

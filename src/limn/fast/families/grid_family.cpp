@@ -22,13 +22,12 @@ class GridFamily final : public Family {
       first_ = 1;
     }
     if (control.face_count() == 0) return;
-    std::vector<VertexKind> kinds = vertex_kinds(mesh());
+    groups_ = group_vertices(mesh(), cycle.lattice);
     Result<std::vector<StencilTables>> read =
-        read_stencils(scheme, cycle, kinds, boundary_sides(mesh()));
+        read_stencils(scheme, cycle, kinds(), boundary_sides(mesh()));
     if (!read) return;
     tables_ = std::move(*read);
     while (plain_ > first_ && fits(plain_ - 1)) --plain_;
-    groups_ = group_vertices(std::move(kinds), mesh());
     faces_ = PatchTopology(mesh(), corners());
     if (!mesh().has_boundary()) return;
     for (Index e = 0; e < mesh().edge_count(); ++e)
@@ -50,14 +49,11 @@ class GridFamily final : public Family {
 
   [[nodiscard]] Result<std::optional<StepPlan>> limit_plan(int level,
                                                            LimitReader& reader) const override {
-    if (groups_.empty() || level < first_) return std::optional<StepPlan>();
-    LimitControl control{split_, cycle_, {}, !sides_.empty(), false};
+    if (tables_.empty() || level < first_) return std::optional<StepPlan>();
+    LimitControl control{split_, cycle_, kinds(), !sides_.empty(), false};
     for (const Index h : sides_)
       control.lone = control.lone ||
                      (mesh().twin(mesh().next(h)) == kNone && mesh().twin(mesh().prev(h)) == kNone);
-    for (const ZoneGroup& group : groups_)
-      if (group.kind.faces > 0)
-        control.kinds.push_back({cycle_.lattice, group.kind.faces, group.kind.open});
     const auto tables = read_limit_tables(control, level - first_, level, reader);
     if (!tables) return tables.error();
     if (!*tables) return std::optional<StepPlan>();
@@ -102,11 +98,16 @@ class GridFamily final : public Family {
     const bool overlap = tables.reach.zones_meet(step.side());
     for (const ZoneGroup& group : groups_)
       for (const ZoneTable& table :
-           (group.kind.open ? tables.fans : tables.stars).at(group.kind.faces).tables)
+           (group.kind.open ? tables.fans : tables.stars).at(group.kind.sectors).tables)
         plan.rows.push_back(zone_rows(table, group, from, to, overlap));
     return plan;
   }
 
+  [[nodiscard]] std::vector<StarShape> kinds() const {
+    std::vector<StarShape> kinds;
+    for (const ZoneGroup& group : groups_) kinds.push_back(group.kind);
+    return kinds;
+  }
   [[nodiscard]] Index corners() const { return cycle_.lattice == Lattice::triangle ? 3 : 4; }
   [[nodiscard]] bool is_grid(const Mesh& mesh) const {
     return mesh.uniform_degree() == corners() || mesh.face_count() == 0;

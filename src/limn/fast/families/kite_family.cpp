@@ -68,8 +68,7 @@ class KiteFamily final : public Family {
     using Found = std::optional<StepPlan>;
     if (!tables_ || (level == first_ && !own_face())) return Found();
     if (level <= first_ + 1 && own_face()) return plan_one_rings(level, reader);
-    LimitControl control{split_, cycle_, {}, false, false};
-    for (const Index sides : groups_.sides) control.kinds.push_back({Lattice::quad, sides});
+    const LimitControl control{split_, cycle_, kinds(), false, false};
     const auto tables = read_limit_tables(control, level - first_ - 1, level, reader);
     if (!tables) return tables.error();
     if (!*tables) return Found();
@@ -116,6 +115,11 @@ class KiteFamily final : public Family {
   }
   /// Whether the rule sees its own face alone. Then it may stand in the first step, too.
   [[nodiscard]] bool own_face() const { return tables_->reach.rim == 1; }
+  [[nodiscard]] std::vector<StarShape> kinds() const {
+    std::vector<StarShape> kinds{{Lattice::quad, 0}};
+    for (const Index sides : groups_.sides) kinds.push_back({Lattice::quad, sides});
+    return kinds;
+  }
   [[nodiscard]] std::set<RimPattern> patterns() const {
     std::set<RimPattern> patterns;
     for (const auto& [pattern, faces] : groups_.rims) patterns.insert(pattern);
@@ -123,9 +127,7 @@ class KiteFamily final : public Family {
   }
 
   bool read_tables(const Scheme& scheme) {
-    std::vector<VertexKind> kinds{{false, 0, {}}};
-    for (const Index sides : groups_.sides) kinds.push_back({false, sides, {}});
-    auto interior = read_stencils(scheme, cycle_, kinds, {true, kites_.has_rims()});
+    auto interior = read_stencils(scheme, cycle_, kinds(), {true, kites_.has_rims()});
     if (!interior) return false;
     if (kites_.has_rims()) {
       Result<RimTables> rims = read_rims(scheme, cycle_, patterns(), interior->front().reach);

@@ -44,6 +44,18 @@ Index* write_between(const Index* low, const Index* high, Index n, Index* out) {
   return out + 4;
 }
 
+/// The inner points of an edge along one of its half-edges.
+class AlongEdge {
+ public:
+  AlongEdge(const GridLayout& points, EdgeCode code)
+      : origin_(points.point_along(code, 0)), step_(2 * (code & 1) - 1) {}
+  /// Point t, 0 < t < n.
+  [[nodiscard]] Index operator()(Index t) const { return origin_ + t * step_; }
+
+ private:
+  Index origin_, step_;
+};
+
 /// The numbers of a patch's grid points, row by row.
 template <bool kTriangles>
 class Rows {

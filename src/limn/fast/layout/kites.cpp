@@ -99,22 +99,11 @@ void KiteLayout::write_patch(Index h, Index* out) const {
   }
 }
 
-void KiteLayout::write_arm(Index h, Index* out) const {
-  const Index before = control().next(h);
-  for (Index y = 0; y + 1 < n_; ++y) {
-    *out++ = point(before, y, 0);
-    *out++ = point(h, 0, y);
-    *out++ = point(h, 0, y + 1);
-    *out++ = point(before, y + 1, 0);
-  }
-}
-
-void KiteLayout::write_edge(Index e, Index* out) const {
-  const Index h = control().halfedge_of_edge(e);
-  for (const Index side : {h, control().twin(h)}) {
-    *out++ = point(control().next(side), n_ - 1, 0);
-    *out++ = point(side, 0, n_ - 1);
-  }
+void KiteLayout::write_across(Index h, Index t, Index* out) const {
+  out[0] = line_point(h, t, -1);
+  out[1] = line_point(h, t, 0);
+  out[2] = line_point(h, t + 1, 0);
+  out[3] = line_point(h, t + 1, -1);
 }
 
 void KiteLayout::write_vertex(Index v, Index* out) const {
@@ -145,9 +134,13 @@ void KiteLayout::write_faces(Index* out) const {
   each(kites_->wholes(), patch,
        [&](Index h, std::ptrdiff_t i) { write_patch(h, out + 4 * i * patch); });
   out += std::ptrdiff_t{4} * arm_quads_at_;
-  each(kites_->lines(), arm, [&](Index h, std::ptrdiff_t i) { write_arm(h, out + 4 * i * arm); });
+  each(kites_->lines(), arm, [&](Index h, std::ptrdiff_t i) {
+    for (Index t = 0; t < arm; ++t) write_across(h, t, out + 4 * (i * arm + t));
+  });
   out += std::ptrdiff_t{4} * (edge_quads_at_ - arm_quads_at_);
-  each(kites_->inner_edges(), 1, [&](Index e, std::ptrdiff_t i) { write_edge(e, out + 4 * i); });
+  each(kites_->inner_edges(), 1, [&](Index e, std::ptrdiff_t i) {
+    write_across(control().halfedge_of_edge(e), arm, out + 4 * i);
+  });
 }
 
 void KiteLayout::write_face_begin(Index* out) const {

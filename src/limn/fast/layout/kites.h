@@ -123,8 +123,8 @@ class KiteLayout {
   [[nodiscard]] const Mesh& control() const { return kites_->control(); }
   [[nodiscard]] Index inner_count() const { return count(kites_->inner_vertices()); }
   void write_patch(Index h, Index* out) const;
-  void write_arm(Index h, Index* out) const;
-  void write_edge(Index e, Index* out) const;
+  /// The quad across the line of h, between its t-th points and the next.
+  void write_across(Index h, Index t, Index* out) const;
   void write_vertex(Index v, Index* out) const;
 
   const Kites* kites_;

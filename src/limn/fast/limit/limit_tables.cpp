@@ -234,7 +234,8 @@ class TableMaker {
 
   Known read_kinds() {
     for (const StarShape& shape : control_.kinds) {
-      // the middle of a regular star is a point like any other, or none
+      if (shape.sectors == 0) continue;
+      // the middle of a regular star is no point
       if (control_.cycle.offset && shape.sectors == plane_sectors(lattice_)) continue;
       ZoneTables& around = (shape.open ? tables_.fans : tables_.stars)[shape.sectors];
       Known found = read_kind(shape, around);
@@ -358,6 +359,7 @@ class TableMaker {
     if (control_.lone && index_ > 0) return false;  // its centre is in three zones
     if (is_near()) return true;
     for (const auto& [lattice, sectors, open, offset] : control_.kinds) {
+      if (sectors == 0) continue;
       std::vector<LimitForms> read;
       for (const Index rings : {reach_ + kRim, Index{1}}) {
         const Mesh near = open ? fan(lattice_, sectors, rings) : star(lattice_, sectors, rings);

@@ -16,7 +16,7 @@ namespace limn::fast {
 struct LimitControl {
   const Split& split;
   const GridCycle& cycle;
-  std::vector<StarShape> kinds;  ///< of places where patches meet
+  std::vector<StarShape> kinds;  ///< of places where patches meet; isolated ones have no sector
   bool boundary = false;         ///< whether sides of patches are on the boundary
   bool lone = false;             ///< whether all sides of one are
 };

@@ -12,7 +12,7 @@ using Places = std::vector<SectorPoint>;
 
 class TableMaker {
  public:
-  TableMaker(const Scheme& scheme, const GridCycle& cycle, const std::vector<VertexKind>& kinds,
+  TableMaker(const Scheme& scheme, const GridCycle& cycle, const std::vector<StarShape>& kinds,
              const BoundarySides& sides)
       : scheme_(scheme),
         cycle_(cycle),
@@ -31,7 +31,7 @@ class TableMaker {
     if (Status status = read_interior(); !status) return status.error();
     if (!cycle_.offset && std::find(sides_.begin() + 1, sides_.end(), true) != sides_.end())
       if (Status status = read_strips(); !status) return status.error();
-    for (const VertexKind& kind : kinds_)
+    for (const StarShape& kind : kinds_)
       if (Status status = read_zones(kind); !status) return status.error();
     return std::move(tables_);
   }
@@ -87,9 +87,9 @@ class TableMaker {
     return Done{};
   }
 
-  Status read_zones(const VertexKind& kind) {
+  Status read_zones(const StarShape& kind) {
     const bool open = kind.open;
-    const Index sectors = kind.faces;
+    const Index sectors = kind.sectors;
     if (sectors == 0) {  // it stays
       const ZoneTable identity{0, {SectorPoint{}}, {SectorPoint{}}, {1, {0, 1}, {{0, 1.0}}}};
       for (StencilTables& tables : tables_) tables.stars[0].tables = {identity};
@@ -142,7 +142,7 @@ class TableMaker {
 
   const Scheme& scheme_;
   const GridCycle& cycle_;
-  const std::vector<VertexKind>& kinds_;
+  const std::vector<StarShape>& kinds_;
   BoundarySides sides_;
   RuleTables<double> closed_, open_;
   std::vector<StencilTables> tables_;  // by step
@@ -185,7 +185,7 @@ SideRow side_row(std::span<const Form> forms, const Site& site, int step, const 
 }
 
 Result<std::vector<StencilTables>> read_stencils(const Scheme& scheme, const GridCycle& cycle,
-                                                 const std::vector<VertexKind>& kinds,
+                                                 const std::vector<StarShape>& kinds,
                                                  const BoundarySides& sides) {
   return TableMaker(scheme, cycle, kinds, sides).make();
 }

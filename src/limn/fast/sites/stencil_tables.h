@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "limn/fast/sites/reach.h"
-#include "limn/fast/sites/vertex_kinds.h"
 #include "limn/refine/refine_values.h"
 
 namespace limn::fast {
@@ -64,7 +63,7 @@ inline constexpr Index kLargestTable = 1000;  ///< valence of a table
 /// ask, which may say more. Cost: some 0.1 ms a valence.
 [[nodiscard]] Result<std::vector<StencilTables>> read_stencils(const Scheme& scheme,
                                                                const GridCycle& cycle,
-                                                               const std::vector<VertexKind>& kinds,
+                                                               const std::vector<StarShape>& kinds,
                                                                const BoundarySides& sides);
 
 }  // namespace limn::fast

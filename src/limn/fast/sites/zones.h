@@ -7,18 +7,19 @@
 
 namespace limn::fast {
 
-/// Control vertices of one kind.
+/// Control vertices that have as many faces in a ring, or in a fan (on the boundary). Isolated
+/// vertices make a group of their own, of no face.
 struct ZoneGroup {
-  VertexKind kind;
+  StarShape kind;
+  std::vector<Index> vertices;  ///< ascending
   /// The half-edges out of its vertices, counterclockwise, as many for each as it has faces.
   std::vector<Index> sectors;
   std::vector<EdgeCode> codes;  ///< of these half-edges
   std::vector<Index> ends;      ///< their targets
 };
 
-/// All vertices of the control mesh.
-[[nodiscard]] std::vector<ZoneGroup> group_vertices(std::vector<VertexKind> kinds,
-                                                    const Mesh& control);
+/// All vertices of the control mesh, rings before fans, few faces before many. Cost O(half-edges).
+[[nodiscard]] std::vector<ZoneGroup> group_vertices(const Mesh& control, Lattice lattice);
 
 /// A table's rows round each vertex of a group, from points of one layout to points of another.
 [[nodiscard]] RowPlan zone_rows(const ZoneTable& table, const ZoneGroup& group,

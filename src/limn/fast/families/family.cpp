@@ -1,4 +1,4 @@
-#include "limn/fast/families/families.h"
+#include "limn/fast/families/family.h"
 
 #include "limn/fast/families/grid_family.h"
 #include "limn/fast/families/kite_family.h"
