@@ -1,7 +1,8 @@
 // The quick engine on dual splits: against the plain engine.
 
 #include "fast/families.h"
-#include "limn/fast/sites/dual_tables.h"
+#include "limn/fast/families/grid_family.h"
+#include "limn/fast/sites/stencil_tables.h"
 #include "support/shipped.h"
 
 namespace limn::test {
@@ -14,17 +15,22 @@ int expect_same_dual(const Scheme& scheme, const Mesh& control, int levels, unsi
 }
 
 TEST(FastDualTables, SeeHowFarRulesLook) {
-  const Mesh mesh = cube();
-  const fast::DualTables near = fast::read_dual_tables(shipped("doo-sabin"), mesh).value();
-  EXPECT_TRUE(near.own_face);
-  EXPECT_EQ(near.halo, 1);
-  EXPECT_EQ(near.zone, 1);
-  EXPECT_EQ(near.smallest_grid, 1);
+  const auto tables = [&](const Scheme& scheme) {
+    const std::vector<fast::StarShape> kinds{{Lattice::quad, 3}, {Lattice::quad, 4}};
+    return fast::read_stencils(scheme, *fast::grid_cycle(*scheme.split), kinds, {true})
+        .value()
+        .front();
+  };
+  const fast::StencilTables near = tables(shipped("doo-sabin"));
+  EXPECT_EQ(near.reach.rim, 1);
+  EXPECT_EQ(near.reach.star_zone.size, 1);
+  EXPECT_EQ(near.reach.star_rings, 2);
+  EXPECT_EQ(near.reach.smallest_side, 4);
   EXPECT_EQ(near.interior[0].size(), 4U);
-  EXPECT_EQ(near.zones.at(3).table.terms.size(), 9U);
-  const fast::DualTables wide = fast::read_dual_tables(parsed(kWideDual), mesh).value();
-  EXPECT_FALSE(wide.own_face);
-  EXPECT_GT(wide.zone, 1);
+  EXPECT_EQ(near.stars.at(3).tables.front().rows.terms.size(), 9U);
+  const fast::StencilTables wide = tables(parsed(kWideDual));
+  EXPECT_GT(wide.reach.rim, 1);
+  EXPECT_GT(wide.reach.star_zone.size, 1);
 }
 
 TEST(FastDual, IsThePlainEngineOnBodies) {

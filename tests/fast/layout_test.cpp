@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <set>
 
 #include "fast/fast_check.h"
 #include "limn/fast/layout/patch_frame.h"
@@ -221,25 +222,42 @@ TEST(FastLayoutOfCentres, WritesAFaceForEachEdgeOfQuads) {
     }
 }
 
+/// Every vertex has a place of its own; on the plane, neighbours are next to each other.
 TEST(FastPlaces, AreThoseOfTheStar) {
-  for (const Lattice lattice : {Lattice::triangle, Lattice::quad})
-    for (const bool open : {false, true})
-      for (const Index sectors : {3, 4, 6}) {
-        const Mesh mesh = open ? fan(lattice, sectors, 3) : star(lattice, sectors, 3);
-        const StarShape shape{lattice, sectors, open};
-        for (Index v = 0; v < mesh.vertex_count(); ++v)
-          EXPECT_EQ(vertex_at(shape, sector_point(shape, v)), v);
-        if (open ? sectors > plane_sectors(lattice) : sectors != plane_sectors(lattice))
-          continue;  // no plane
-        for (Index h = 0; h < mesh.halfedge_count(); ++h) {
-          const Offset from = on_plane(lattice, sector_point(shape, mesh.origin(h)));
-          const Offset to = on_plane(lattice, sector_point(shape, mesh.target(h)));
-          const Offset way{to.a - from.a, to.b - from.b};
-          const std::array<Offset, 6> ways{{{1, 0}, {0, 1}, {-1, 0}, {0, -1}, {-1, 1}, {1, -1}}};
-          const auto end = lattice == Lattice::triangle ? ways.end() : ways.begin() + 4;
-          EXPECT_NE(std::find(ways.begin(), end, way), end);
-        }
-      }
+  std::vector<StarShape> shapes;
+  for (const Index sectors : {3, 4, 6, 7}) {
+    for (const Lattice lattice : {Lattice::triangle, Lattice::quad})
+      for (const bool open : {false, true}) shapes.push_back({lattice, sectors, open});
+    shapes.push_back({Lattice::quad, sectors, false, true});
+  }
+  for (const StarShape& shape : shapes) {
+    const auto [lattice, sectors, open, offset] = shape;
+    const Mesh mesh = offset ? face_star(sectors, 3)
+                      : open ? fan(lattice, sectors, 3)
+                             : star(lattice, sectors, 3);
+    std::set<std::array<Index, 3>> places;
+    for (Index v = 0; v < mesh.vertex_count(); ++v) {
+      const SectorPoint point = sector_point(shape, v);
+      EXPECT_TRUE(0 <= point.sector && point.sector < sectors && point.x >= 0 && point.y >= 0);
+      places.insert({point.sector, point.x, point.y});
+    }
+    EXPECT_EQ(std::ssize(places), mesh.vertex_count());
+    if (open ? sectors > plane_sectors(lattice) : sectors != plane_sectors(lattice))
+      continue;  // no plane
+    const auto on_plane_of = [&](Index v) {
+      SectorPoint point = sector_point(shape, v);
+      if (offset) point = {point.sector, 2 * point.x + 1, 2 * point.y + 1};
+      return on_plane(lattice, point);
+    };
+    for (Index h = 0; h < mesh.halfedge_count(); ++h) {
+      const Offset from = on_plane_of(mesh.origin(h)), to = on_plane_of(mesh.target(h));
+      const Index step = offset ? 2 : 1;
+      const Offset way{(to.a - from.a) / step, (to.b - from.b) / step};
+      const std::array<Offset, 6> ways{{{1, 0}, {0, 1}, {-1, 0}, {0, -1}, {-1, 1}, {1, -1}}};
+      const auto end = lattice == Lattice::triangle ? ways.end() : ways.begin() + 4;
+      EXPECT_NE(std::find(ways.begin(), end, way), end);
+    }
+  }
 }
 
 /// The neighbours across the sides of a patch are itself, shifted or turned by 180° about the

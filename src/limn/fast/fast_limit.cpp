@@ -8,7 +8,7 @@ namespace limn {
 
 Result<std::optional<FastRefiner::Limit>> approx_fast_limit(const Scheme& scheme,
                                                             const FastRefiner& refiner) {
-  ApproxLimitReader reader(scheme);
+  fast::LimitReader reader(scheme);
   return refiner.limit(reader);
 }
 

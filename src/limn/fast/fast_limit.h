@@ -1,5 +1,5 @@
 #pragma once
-/// Limit positions and normals by the quick engine (fast/fast_refiner.h).
+/// Limit positions and normals by the fast engine (fast/fast_refiner.h).
 
 #include "limn/fast/fast_refiner.h"
 

@@ -1,7 +1,7 @@
 #pragma once
-/// The quick engine: refinement of a control mesh by a fixed number of steps, many times as fast
+/// The fast engine: refinement of a control mesh by a fixed number of steps, many times as fast
 /// as the plain engine (refine/refine.h), whose results it gives to rounding, for every scheme of
-/// a split that has a family (families.h).
+/// a split that has a family (families/family.h).
 ///
 /// The finer the mesh, the more of it is regular: it falls into patches, whose insides need a few
 /// stencils and whose connectivity is arithmetic. Nothing is typed in for a scheme: all stencils
@@ -9,7 +9,7 @@
 /// first steps where rules look farther than a control edge: their sums are then written down
 /// (plain_rows.h). Topology is worked out once; positions may be evaluated often.
 ///
-/// Numbers of the refined mesh: see grid_layout.h, grid_family.h and dual_layout.h. Where a split
+/// Numbers of the refined mesh: see grid_layout.h, grid_family.h and kites.h. Where a split
 /// keeps the old vertices, control vertices keep their numbers, so vertex v < V is the image of
 /// control vertex v; the vertices of the levels in between do not come first. The order is another
 /// than the plain engine's.
@@ -23,10 +23,10 @@
 
 namespace limn {
 namespace fast {
-class LimitReader;  // families/family.h
+class LimitReader;  // limit/limit_forms.h
 }
 
-/// Whether there is a quick engine for schemes of this split.
+/// Whether there is a fast engine for schemes of this split.
 [[nodiscard]] bool has_fast_layout(const Split& split);
 
 /// A control mesh's topology, worked out for a scheme and a number of steps.
@@ -90,8 +90,8 @@ class FastRefiner {
     explicit Limit(std::unique_ptr<const Plan> plan);
     std::unique_ptr<const Plan> plan_;
   };
-  /// `reader` knows the limit surface (fast/families/family.h). Nothing where it looks too far for
-  /// so few levels (sums over two rings need control edges cut into 4 or 8), or a normal at a
+  /// `reader` knows the limit surface (fast/limit/limit_forms.h). Nothing where it looks too far
+  /// for so few levels (sums over two rings need control edges cut into 4 or 8), or a normal at a
   /// regular vertex is not that of two sums. Fails as `reader`.
   [[nodiscard]] Result<std::optional<Limit>> limit(fast::LimitReader& reader) const;
 

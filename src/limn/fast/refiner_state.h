@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "limn/fast/families/families.h"
+#include "limn/fast/families/family.h"
 #include "limn/fast/fast_refiner.h"
 #include "limn/fast/kernel/patch_program.h"
 #include "limn/fast/plain/plain_steps.h"

@@ -2,46 +2,17 @@
 /// What a split has of its own: numbers for the vertices of each level, and how a level is made of
 /// the one before.
 
-#include <array>
 #include <memory>
 #include <optional>
 #include <span>
 
 #include "limn/fast/kernel/step_plan.h"
-#include "limn/refine/linear_form.h"
+#include "limn/mesh/split/split.h"
 #include "limn/scheme/scheme.h"
 
 namespace limn::fast {
 
-/// The limit surface at a vertex of a mesh, as sums over the mesh's vertices: position and two
-/// tangents, whose cross product points outward.
-using LimitForms = std::array<LinearForm<double>, 3>;
-
-/// The same at a vertex whose normal is not that of two sums.
-struct LimitChain {
-  /// Position, and vectors t₀, t₁, … such that Σ tᵢ × tᵢ₊₁ points outward.
-  std::vector<LinearForm<double>> forms;
-  /// As many rings, but for the outermost, must be regular so that these are the sums.
-  Index rings = 1;
-};
-
-/// Finds the limit surface at vertices of a level: what this floor cannot know.
-class LimitReader {
- public:
-  virtual ~LimitReader() = default;
-  /// How many rings round a regular vertex, interior or (`open`) on the boundary, must be regular
-  /// but for the outermost, so that its sums are those of any such vertex.
-  [[nodiscard]] virtual Result<Index> regular_rings(bool open) = 0;
-  /// At these vertices of a small mesh, which stands for part of a level made by `steps_made`
-  /// steps. Its boundary is refined as the scheme has it, or (`closed`) stands for nothing: then
-  /// vertices are far from it. Nothing at vertices whose normal is not that of two sums. An
-  /// isolated vertex stays, its tangents are zero.
-  [[nodiscard]] virtual Result<std::vector<std::optional<LimitForms>>> read(
-      const Mesh& mesh, int steps_made, bool closed, const std::vector<Index>& vertices) = 0;
-  /// The same at one vertex, not isolated, where `read` finds nothing.
-  [[nodiscard]] virtual Result<LimitChain> read_chain(const Mesh& mesh, int steps_made, bool closed,
-                                                      Index vertex) = 0;
-};
+class LimitReader;  // limit/limit_forms.h
 
 class Family {
  public:
@@ -80,5 +51,13 @@ class Family {
   [[nodiscard]] virtual Index corners_per_face() const = 0;
   virtual void write_face_begin(int /*level*/, std::span<Index> /*begin*/) const {}
 };
+
+/// Whether there is a family for schemes of this split.
+[[nodiscard]] bool has_family(const Split& split);
+
+/// Precondition: has_family(*scheme.split), and `control` is what the split takes. Both must
+/// outlive the family.
+[[nodiscard]] std::unique_ptr<Family> make_family(const Scheme& scheme, const Mesh& control,
+                                                  int levels);
 
 }  // namespace limn::fast

@@ -4,7 +4,7 @@
 #include <cassert>
 
 #include "limn/base/parallel.h"
-#include "limn/fast/limit/grid_limit.h"
+#include "limn/fast/limit/limit_tables.h"
 #include "limn/fast/plain/plain_order.h"
 #include "limn/fast/sites/zones.h"
 
@@ -20,13 +20,12 @@ class GridFamily final : public Family {
     // the cycle begins with its first step
     while (first_ % cycle.steps != 0 && first_ < levels) refine_once();
     if (control.face_count() == 0 || !is_cycle_begun()) return;
-    std::vector<VertexKind> kinds = vertex_kinds(mesh());
+    groups_ = group_vertices(mesh(), cycle.lattice);
     Result<std::vector<StencilTables>> read =
-        read_stencils(scheme, cycle, kinds, boundary_sides(mesh()));
+        read_stencils(scheme, cycle, kinds(), boundary_sides(mesh()));
     if (!read) return;
     tables_ = std::move(*read);
     while (plain_ > first_ && fits(plain_ - 1)) --plain_;
-    groups_ = group_vertices(std::move(kinds), mesh());
     faces_ = PatchTopology(mesh(), corners());
     if (!mesh().has_boundary()) return;
     for (Index e = 0; e < mesh().edge_count(); ++e)
@@ -43,26 +42,20 @@ class GridFamily final : public Family {
   }
 
   [[nodiscard]] StepPlan plan(int level) const override {
-    const GridStep step = this->step(level);
-    const StencilTables& tables = tables_of(level);
-    StepPlan plan;
-    plan.patches = plan_patches(step, tables.interior, faces_, Made::next_level);
-    add_side_rows(
-        side_rows(tables, step.step), sides_,
-        [&](Index faces) { return tables.reach.zone(faces, true); }, step.old_points,
-        step.new_points, plan.rows);
-    const bool overlap = tables.reach.zones_meet(step.side());
-    for (const ZoneGroup& group : groups_)
-      plan.rows.push_back(zone_rows(table_of(tables, group.kind), group, step.old_points,
-                                    step.new_points, overlap));
-    return plan;
+    return plan(tables_of(level), step(level), Made::next_level);
   }
 
   [[nodiscard]] Result<std::optional<StepPlan>> limit_plan(int level,
                                                            LimitReader& reader) const override {
-    if (groups_.empty() || level < first_) return std::optional<StepPlan>();
-    return plan_grid_limit({split_, cycle_, mesh(), groups_, sides_, faces_}, level - first_, level,
-                           reader);
+    if (tables_.empty() || level < first_) return std::optional<StepPlan>();
+    LimitControl control{split_, cycle_, kinds(), !sides_.empty(), false};
+    for (const Index h : sides_)
+      control.lone = control.lone ||
+                     (mesh().twin(mesh().next(h)) == kNone && mesh().twin(mesh().prev(h)) == kNone);
+    const auto tables = read_limit_tables(control, level - first_, level, reader);
+    if (!tables) return tables.error();
+    if (!*tables) return std::optional<StepPlan>();
+    return std::optional(plan(**tables, step(level), Made::same_level));
   }
 
   [[nodiscard]] std::vector<Index> plain_order(
@@ -107,6 +100,25 @@ class GridFamily final : public Family {
   }
 
  private:
+  [[nodiscard]] StepPlan plan(const StencilTables& tables, const GridStep& step, Made made) const {
+    const GridLayout& from = step.old_points;
+    const GridLayout& to = made == Made::same_level ? from : step.new_points;
+    StepPlan plan;
+    plan.patches = plan_patches(step, tables.interior, faces_, made);
+    add_side_rows(tables, sides_, from, to, plan.rows);
+    const bool overlap = tables.reach.zones_meet(step.side());
+    for (const ZoneGroup& group : groups_)
+      for (const ZoneTable& table :
+           (group.kind.open ? tables.fans : tables.stars).at(group.kind.sectors).tables)
+        plan.rows.push_back(zone_rows(table, group, from, to, overlap));
+    return plan;
+  }
+
+  [[nodiscard]] std::vector<StarShape> kinds() const {
+    std::vector<StarShape> kinds;
+    for (const ZoneGroup& group : groups_) kinds.push_back(group.kind);
+    return kinds;
+  }
   [[nodiscard]] Index corners() const { return cycle_.lattice == Lattice::triangle ? 3 : 4; }
   [[nodiscard]] bool is_grid(const Mesh& mesh) const {
     return mesh.uniform_degree() == corners() || mesh.face_count() == 0;
@@ -152,7 +164,11 @@ class GridFamily final : public Family {
 
 std::optional<GridCycle> grid_cycle(const Split& split) {
   const bool quads = split.lattice == Lattice::quad;
-  if (!split.births.vertices || split.births.corners) return std::nullopt;
+  if (split.births.corners) {
+    if (!quads || split.births.vertices || split.dilation.growth() != 4) return std::nullopt;
+    return GridCycle{split.lattice, 2, 1, true};
+  }
+  if (!split.births.vertices) return std::nullopt;
   if (split.births.edges) {
     if (split.dilation.growth() != 4 || split.births.faces != quads) return std::nullopt;
     return GridCycle{split.lattice, 2, 1};

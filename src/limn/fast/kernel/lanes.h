@@ -1,5 +1,5 @@
 #pragma once
-/// The arithmetic of the quick engine: one instruction works on as many patches at once as fit into
+/// The arithmetic of the fast engine: one instruction works on as many patches at once as fit into
 /// 16 bytes, which every x86-64 has (and AVX2's 32 are no faster here: reading and writing points
 /// is what takes the time). A *lane* is a patch; points of the lanes lie side by side, so that no
 /// row's length or start matters. With LIMN_ONE_LANE defined there is one, for other processors.

@@ -1,7 +1,6 @@
 // The faces of the levels of a GridLayout, several corners at a time.
 
 #include <algorithm>
-#include <array>
 #include <cstring>
 #include <utility>
 #include <vector>
@@ -46,6 +45,18 @@ Index* write_between(const Index* low, const Index* high, Index n, Index* out) {
   return out + 4;
 }
 
+/// The inner points of an edge along one of its half-edges.
+class AlongEdge {
+ public:
+  AlongEdge(const GridLayout& points, EdgeCode code)
+      : origin_(points.point_along(code, 0)), step_(2 * (code & 1) - 1) {}
+  /// Point t, 0 < t < n.
+  [[nodiscard]] Index operator()(Index t) const { return origin_ + t * step_; }
+
+ private:
+  Index origin_, step_;
+};
+
 /// The numbers of a patch's grid points, row by row.
 template <bool kTriangles>
 class Rows {
@@ -83,6 +94,7 @@ class Rows {
   /// The numbers of a row of quads.
   [[nodiscard]] const Index* row(Index y) const { return numbers_.data() + y * (layout_.n() + 1); }
 
+  [[nodiscard]] const Index* first() const { return numbers_.data(); }
   void swap(Rows& other) { numbers_.swap(other.numbers_); }
 
   /// The corners of the patch's faces; returns past the last.
@@ -119,50 +131,51 @@ class Rows {
 class CentreFaces {
  public:
   explicit CentreFaces(const GridLayout& layout)
-      : layout_(layout), n_(layout.n()), rows_(2 * static_cast<std::size_t>(n_) + 2) {
-    for (std::vector<Index>& side : across_) side.resize(static_cast<std::size_t>(n_));
-    for (std::vector<Index>& side : sides_) side.resize(static_cast<std::size_t>(n_) + 1);
-  }
+      : layout_(layout),
+        n_(layout.n()),
+        points_(layout),
+        down_(static_cast<std::size_t>((n_ + 1) * (n_ + 1))) {}
 
   Index* patch(Index f, Index* out) {
-    look_round(f);
-    Index* low = rows_.data();
-    Index* high = low + n_ + 1;
-    std::copy(sides_[0].begin(), sides_[0].end(), low);
-    Index inner = layout_.face_begin(f);               // of the row above
-    Index own = layout_.centre_begin(f), below = own;  // of the row, of the row below
+    points_.fill(f);
+    number_down(f);
+    const Index* low = points_.first();
+    Index own = layout_.centre_begin(f);  // of the triangle that points up
     for (Index y = 0; y < n_; ++y) {
-      const Index ups = n_ - y, above = own + 2 * ups - 1;
-      high[0] = sides_[2][ups - 1];
-      for (Index x = 1; x < ups - 1; ++x) high[x] = inner++;
-      high[ups - 1] = sides_[1][y + 1];
-      out = row(y, low, high, {below, own, above}, out);
-      below = own;
+      const Index last = n_ - 1 - y, above = own + 2 * last + 1;
+      const Index* high = low + last + 2;
+      for (Index x = 0; x < last; ++x, own += 2) {
+        out = up(low + x, high + x, x, y, own, out);
+        out = add(low[x + 1], high[x + 1], own + 2, own + 1, out);
+        out = add(high[x + 1], high[x], above + 2 * x, own + 1, out);
+        out = add(high[x], low[x + 1], own, own + 1, out);
+      }
+      out = up(low + last, high + last, last, y, own, out);
       own = above;
-      std::swap(low, high);
+      low = high;
     }
     return out;
   }
 
  private:
-  /// Where the centres of three rows begin.
-  struct Begins {
-    Index below, own, above;
-  };
+  /// The centre of the triangle that points down beside the one that points up at (x, y): beyond
+  /// the patch where x or y is -1 or x + y is n - 1.
+  [[nodiscard]] Index& down(Index x, Index y) {
+    return down_[static_cast<std::size_t>((y + 1) * (n_ + 1) + x + 1)];
+  }
 
-  /// The vertices along the three sides, from the origin of each to its target, and the centres
-  /// beyond them, or at the boundary kNone.
-  void look_round(Index f) {
+  void number_down(Index f) {
     const Mesh& mesh = layout_.control();
-    for (std::size_t side = 0; side < 3; ++side) {
-      const Index h = 3 * f + static_cast<Index>(side), twin = mesh.twin(h);
-      Index* vertex = sides_[side].data();
-      vertex[0] = mesh.origin(h);
-      vertex[n_] = mesh.target(h);
-      const AlongEdge along(layout_, edge_code(mesh, h));
-      for (Index t = 1; t < n_; ++t) vertex[t] = along(t);
-      for (Index t = 0; t < n_; ++t)
-        across_[side][t] = twin == kNone ? kNone : layout_.point(twin, 3 * (n_ - 1 - t) + 1, 1);
+    Index row = layout_.centre_begin(f);
+    for (Index y = 0; y < n_; row += 2 * (n_ - y) - 1, ++y)
+      for (Index x = 0; x < n_ - 1 - y; ++x) down(x, y) = row + 2 * x + 1;
+    for (Index side = 0; side < 3; ++side) {
+      const Index twin = mesh.twin(3 * f + side);
+      for (Index t = 0; t < n_; ++t) {
+        const Index last = n_ - 1 - t;
+        Index& beyond = side == 0 ? down(t, -1) : side == 1 ? down(last, t) : down(-1, last);
+        beyond = twin == kNone ? kNone : layout_.point(twin, 3 * last + 1, 1);
+      }
     }
   }
 
@@ -174,43 +187,17 @@ class CentreFaces {
     return out + 3;
   }
 
-  Index* row(Index y, const Index* low, const Index* high, const Begins& begins, Index* out) const {
-    const Index last = n_ - y - 1;  // the triangle that points up at the end of the row
-    for (Index x = 0; x <= last; ++x) {
-      const Index own = begins.own + 2 * x;
-      const Index under = y == 0 ? across_[0][x] : begins.below + 2 * x + 1;
-      if (x > 0 && x < last && y > 0) {
-        out = pair(low + x, high + x, own, under, begins.above + 2 * x, out);
-        continue;
-      }
-      out = add(low[x], low[x + 1], under, own, out);
-      out = add(low[x + 1], high[x], x < last ? own + 1 : across_[1][y], own, out);
-      out = add(high[x], low[x], x > 0 ? own - 1 : across_[2][last], own, out);
-      if (x < last) out = down(low + x, high + x, own, begins.above + 2 * x, out);
-    }
-    return out;
-  }
-
-  /// A triangle that points down, and is between inner ones always.
-  static Index* down(const Index* low, const Index* high, Index up, Index above, Index* out) {
-    out = add(low[1], high[1], up + 2, up + 1, out);
-    out = add(high[1], high[0], above, up + 1, out);
-    return add(high[0], low[1], up, up + 1, out);
-  }
-
-  /// One that points up and one that points down, all neighbours being in the patch.
-  static Index* pair(const Index* low, const Index* high, Index own, Index under, Index above,
-                     Index* out) {
-    out = add(low[0], low[1], under, own, out);
-    out = add(low[1], high[0], own + 1, own, out);
-    out = add(high[0], low[0], own - 1, own, out);
-    return down(low, high, own, above, out);
+  /// Those of a triangle that points up.
+  Index* up(const Index* low, const Index* high, Index x, Index y, Index own, Index* out) {
+    out = add(low[0], low[1], down(x, y - 1), own, out);
+    out = add(low[1], high[0], down(x, y), own, out);
+    return add(high[0], low[0], down(x - 1, y), own, out);
   }
 
   const GridLayout& layout_;
   Index n_;
-  std::vector<Index> rows_;
-  std::array<std::vector<Index>, 3> sides_, across_;
+  Rows<true> points_;
+  std::vector<Index> down_;
 };
 
 Index* put_quad(Index a, Index b, Index c, Index d, Index* out) {

@@ -21,13 +21,15 @@ Index side_after(const Mesh& mesh, Index h) {
 }  // namespace
 
 GridLayout::GridLayout(const Mesh& control, Lattice lattice, Index n, Index unit, bool centres)
-    : EdgePoints(control, n),
+    : mesh_(&control),
       lattice_(lattice),
+      n_(n),
       sides_(lattice == Lattice::triangle ? 3 : 4),
       unit_(unit),
       centres_(centres),
       face_size_(lattice == Lattice::triangle ? (n - 1) * (n - 2) / 2 : (n - 1) * (n - 1)),
-      faces_at_(edges_end()),
+      edges_at_(control.vertex_count()),
+      faces_at_(edge_begin(control.edge_count())),
       centres_at_(faces_at_ + control.face_count() * face_size_) {
   assert(!centres || unit > 1);
 }

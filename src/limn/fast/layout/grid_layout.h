@@ -18,15 +18,30 @@
 /// those over the row, x ascending; after all patches come those on the control edges, edge by edge
 /// from the origin of halfedge_of_edge(e): at the boundary (v, w, left).
 
+#include <cstdint>
 #include <vector>
 
 #include "limn/fast/kernel/stencil.h"
-#include "limn/fast/layout/edge_points.h"
+#include "limn/mesh/mesh.h"
 #include "limn/mesh/split/dilation.h"
 
 namespace limn::fast {
 
-class GridLayout : public EdgePoints {
+/// A half-edge by its edge: twice that, and 1 more where the half-edge leads.
+using EdgeCode = Index;
+
+/// Whether h stands for its edge, the lower half-edge of the two (mesh.h): the points of the edge
+/// are numbered along it.
+[[nodiscard]] inline bool leads(const Mesh& mesh, Index h) {
+  // on the boundary the twin is the largest number of all
+  return static_cast<std::uint32_t>(h) < static_cast<std::uint32_t>(mesh.twin(h));
+}
+
+[[nodiscard]] inline EdgeCode edge_code(const Mesh& mesh, Index h) {
+  return 2 * mesh.edge(h) + (leads(mesh, h) ? 1 : 0);
+}
+
+class GridLayout {
  public:
   /// All faces of `control` are triangles or quads, as `lattice` has it (or there are none); it
   /// must outlive the layout. n ≥ 1, and all faces together have fewer than 2^31 corners.
@@ -35,6 +50,8 @@ class GridLayout : public EdgePoints {
   /// of it, and `unit` > 1 with centres.
   GridLayout(const Mesh& control, Lattice lattice, Index n, Index unit = 1, bool centres = false);
 
+  [[nodiscard]] const Mesh& control() const { return *mesh_; }
+  [[nodiscard]] Index n() const { return n_; }
   [[nodiscard]] Lattice lattice() const { return lattice_; }
   [[nodiscard]] Index sides() const { return sides_; }
   [[nodiscard]] Index unit() const { return unit_; }
@@ -61,6 +78,15 @@ class GridLayout : public EdgePoints {
     return sides_ * face_count() - boundary * edge_faces();
   }
 
+  /// The first inner point of an edge.
+  [[nodiscard]] Index edge_begin(Index e) const { return edges_at_ + e * (n_ - 1); }
+  /// The t-th point along a half-edge, 0 < t < n.
+  [[nodiscard]] Index point_along(EdgeCode code, Index t) const {
+    return edge_begin(code >> 1) + ((code & 1) != 0 ? t : n_ - t) - 1;
+  }
+  [[nodiscard]] Index edge_point(Index h, Index t) const {
+    return point_along(edge_code(*mesh_, h), t);
+  }
   /// The inner points of face f's grid, and how many these are; its centres.
   [[nodiscard]] Index face_begin(Index f) const { return faces_at_ + f * face_size_; }
   [[nodiscard]] Index face_size() const { return face_size_; }
@@ -115,10 +141,11 @@ class GridLayout : public EdgePoints {
   [[nodiscard]] std::vector<Index> boundary_before() const;
   [[nodiscard]] Spot grid_spot(Index k, Index x, Index y) const;
 
+  const Mesh* mesh_;
   Lattice lattice_;
-  Index sides_, unit_;
+  Index n_, sides_, unit_;
   bool centres_;
-  Index face_size_, faces_at_, centres_at_;
+  Index face_size_, edges_at_, faces_at_, centres_at_;
 };
 
 /// Where point (a, b) of the frame of side 0, 1, … lies in the patch.

@@ -17,37 +17,28 @@ Offset spoke(Lattice lattice, Index s) {
   return lattice == Lattice::triangle ? kTriangleSpokes[i] : kQuadSpokes[i];
 }
 
-/// Vertices before ring r ≥ 1.
+/// Vertices before ring r ≥ 1, or r ≥ 0 of an offset star.
 Index ring_begin(const StarShape& shape, Index r) {
+  if (shape.offset) return r == 0 ? 0 : face_star_size(shape.sectors, r);
   if (r == 1) return 1;
   return shape.open ? fan_size(shape.lattice, shape.sectors, r - 1)
                     : star_size(shape.lattice, shape.sectors, r - 1);
 }
 
-/// Edges of ring r in one sector.
-Index ring_length(Lattice lattice, Index r) { return lattice == Lattice::triangle ? r : 2 * r; }
-
 }  // namespace
 
 SectorPoint sector_point(const StarShape& shape, Index v) {
   if (v == 0) return {};
-  Index r = 1;
+  Index r = shape.offset ? 0 : 1;
   while (ring_begin(shape, r + 1) <= v) ++r;
-  const Index along = v - ring_begin(shape, r), length = ring_length(shape.lattice, r);
+  // in one sector
+  const Index length = shape.lattice == Lattice::triangle ? r : 2 * r + (shape.offset ? 1 : 0);
+  const Index along = v - ring_begin(shape, r);
   if (along == shape.sectors * length) return {shape.sectors - 1, 0, r};
   const Index sector = along / length, k = along % length;
   if (shape.lattice == Lattice::triangle) return {sector, r - k, k};
   // along the square's two sides that do not meet the centre
   return {sector, std::min(r, 2 * r - k), std::min(r, k)};
-}
-
-Index vertex_at(const StarShape& shape, const SectorPoint& point) {
-  const Index r = ring_of(shape.lattice, point.x, point.y);
-  if (r == 0) return 0;
-  const Index length = ring_length(shape.lattice, r);
-  const Index k = shape.lattice == Lattice::triangle || point.x == r ? point.y : 2 * r - point.x;
-  const Index along = point.sector * length + k;
-  return ring_begin(shape, r) + (shape.open ? along : along % (shape.sectors * length));
 }
 
 Offset on_plane(Lattice lattice, const SectorPoint& point) {

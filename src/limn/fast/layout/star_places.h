@@ -20,11 +20,13 @@ struct SectorPoint {
   friend bool operator==(const SectorPoint&, const SectorPoint&) = default;
 };
 
-/// A star, or a fan (`open`).
+/// A star, a fan (`open`), or a face star (`offset`), whose points are the middles of a star's
+/// squares and named by the corners next to the centre.
 struct StarShape {
   Lattice lattice = Lattice::triangle;
   Index sectors = 0;
   bool open = false;
+  bool offset = false;
 };
 
 /// The sectors of the plane, and of half the plane.
@@ -36,8 +38,8 @@ struct StarShape {
 }
 
 /// The fewest that a star may have.
-[[nodiscard]] constexpr Index fewest_sectors(Lattice lattice) {
-  return lattice == Lattice::triangle ? 3 : 2;
+[[nodiscard]] constexpr Index fewest_sectors(Lattice lattice, bool offset) {
+  return lattice == Lattice::triangle || offset ? 3 : 2;
 }
 
 /// The ring round the centre of a sector's point (x, y), as mesh/lattice.h counts them.
@@ -48,9 +50,6 @@ struct StarShape {
 /// Of vertex v of a star or fan; the centre is (0, 0) of sector 0, and the points of a fan's last
 /// spoke are those with x = 0 in its last sector.
 [[nodiscard]] SectorPoint sector_point(const StarShape& shape, Index v);
-
-/// The vertex at a point; x, y ≥ 0.
-[[nodiscard]] Index vertex_at(const StarShape& shape, const SectorPoint& point);
 
 /// The place on the plane; sector < plane_sectors(lattice).
 [[nodiscard]] Offset on_plane(Lattice lattice, const SectorPoint& point);

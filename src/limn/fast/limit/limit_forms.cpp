@@ -2,7 +2,7 @@
 
 #include "limn/fast/layout/star_places.h"
 
-namespace limn {
+namespace limn::fast {
 namespace {
 
 using Form = LinearForm<double>;
@@ -61,8 +61,8 @@ LimitOptions options_of(int steps_made, bool closed) {
 }  // namespace
 
 template <class Read>
-Status ApproxLimitReader::search(const Mesh& mesh, int steps_made, bool closed,
-                                 const std::vector<Index>& vertices, Read read) {
+Status LimitReader::search(const Mesh& mesh, int steps_made, bool closed,
+                           const std::vector<Index>& vertices, Read read) {
   const auto no_curvature = [](const Spot&) {};
   const LimitOptions options = options_of(steps_made, closed);
   return LimitSearch<Form, Read, decltype(no_curvature)>(scheme_, kinds_, options, read,
@@ -70,17 +70,17 @@ Status ApproxLimitReader::search(const Mesh& mesh, int steps_made, bool closed,
       .run(mesh, unit_forms<double>(mesh.vertex_count()), vertices, nullptr);
 }
 
-Result<Index> ApproxLimitReader::regular_rings(bool open) {
+Result<Index> LimitReader::regular_rings(bool open) {
   const Lattice lattice = scheme_.split->lattice;
-  const int size = open ? fast::half_plane_sectors(lattice) : fast::plane_sectors(lattice);
+  const int size = open ? half_plane_sectors(lattice) : plane_sectors(lattice);
   const Result<const LimitKind*> kind = kinds_.find(open, size);
   if (!kind) return kind.error();
   return (*kind)->shape;
 }
 
-Result<std::vector<std::optional<fast::LimitForms>>> ApproxLimitReader::read(
+Result<std::vector<std::optional<LimitForms>>> LimitReader::read(
     const Mesh& mesh, int steps_made, bool closed, const std::vector<Index>& vertices) {
-  std::vector<std::optional<fast::LimitForms>> found(vertices.size());
+  std::vector<std::optional<LimitForms>> found(vertices.size());
   std::vector<Index> slot(static_cast<std::size_t>(mesh.vertex_count()), kNone);
   for (std::size_t i = 0; i < vertices.size(); ++i) {
     slot[vertices[i]] = static_cast<Index>(i);
@@ -90,7 +90,7 @@ Result<std::vector<std::optional<fast::LimitForms>>> ApproxLimitReader::read(
   const auto read = [&](const Spot& at) {
     const LimitStencil& limit = at.kind.limit;
     const Form position = at.weighted(limit.position);
-    std::optional<fast::LimitForms>& forms = found[slot[at.vertex]];
+    std::optional<LimitForms>& forms = found[slot[at.vertex]];
     if (!limit.has_plane)
       forms = {position, Form(), Form()};
     else if (!limit.first_tangent.empty())
@@ -104,9 +104,9 @@ Result<std::vector<std::optional<fast::LimitForms>>> ApproxLimitReader::read(
   return found;
 }
 
-Result<fast::LimitChain> ApproxLimitReader::read_chain(const Mesh& mesh, int steps_made,
-                                                       bool closed, Index vertex) {
-  fast::LimitChain chain;
+Result<LimitChain> LimitReader::read_chain(const Mesh& mesh, int steps_made, bool closed,
+                                           Index vertex) {
+  LimitChain chain;
   const bool dual = scheme_.split->births.corners;
   const auto read = [&](const Spot& at) {
     chain.forms = {at.weighted(at.kind.limit.position)};
@@ -118,4 +118,4 @@ Result<fast::LimitChain> ApproxLimitReader::read_chain(const Mesh& mesh, int ste
   return chain;
 }
 
-}  // namespace limn
+}  // namespace limn::fast

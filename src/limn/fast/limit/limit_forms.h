@@ -1,29 +1,47 @@
 #pragma once
-/// Limit points as linear forms: what the quick engine reads its limit stencils from.
+/// Limit points as linear forms: what the fast engine reads its limit stencils from.
 
 #include <array>
 #include <optional>
 
-#include "limn/fast/families/family.h"
 #include "limn/limit/limit_kinds.h"
+#include "limn/refine/linear_form.h"
 
-namespace limn {
+namespace limn::fast {
+
+/// The limit surface at a vertex of a mesh, as sums over the mesh's vertices: position and two
+/// tangents, whose cross product points outward.
+using LimitForms = std::array<LinearForm<double>, 3>;
+
+/// The same at a vertex whose normal is not that of two sums.
+struct LimitChain {
+  /// Position, and vectors t₀, t₁, … such that Σ tᵢ × tᵢ₊₁ points outward.
+  std::vector<LinearForm<double>> forms;
+  /// As many rings, but for the outermost, must be regular so that these are the sums.
+  Index rings = 1;
+};
 
 /// approx_limit_points on unit forms, so its positions, and its normals before they are normalized.
 /// What it finds for a kind of vertex is kept from one mesh to the next.
-class ApproxLimitReader final : public fast::LimitReader {
+class LimitReader {
  public:
   /// `scheme` must outlive it.
-  explicit ApproxLimitReader(const Scheme& scheme) : scheme_(scheme), kinds_(scheme, false) {}
+  explicit LimitReader(const Scheme& scheme) : scheme_(scheme), kinds_(scheme, false) {}
 
-  [[nodiscard]] Result<Index> regular_rings(bool open) override;
-  /// Where no tangent plane follows from the eigenvectors, the tangents are those of the one face
-  /// round the vertex; nothing where it has more. Fails as approx_limit_points.
-  [[nodiscard]] Result<std::vector<std::optional<fast::LimitForms>>> read(
-      const Mesh& mesh, int steps_made, bool closed, const std::vector<Index>& vertices) override;
-  /// From the sum of the faces' normals round the vertex, or (dual splits) round its face.
-  [[nodiscard]] Result<fast::LimitChain> read_chain(const Mesh& mesh, int steps_made, bool closed,
-                                                    Index vertex) override;
+  /// How many rings round a regular vertex, interior or (`open`) on the boundary, must be regular
+  /// but for the outermost, so that its sums are those of any such vertex.
+  [[nodiscard]] Result<Index> regular_rings(bool open);
+  /// At these vertices of a small mesh, which stands for part of a level made by `steps_made`
+  /// steps. Its boundary is refined as the scheme has it, or (`closed`) stands for nothing: then
+  /// vertices are far from it. An isolated vertex stays, its tangents are zero. Where no tangent
+  /// plane follows from the eigenvectors, the tangents are those of the one face round the vertex;
+  /// nothing where it has more. Fails as approx_limit_points.
+  [[nodiscard]] Result<std::vector<std::optional<LimitForms>>> read(
+      const Mesh& mesh, int steps_made, bool closed, const std::vector<Index>& vertices);
+  /// At one vertex, not isolated, where `read` finds nothing: from the sum of the faces' normals
+  /// round the vertex, or (dual splits) round its face.
+  [[nodiscard]] Result<LimitChain> read_chain(const Mesh& mesh, int steps_made, bool closed,
+                                              Index vertex);
 
  private:
   /// Calls read(LimitPlace) for each of the vertices.
@@ -35,4 +53,4 @@ class ApproxLimitReader final : public fast::LimitReader {
   LimitKinds kinds_;
 };
 
-}  // namespace limn
+}  // namespace limn::fast

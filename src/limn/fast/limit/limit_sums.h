@@ -3,7 +3,7 @@
 
 #include <span>
 
-#include "limn/fast/families/family.h"
+#include "limn/fast/kernel/stencil.h"
 
 namespace limn::fast {
 

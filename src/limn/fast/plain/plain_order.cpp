@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <numeric>
 
 #include "limn/fast/layout/grid_patches.h"
 
@@ -138,11 +139,37 @@ class Order {
   std::vector<Index> order_;
 };
 
+/// Over the quad beyond a side, to the side opposite.
+Index across(const Mesh& mesh, Index side) { return mesh.next(mesh.next(mesh.twin(side))); }
+
 }  // namespace
 
 std::vector<Index> grid_order(const Mesh& control, const GridCycle& cycle,
                               std::span<const SplitResult> steps) {
   return Order(control, cycle, steps).make();
+}
+
+std::vector<Index> kite_order(const KiteLayout& layout, const Mesh& fine) {
+  const Kites& kites = layout.kites();
+  std::vector<Index> order(static_cast<std::size_t>(layout.vertex_count()));
+  // the first half-edges of the fine mesh are still those of the control mesh: they run from corner
+  // to corner of the faces' shrunk images, and from there each patch is walked
+  for (Index h = 0; h < kites.control().halfedge_count(); ++h) {
+    order[static_cast<std::size_t>(layout.point(h, 0, 0))] = h;
+    Index row = h;  // leaves (0, y) towards (-1, y)
+    for (Index y = 0; y < layout.n() && kites.has_point(h, 0, y); ++y) {
+      if (y > 0) row = across(fine, row);
+      if (y > 0) order[static_cast<std::size_t>(layout.point(h, 0, y))] = fine.origin(row);
+      Index side = row;
+      for (Index x = 1; x < layout.n() && kites.has_point(h, x, y); ++x) {
+        side = across(fine, x == 1 ? fine.prev(side) : side);  // comes to (x, y) from (x, y-1)
+        order[static_cast<std::size_t>(layout.point(h, x, y))] = fine.target(side);
+      }
+    }
+  }
+  // isolated vertices are the last of both
+  std::iota(order.begin() + layout.isolated_begin(), order.end(), layout.isolated_begin());
+  return order;
 }
 
 }  // namespace limn::fast

@@ -1,5 +1,5 @@
 #pragma once
-/// The first steps, by the plain engine, with vertices renumbered as the quick engine has them.
+/// The first steps, by the plain engine, with vertices renumbered as the fast engine has them.
 /// What it sums is written down once, as rows.
 
 #include <vector>

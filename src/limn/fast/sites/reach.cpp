@@ -1,12 +1,13 @@
 #include "limn/fast/sites/reach.h"
 
 #include <algorithm>
+#include <cstdlib>
 
 namespace limn::fast {
 namespace {
 
-constexpr Index kScan = 15;         // steps from the middle of a site to the rim; none sees farther
-constexpr Index kWideFan = 6;       // sectors of a fan whose two sides do not see each other
+constexpr Index kScan = 15;    // new points from the middle of a site to the rim; none sees farther
+constexpr Index kWideFan = 6;  // sectors of a fan whose two sides do not see each other
 constexpr Index kLargestSide = 32;  // a rule that needs a finer grid is left to the plain engine
 
 using Offsets = std::vector<Offset>;
@@ -27,20 +28,22 @@ class Finder {
         cycle_(cycle),
         index_(step),
         step_(cycle, step),
+        scan_(kScan * step_.new_edge),
         lattice_(cycle.lattice),
         count_(lattice_ == Lattice::triangle ? 3 : 4),
         sides_(sides),
-        boundary_(std::find(sides.begin() + 1, sides.end(), true) != sides.end()),
+        boundary_(!cycle.offset && std::find(sides.begin() + 1, sides.end(), true) != sides.end()),
         ends_(scheme.rule(RuleKind::edge_end).has_value()) {}
 
   std::optional<Reach> find() {
     const bool quads = lattice_ == Lattice::quad;
     reach_.star_zone.square = reach_.fan_zone.square = reach_.corner_zone.square = quads;
     const Site star = site(plane_sectors(lattice_), false);
-    for (Index y = 0; y < step_.cut; ++y)
-      for (Index x = 0; x < step_.cut; ++x) interior_.push_back(offsets(star, x, y));
+    for (Index y = 0; y < step_.edge; ++y)
+      for (Index x = 0; x < step_.edge; ++x) interior_.push_back(offsets(star, x, y));
     find_star_zone();
     reach_.star_rings = extent(star, reach_.star_zone).ring;
+    if (cycle_.offset) find_rim();
     if (boundary_) {
       find_strips();
       find_fan_zones();
@@ -50,7 +53,7 @@ class Finder {
       reach_.corner_rings = corner.ring;
       reach_.corner_width = corner.width;
     }
-    reach_.smallest_side = step_.cut;
+    reach_.smallest_side = step_.edge;
     while (!too_wide_ && !fits()) {
       reach_.smallest_side *= step_.cut;
       too_wide_ = reach_.smallest_side > kLargestSide;
@@ -61,7 +64,7 @@ class Finder {
 
  private:
   [[nodiscard]] Site site(Index sectors, bool open) const {
-    return {*scheme_.split, cycle_, {lattice_, sectors, open}, kScan / step_.cut};
+    return {*scheme_.split, cycle_, {lattice_, sectors, open}, scan_ / step_.edge};
   }
   [[nodiscard]] Index ring(Index x, Index y) const { return ring_of(lattice_, x, y); }
 
@@ -103,11 +106,11 @@ class Finder {
   }
 
   [[nodiscard]] const Offsets& interior(Index x, Index y) const {
-    return interior_[static_cast<std::size_t>(step_.cut * step_.modulo(y) + step_.modulo(x))];
+    return interior_[static_cast<std::size_t>(step_.edge * step_.modulo(y) + step_.modulo(x))];
   }
   /// Precondition: 0 ≤ y ≤ strip_depth.
   [[nodiscard]] const Offsets& strip(Index x, Index y) const {
-    return strips_[static_cast<std::size_t>(step_.cut * y + step_.modulo(x))];
+    return strips_[static_cast<std::size_t>(step_.edge * y + step_.modulo(x))];
   }
 
   /// Whether every place seen from the new point satisfies the condition; of no point, all do.
@@ -121,24 +124,37 @@ class Finder {
   void find_star_zone() {
     Index& size = reach_.star_zone.size;
     size = ends_ ? 1 : 0;
-    for (Index x = 0; x < kScan; ++x)
-      for (Index y = 0; y < kScan; ++y)
+    for (Index x = 0; x < scan_; ++x)
+      for (Index y = 0; y < scan_; ++y)
         if (!all(interior(x, y), x, y, [&](Index a, Index b) {
               return beside_corner(lattice_, {a, b});
             }))
           size = std::max(size, ring(x, y));
   }
 
+  /// Where the mesh recedes. A rule that sees its own face alone sees no side.
+  void find_rim() {
+    const bool own_face = reach_.star_zone.size == 1 && reach_.star_rings == step_.first();
+    Index far = 0;
+    for (Index y = 0; y < step_.edge; ++y)
+      for (Index x = 0; x < step_.edge; ++x)
+        for (const Offset& offset : interior(x, y)) {
+          const Offset cell = step_.to_local({x + offset.a, y + offset.b});
+          far = std::max({far, std::abs(cell.a), std::abs(cell.b)});
+        }
+    reach_.rim = own_face ? 1 : 2 * far;
+  }
+
   void find_strips() {
     reach_.strip_depth = ends_ ? 1 : 0;
-    for (Index y = 0; y < kScan; ++y)
-      for (Index x = 0; x < step_.cut; ++x)
+    for (Index y = 0; y < scan_; ++y)
+      for (Index x = 0; x < step_.edge; ++x)
         if (!all(interior(x, y), x, y, [](Index, Index b) { return b >= 0; }))
           reach_.strip_depth = std::max(reach_.strip_depth, y);
     const Site side = site(half_plane_sectors(lattice_), true);
-    too_wide_ = too_wide_ || reach_.strip_depth + step_.cut >= side.rim();
+    too_wide_ = too_wide_ || reach_.strip_depth + step_.edge >= side.rim();
     for (Index y = 0; y <= reach_.strip_depth && !too_wide_; ++y)
-      for (Index x = 0; x < step_.cut; ++x) strips_.push_back(offsets(side, x, y));
+      for (Index x = 0; x < step_.edge; ++x) strips_.push_back(offsets(side, x, y));
   }
 
   /// Whether what is seen from a boundary side is seen by way of faces that are there whatever the
@@ -155,7 +171,7 @@ class Finder {
     wide = std::max(reach_.star_zone.size, reach_.strip_depth);
     Index rings = 0, width = 0;  // of what needs the corner's zone
     for (Index y = 0; y <= reach_.strip_depth && !too_wide_; ++y)
-      for (Index t = 0; t < kScan; ++t) {
+      for (Index t = 0; t < scan_; ++t) {
         const Index x = mirrored(lattice_, 0, t, y);  // from the end of the side
         const Offsets &left = strip(t, y), &right = strip(x, y);
         if (!all(left, t, y, [&](Index a, Index b) { return before_left_end(a, b); }) ||
@@ -180,6 +196,7 @@ class Finder {
     const Index room = side - (ends_ ? 2 : 1);
     if (reach_.star_zone.size > room || reach_.star_rings > side) return false;
     if (boundary_ && (reach_.fan_zone.size > room || reach_.fan_rings > side)) return false;
+    if (cycle_.offset) return fits_patch(0) && (!sides_[1] || reach_.rim * step_.edge <= side);
     for (unsigned mask = 0; mask < sides_.size(); ++mask)
       if (sides_[mask] && !(fits_corners(mask, room) && fits_patch(mask))) return false;
     return true;
@@ -252,6 +269,7 @@ class Finder {
   const GridCycle& cycle_;
   int index_;
   LatticeStep step_;
+  Index scan_;
   Lattice lattice_;
   Index count_;  // sides of a patch
   BoundarySides sides_;

@@ -15,7 +15,7 @@
 namespace limn::fast {
 
 /// Which sides of its faces a mesh has on the boundary: whether some face has those of this bit
-/// set.
+/// set. Of a mesh that recedes it is enough that [1] says whether there is a boundary.
 using BoundarySides = std::array<bool, 16>;
 [[nodiscard]] BoundarySides boundary_sides(const Mesh& control);
 
@@ -35,6 +35,8 @@ struct Reach {
   Zone star_zone, fan_zone, corner_zone;
   /// New points so near to a boundary side, in rows, need the side's own stencils.
   Index strip_depth = 0;
+  /// Where the mesh recedes, new points so near need their own (rim_tables.h).
+  Index rim = 0;
   /// Rings of old points that the rules of these zones see. At a vertex of one triangle they may
   /// see beyond its other side, so far along either of its spokes.
   Index star_rings = 1, fan_rings = 1, corner_rings = 0, corner_width = 0;

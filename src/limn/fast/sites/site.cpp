@@ -58,35 +58,77 @@ class PlaceSum {
 };
 
 /// The old vertices that a birth lies between, with weights.
-std::vector<std::pair<Index, Index>> parents(const Mesh& mesh, const Birth& birth) {
+using Parents = std::vector<std::pair<Index, Index>>;
+
+Parents parents(const Mesh& mesh, const Birth& birth) {
   const Index h = birth.halfedge;
   switch (birth.kind) {
     case Birth::vertex: return {{1, mesh.origin(h)}};
     case Birth::edge: return {{1, mesh.origin(h)}, {1, mesh.target(h)}};
     case Birth::edge_end:
       return {{birth.at_target ? 1 : 2, mesh.origin(h)}, {birth.at_target ? 2 : 1, mesh.target(h)}};
+    case Birth::corner:  // halfway to the middle of the face
+      return {{3, mesh.origin(h)}, {1, mesh.target(mesh.next(h))}};
     default: break;
   }
-  std::vector<std::pair<Index, Index>> corners;
+  Parents corners;
   const Index f = mesh.face(h);
   for (Index k = mesh.face_begin(f); k < mesh.face_begin(f + 1); ++k)
     corners.emplace_back(1, mesh.origin(k));
   return corners;
 }
 
+/// A face star without the points that a pattern has not.
+Mesh receding_star(const StarShape& shape, Index rings, const RimPattern& pattern) {
+  const Mesh whole = face_star(shape.sectors, rings);
+  const auto there = [&](Index v) { return has_point(pattern, sector_point(shape, v)); };
+  std::vector<Index> number;
+  Polygons polygons;
+  for (Index v = 0; v < whole.vertex_count(); ++v) {
+    number.push_back(polygons.vertex_count());
+    if (there(v)) polygons.positions.emplace_back();
+  }
+  for (Index f = 0; f < whole.face_count(); ++f) {
+    std::vector<Index> corners;
+    for (Index h = whole.face_begin(f); h < whole.face_begin(f + 1); ++h)
+      if (there(whole.origin(h)))
+        corners.push_back(number[static_cast<std::size_t>(whole.origin(h))]);
+    if (std::ssize(corners) < whole.degree(f)) continue;
+    polygons.corners.insert(polygons.corners.end(), corners.begin(), corners.end());
+    polygons.face_begin.push_back(static_cast<Index>(polygons.corners.size()));
+  }
+  Result<Mesh> mesh = Mesh::build(polygons);
+  assert(mesh.ok());
+  return *std::move(mesh);
+}
+
 }  // namespace
 
-Site::Site(const Split& split, const GridCycle& cycle, const StarShape& shape, Index rings)
-    : shape_(shape), extent_(cycle.cut * rings) {
-  const Index slots = shape.sectors * (extent_ + 1) * (extent_ + 1);
+bool has_point(const RimPattern& pattern, const SectorPoint& point) {
+  if (pattern.empty() || (point.x == 0 && point.y == 0)) return true;
+  const auto sector = static_cast<std::size_t>(point.sector);
+  if ((pattern[sector] & 2) != 0) return true;
+  const std::size_t before = (sector == 0 ? pattern.size() : sector) - 1;
+  return (point.y == 0 && (pattern[before] & 1) != 0) ||
+         (point.x == 0 && (pattern[sector] & 1) != 0);
+}
+
+Site::Site(const Split& split, const GridCycle& cycle, const StarShape& shape, Index rings,
+           const RimPattern& pattern)
+    : shape_(shape), extent_(cycle.edge() * rings), first_(LatticeStep(cycle, 0).first()) {
+  const Index slots = shape.sectors * (extent_ + 1) * (extent_ + 1), edge = cycle.edge();
+  shape_.offset = cycle.offset;
   Step first;
-  first.mesh = shape.open ? fan(shape.lattice, shape.sectors, rings)
-                          : star(shape.lattice, shape.sectors, rings);
+  first.mesh = shape_.offset ? receding_star(shape_, rings, pattern)
+               : shape.open  ? fan(shape.lattice, shape.sectors, rings)
+                             : star(shape.lattice, shape.sectors, rings);
   controls_.assign(at(slots), kNone);
-  for (Index v = 0; v < first.mesh.vertex_count(); ++v) {
-    const SectorPoint point = sector_point(shape, v);
-    first.places.push_back({point.sector, cycle.cut * point.x, cycle.cut * point.y});
-    controls_[slot(first.places.back())] = v;
+  for (Index v = 0; std::ssize(first.places) < first.mesh.vertex_count(); ++v) {
+    const SectorPoint point = sector_point(shape_, v);
+    if (!has_point(pattern, point)) continue;
+    controls_[slot({point.sector, edge * point.x + first_, edge * point.y + first_})] =
+        static_cast<Index>(first.places.size());
+    first.places.push_back({point.sector, edge * point.x + first_, edge * point.y + first_});
   }
   steps_.push_back(std::move(first));
   for (int i = 0; i < cycle.steps; ++i) {
@@ -105,28 +147,41 @@ Site::Site(const Split& split, const GridCycle& cycle, const StarShape& shape, I
 
 void Site::place_new(Step& step) const {
   const Births& births = step.births;
-  const Index count = births.from_vertices + births.from_edges + births.from_faces;
+  const Index count =
+      births.from_vertices + births.from_edges + births.from_faces + births.from_corners;
   step.made.reserve(at(count));
   for (Index v = 0; v < count; ++v) {
-    const auto from = parents(step.mesh, birth_of(step.mesh, births, v));
-    // one that is within a sector says in which all of them are
-    Index home = kNone, divisor = 0;
-    for (const auto& [weight, old] : from) {
-      const SectorPoint& p = step.places[at(old)];
-      const bool within = p.x > 0 && p.y > 0;
-      if (within || (home == kNone && p.x + p.y > 0)) home = p.sector;
-      divisor += weight;
+    const Birth birth = birth_of(step.mesh, births, v);
+    const Parents from = parents(step.mesh, birth);
+    if (birth.kind == Birth::corner && step.mesh.face(birth.halfedge) == 0) {
+      // the middle of the face is the middle of the site
+      const SectorPoint& p = step.places[at(from.front().second)];
+      step.made.push_back({p.sector, p.x / 2, p.y / 2});
+    } else {
+      step.made.push_back(between(from, step.places));
     }
-    if (home == kNone) home = 0;
-    const bool before = std::any_of(from.begin(), from.end(), [&](const auto& parent) {
-      const SectorPoint& p = step.places[at(parent.second)];
-      return p.sector == home && p.x > 0 && p.y == 0;
-    });
-    PlaceSum sum(shape_, home, before);
-    for (const auto& [weight, old] : from) sum.add(weight, step.places[at(old)]);
-    step.made.push_back(normal(sum.part(divisor)));
     step.vertices[slot(step.made.back())] = v;
   }
+}
+
+SectorPoint Site::between(const std::vector<std::pair<Index, Index>>& parents,
+                          const std::vector<SectorPoint>& places) const {
+  // one that is within a sector says in which all of them are
+  Index home = kNone, divisor = 0;
+  for (const auto& [weight, old] : parents) {
+    const SectorPoint& p = places[at(old)];
+    const bool within = p.x > 0 && p.y > 0;
+    if (within || (home == kNone && p.x + p.y > 0)) home = p.sector;
+    divisor += weight;
+  }
+  if (home == kNone) home = 0;
+  const bool before = std::any_of(parents.begin(), parents.end(), [&](const auto& parent) {
+    const SectorPoint& p = places[at(parent.second)];
+    return p.sector == home && p.x > 0 && p.y == 0;
+  });
+  PlaceSum sum(shape_, home, before);
+  for (const auto& [weight, old] : parents) sum.add(weight, places[at(old)]);
+  return normal(sum.part(divisor));
 }
 
 std::optional<SectorPoint> Site::beside(Index sector, Offset place) const {

@@ -4,22 +4,15 @@
 
 #include <fmt/core.h>
 
-#include "limn/refine/refine_values.h"
-
 namespace limn::fast {
 namespace {
 
 using Form = LinearForm<double>;
 using Places = std::vector<SectorPoint>;
 
-void sort(Stencil& stencil) {
-  std::sort(stencil.begin(), stencil.end(),
-            [](const Tap& p, const Tap& q) { return p.place < q.place; });
-}
-
 class TableMaker {
  public:
-  TableMaker(const Scheme& scheme, const GridCycle& cycle, const std::vector<VertexKind>& kinds,
+  TableMaker(const Scheme& scheme, const GridCycle& cycle, const std::vector<StarShape>& kinds,
              const BoundarySides& sides)
       : scheme_(scheme),
         cycle_(cycle),
@@ -36,9 +29,9 @@ class TableMaker {
       of(step).reach = *reach;
     }
     if (Status status = read_interior(); !status) return status.error();
-    if (std::find(sides_.begin() + 1, sides_.end(), true) != sides_.end())
+    if (!cycle_.offset && std::find(sides_.begin() + 1, sides_.end(), true) != sides_.end())
       if (Status status = read_strips(); !status) return status.error();
-    for (const VertexKind& kind : kinds_)
+    for (const StarShape& kind : kinds_)
       if (Status status = read_zones(kind); !status) return status.error();
     return std::move(tables_);
   }
@@ -46,46 +39,30 @@ class TableMaker {
  private:
   StencilTables& of(int step) { return tables_[static_cast<std::size_t>(step)]; }
 
-  /// Forms of new points over site.mesh(step).
   Result<std::vector<Form>> read(const Site& site, int step, const Places& wanted) {
-    RuleTables<double>& rules = site.shape().open ? open_ : closed_;
-    const Mesh& mesh = site.mesh(step);
-    const Births& births = site.births(step);
-    if (Status status = rules.prepare(mesh, births); !status) return status.error();
-    std::vector<Index> vertices;
-    vertices.reserve(wanted.size());
-    for (const SectorPoint& point : wanted) vertices.push_back(site.new_vertex(step, point));
-    return refine_values_at(scheme_, mesh, births, rules, unit_forms<double>(mesh.vertex_count()),
-                            vertices);
-  }
-
-  /// A form's vertices as places on the plane, from one of them on.
-  Stencil on_lattice(const Form& form, const Site& site, int step, Offset from) const {
-    Stencil stencil;
-    for (const auto& [vertex, weight] : form.terms) {
-      if (weight == 0) continue;
-      const Offset place = on_plane(cycle_.lattice, site.place(step, vertex));
-      stencil.push_back({{place.a - from.a, place.b - from.b}, weight});
-    }
-    return stencil;
+    return read_new_points(scheme_, site.shape().open ? open_ : closed_, site, step, wanted);
   }
 
   Status read_interior() {
-    const Site site = this->site(plane_sectors(cycle_.lattice), false, cycle_.cut);
+    const Site site = this->site(plane_sectors(cycle_.lattice), false, cycle_.edge());
     for (int i = 0; i < cycle_.steps; ++i) {
       const LatticeStep step(cycle_, i);
       Places wanted;
-      for (Index y = 0; y < cycle_.cut; ++y)
-        for (Index x = 0; x < cycle_.cut; ++x)
-          if (step.is_new(x, y) && step.anchor_of(x, y) == Offset{}) wanted.push_back({0, x, y});
+      const Offset anchor{step.first(), step.first()};
+      for (Index y = 0; y < step.edge; ++y)
+        for (Index x = 0; x < step.edge; ++x)
+          if (step.is_new(x, y) && step.anchor_of(x, y) == anchor) wanted.push_back({0, x, y});
       const Result<std::vector<Form>> forms = read(site, i, wanted);
       if (!forms) return forms.error();
       of(i).interior.resize(step.classes());
       for (std::size_t c = 0; c < wanted.size(); ++c) {
         Stencil& stencil = of(i).interior[step.class_of(wanted[c].x, wanted[c].y)];
-        stencil = on_lattice((*forms)[c], site, i, {});
-        for (Tap& tap : stencil) tap.place = step.to_local(tap.place);
-        sort(stencil);
+        for (const auto& [vertex, weight] : (*forms)[c].terms)
+          if (weight != 0)
+            stencil.push_back(
+                {step.to_local(on_plane(cycle_.lattice, site.place(i, vertex))), weight});
+        std::sort(stencil.begin(), stencil.end(),
+                  [](const Tap& p, const Tap& q) { return p.place < q.place; });
       }
     }
     return Done{};
@@ -94,7 +71,7 @@ class TableMaker {
   Status read_strips() {
     Index depth = 0;
     for (const StencilTables& table : tables_) depth = std::max(depth, table.reach.strip_depth);
-    const Site site = this->site(half_plane_sectors(cycle_.lattice), true, depth + cycle_.cut);
+    const Site site = this->site(half_plane_sectors(cycle_.lattice), true, depth + cycle_.edge());
     for (int i = 0; i < cycle_.steps; ++i) {
       const LatticeStep step(cycle_, i);
       const Index rows = of(i).reach.strip_depth + 1;
@@ -104,30 +81,30 @@ class TableMaker {
           if (step.is_new(x, y)) wanted.push_back({0, x, y});
       const Result<std::vector<Form>> forms = read(site, i, wanted);
       if (!forms) return forms.error();
-      of(i).strips.resize(static_cast<std::size_t>(cycle_.cut * rows));
-      for (std::size_t c = 0; c < wanted.size(); ++c) {
-        const auto& [sector, x, y] = wanted[c];
-        Stencil& stencil = of(i).strips[static_cast<std::size_t>(cycle_.cut * y + x)];
-        stencil = on_lattice((*forms)[c], site, i, {x, y});
-        sort(stencil);
-      }
+      for (std::size_t c = 0; c < wanted.size(); ++c)
+        of(i).strips.push_back(side_row({&(*forms)[c], 1}, site, i, wanted[c], cycle_.cut));
     }
     return Done{};
   }
 
-  Status read_zones(const VertexKind& kind) {
+  Status read_zones(const StarShape& kind) {
     const bool open = kind.open;
-    const Index sectors = kind.faces;
-    if (sectors == 0) return Done{};
-    if (sectors > kLargestTable || (!open && sectors < fewest_sectors(cycle_.lattice)))
-      return Error{fmt::format("no table for vertex {} of {} faces", kind.vertices[0], sectors)};
+    const Index sectors = kind.sectors;
+    if (sectors == 0) {  // it stays
+      const ZoneTable identity{0, {SectorPoint{}}, {SectorPoint{}}, {1, {0, 1}, {{0, 1.0}}}};
+      for (StencilTables& tables : tables_) tables.stars[0].tables = {identity};
+      return Done{};
+    }
+    if (sectors > kLargestTable ||
+        (!open && sectors < fewest_sectors(cycle_.lattice, cycle_.offset)))
+      return Error{fmt::format("no table for a place of {} faces", sectors)};
     const Site site = this->site(sectors, open, 0);
     for (int i = 0; i < cycle_.steps; ++i) {
       Places wanted = points_round(i, sectors, open);
       const Result<std::vector<Form>> forms = read(site, i, wanted);
       if (!forms) return forms.error();
-      (open ? of(i).fans : of(i).stars)
-          .emplace(sectors, zone_table(*forms, site, i, std::move(wanted)));
+      (open ? of(i).fans : of(i).stars)[sectors] = {
+          of(i).reach.zone(sectors, open), {zone_table(*forms, site, i, std::move(wanted))}};
     }
     return Done{};
   }
@@ -136,7 +113,8 @@ class TableMaker {
   Places points_round(int i, Index sectors, bool open) {
     const LatticeStep step(cycle_, i);
     const Zone zone = of(i).reach.zone(sectors, open);
-    Places points{{0, 0, 0}};
+    Places points;
+    if (step.is_new(0, 0)) points.emplace_back();
     for (Index s = 0; s < sectors; ++s)
       for (Index x = 1; x <= zone.size; ++x)
         for (Index y = 0; zone.has(x, y); ++y)
@@ -159,18 +137,31 @@ class TableMaker {
     return {*scheme_.split,
             cycle_,
             {cycle_.lattice, sectors, open},
-            (seen + more) / cycle_.cut + kMargin};
+            (seen + more) / cycle_.edge() + kMargin};
   }
 
   const Scheme& scheme_;
   const GridCycle& cycle_;
-  const std::vector<VertexKind>& kinds_;
+  const std::vector<StarShape>& kinds_;
   BoundarySides sides_;
   RuleTables<double> closed_, open_;
   std::vector<StencilTables> tables_;  // by step
 };
 
 }  // namespace
+
+Result<std::vector<Form>> read_new_points(const Scheme& scheme, RuleTables<double>& rules,
+                                          const Site& site, int step,
+                                          const std::vector<SectorPoint>& points) {
+  const Mesh& mesh = site.mesh(step);
+  const Births& births = site.births(step);
+  if (Status status = rules.prepare(mesh, births); !status) return status.error();
+  std::vector<Index> vertices;
+  vertices.reserve(points.size());
+  for (const SectorPoint& point : points) vertices.push_back(site.new_vertex(step, point));
+  return refine_values_at(scheme, mesh, births, rules, unit_forms<double>(mesh.vertex_count()),
+                          vertices);
+}
 
 ZoneTable zone_table(std::span<const Form> forms, const Site& site, int step,
                      std::vector<SectorPoint> targets) {
@@ -180,8 +171,21 @@ ZoneTable zone_table(std::span<const Form> forms, const Site& site, int step,
   return table;
 }
 
+SideRow side_row(std::span<const Form> forms, const Site& site, int step, const SectorPoint& point,
+                 Index period) {
+  const Lattice lattice = site.shape().lattice;
+  const Offset at = on_plane(lattice, point);
+  auto [rows, vertices] = to_rows(forms);
+  SideRow row{at.b, at.a, period, std::move(rows), {}};
+  for (const Index v : vertices) {
+    const Offset place = on_plane(lattice, site.place(step, v));
+    row.sources.push_back({place.a - at.a, place.b - at.b});
+  }
+  return row;
+}
+
 Result<std::vector<StencilTables>> read_stencils(const Scheme& scheme, const GridCycle& cycle,
-                                                 const std::vector<VertexKind>& kinds,
+                                                 const std::vector<StarShape>& kinds,
                                                  const BoundarySides& sides) {
   return TableMaker(scheme, cycle, kinds, sides).make();
 }

@@ -6,10 +6,14 @@
 #include <vector>
 
 #include "limn/fast/sites/reach.h"
-#include "limn/fast/sites/vertex_kinds.h"
-#include "limn/refine/linear_form.h"
+#include "limn/refine/refine_values.h"
 
 namespace limn::fast {
+
+/// Forms of new points over site.mesh(step).
+[[nodiscard]] Result<std::vector<LinearForm<double>>> read_new_points(
+    const Scheme& scheme, RuleTables<double>& rules, const Site& site, int step,
+    const std::vector<SectorPoint>& points);
 
 /// New points round a vertex, as sums over the old ones round it.
 struct ZoneTable {
@@ -19,20 +23,36 @@ struct ZoneTable {
   RowTable rows;                     ///< of the targets over the sources
 };
 
+/// Of all places of a kind.
+struct ZoneTables {
+  Zone zone;                      ///< the points that the tables make
+  std::vector<ZoneTable> tables;  ///< one, or one for the centre and one for the rest
+};
+
 /// Forms over the old vertices of a site's step, as rows of the targets.
 [[nodiscard]] ZoneTable zone_table(std::span<const LinearForm<double>> forms, const Site& site,
                                    int step, std::vector<SectorPoint> targets);
 
-/// Of one step.
+/// A row of points along a side of the mesh that runs along the first axis, the mesh lying above:
+/// those (x, y) with x ≡ phase (mod period). One sum for each, or several.
+struct SideRow {
+  Index y = 0, phase = 0, period = 1;
+  RowTable table;
+  std::vector<Offset> sources;  ///< from the point
+};
+
+/// Forms of a point of a site on the plane, or on half of it, as that of a row.
+[[nodiscard]] SideRow side_row(std::span<const LinearForm<double>> forms, const Site& site,
+                               int step, const SectorPoint& point, Index period);
+
+/// Of one step, or of the limit surface at a level (limit_tables.h).
 struct StencilTables {
   Reach reach;
-  std::vector<Stencil> interior;  ///< by class (lattice_step.h), local, from the anchor
-  /// Of new points (X, Y) along a boundary side that runs along the first axis, the mesh lying
-  /// above: number cut · Y + X mod cut, for Y ≤ reach.strip_depth; from the point. Empty without a
-  /// boundary, and where there is no new point.
-  std::vector<Stencil> strips;
-  std::map<Index, ZoneTable> stars;  ///< by valence of an interior vertex
-  std::map<Index, ZoneTable> fans;   ///< by number of faces at a boundary vertex
+  /// By class (lattice_step.h), or the limit's three; local, from the anchor.
+  std::vector<Stencil> interior;
+  std::vector<SideRow> strips;        ///< along a boundary
+  std::map<Index, ZoneTables> stars;  ///< by faces at an interior vertex; 0 at an isolated one
+  std::map<Index, ZoneTables> fans;   ///< by faces at a boundary vertex
 };
 
 inline constexpr Index kLargestTable = 1000;  ///< valence of a table
@@ -43,7 +63,7 @@ inline constexpr Index kLargestTable = 1000;  ///< valence of a table
 /// ask, which may say more. Cost: some 0.1 ms a valence.
 [[nodiscard]] Result<std::vector<StencilTables>> read_stencils(const Scheme& scheme,
                                                                const GridCycle& cycle,
-                                                               const std::vector<VertexKind>& kinds,
+                                                               const std::vector<StarShape>& kinds,
                                                                const BoundarySides& sides);
 
 }  // namespace limn::fast

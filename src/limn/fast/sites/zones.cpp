@@ -1,28 +1,29 @@
 #include "limn/fast/sites/zones.h"
 
+#include <algorithm>
 #include <array>
 #include <cassert>
 
 #include "limn/base/parallel.h"
+#include "limn/mesh/rings.h"
 
 namespace limn::fast {
 namespace {
 
 constexpr Index kVertexGrain = 1024;
 
-ZoneGroup make_group(VertexKind kind, const Mesh& control) {
-  ZoneGroup group{std::move(kind), {}, {}, {}};
-  const auto sectors = static_cast<std::size_t>(group.kind.faces);
-  const std::size_t size = group.kind.vertices.size() * sectors;
+void find_sectors(const Mesh& control, ZoneGroup& group) {
+  const auto sectors = static_cast<std::size_t>(group.kind.sectors);
+  const std::size_t size = group.vertices.size() * sectors;
   group.sectors.resize(size);
   group.codes.resize(size);
   group.ends.resize(size);
   parallel_for(
-      Index{0}, static_cast<Index>(group.kind.vertices.size()),
+      Index{0}, static_cast<Index>(group.vertices.size()),
       [&](Index first, Index last) {
         std::size_t at = static_cast<std::size_t>(first) * sectors;
         for (Index i = first; i < last; ++i) {
-          Index h = control.halfedge_of_vertex(group.kind.vertices[static_cast<std::size_t>(i)]);
+          Index h = control.halfedge_of_vertex(group.vertices[static_cast<std::size_t>(i)]);
           for (std::size_t s = 0; s < sectors; ++s, ++at, h = control.rotate(h)) {
             group.sectors[at] = h;
             group.codes[at] = edge_code(control, h);
@@ -31,7 +32,6 @@ ZoneGroup make_group(VertexKind kind, const Mesh& control) {
         }
       },
       kVertexGrain);
-  return group;
 }
 
 /// A point round any vertex of a group: where its number is found.
@@ -77,18 +77,18 @@ HugeArray<Index> number_points(const ZoneGroup& group, GridLayout layout,
   std::vector<Finder> list;
   list.reserve(points.size());
   for (const SectorPoint& point : points) list.push_back(make_finder(layout, point));
-  HugeArray<Index> numbers(group.kind.vertices.size() * points.size());
+  HugeArray<Index> numbers(group.vertices.size() * points.size());
   parallel_for(
-      Index{0}, static_cast<Index>(group.kind.vertices.size()),
+      Index{0}, static_cast<Index>(group.vertices.size()),
       [&](Index first, Index last) {
         Index* number = numbers.data() + first * std::ssize(list);
         for (Index i = first; i < last; ++i) {
           const auto at = static_cast<std::size_t>(i);
-          const auto sector = at * static_cast<std::size_t>(group.kind.faces);
+          const auto sector = at * static_cast<std::size_t>(group.kind.sectors);
           for (const Finder& p : list) {
             const std::size_t s = sector + p.sector;
             switch (p.from) {
-              case Finder::vertex: *number++ = group.kind.vertices[at]; break;
+              case Finder::vertex: *number++ = group.vertices[at]; break;
               case Finder::spoke:
                 *number++ = p.spot.on == GridLayout::Spot::corner
                                 ? group.ends[s]
@@ -106,17 +106,27 @@ HugeArray<Index> number_points(const ZoneGroup& group, GridLayout layout,
 
 }  // namespace
 
-std::vector<ZoneGroup> group_vertices(std::vector<VertexKind> kinds, const Mesh& control) {
+std::vector<ZoneGroup> group_vertices(const Mesh& control, Lattice lattice) {
+  const auto at = [](Index i) { return static_cast<std::size_t>(i); };
+  std::vector<Index> key = valences(control);  // → twice the valence, and 1 less in a fan
+  for (Index v = 0; v < control.vertex_count(); ++v)
+    key[at(v)] = 2 * key[at(v)] - (control.is_boundary_vertex(v) ? 1 : 0);
+  const Index largest = key.empty() ? 0 : *std::max_element(key.begin(), key.end());
+  std::vector<std::size_t> members(at(largest) + 1);
+  for (const Index k : key) ++members[at(k)];
   std::vector<ZoneGroup> groups;
-  groups.reserve(kinds.size());
-  for (VertexKind& kind : kinds) groups.push_back(make_group(std::move(kind), control));
+  std::vector<std::size_t> group_of(members.size());
+  for (const Index odd : {0, 1})
+    for (Index k = odd; k <= largest; k += 2) {
+      if (members[at(k)] == 0) continue;
+      group_of[at(k)] = groups.size();
+      groups.push_back({{lattice, k / 2, odd == 1}, {}, {}, {}, {}});
+      groups.back().vertices.reserve(members[at(k)]);
+    }
+  for (Index v = 0; v < control.vertex_count(); ++v)
+    groups[group_of[at(key[at(v)])]].vertices.push_back(v);
+  for (ZoneGroup& group : groups) find_sectors(control, group);
   return groups;
-}
-
-const ZoneTable& table_of(const StencilTables& tables, const VertexKind& kind) {
-  static const ZoneTable identity{0, {SectorPoint{}}, {SectorPoint{}}, {1, {0, 1}, {{0, 1.0}}}};
-  if (kind.faces == 0) return identity;
-  return (kind.open ? tables.fans : tables.stars).at(kind.faces);
 }
 
 RowPlan zone_rows(const ZoneTable& table, const ZoneGroup& group, const GridLayout& old_points,
@@ -125,14 +135,14 @@ RowPlan zone_rows(const ZoneTable& table, const ZoneGroup& group, const GridLayo
           number_points(group, new_points, table.targets), overlap};
 }
 
-void add_side_rows(const std::vector<SideRow>& rows, const std::vector<Index>& sides,
-                   const ZoneOfFaces& zone_of, const GridLayout& old_points,
-                   const GridLayout& new_points, std::vector<RowPlan>& plans) {
+void add_side_rows(const StencilTables& tables, const std::vector<Index>& sides,
+                   const GridLayout& old_points, const GridLayout& new_points,
+                   std::vector<RowPlan>& plans) {
   const Mesh& mesh = new_points.control();
   const Lattice lattice = new_points.lattice();
   const Index side = new_points.side();
-  const auto zone_at = [&](Index v) { return zone_of(mesh.valence(v) - 1); };
-  for (const SideRow& row : rows) {
+  const auto zone_at = [&](Index v) { return tables.fans.at(mesh.valence(v) - 1).zone; };
+  for (const SideRow& row : tables.strips) {
     std::vector<Index> sources, targets;
     for (const Index h : sides) {
       const Zone left = zone_at(mesh.origin(h)), right = zone_at(mesh.target(h));
@@ -149,18 +159,6 @@ void add_side_rows(const std::vector<SideRow>& rows, const std::vector<Index>& s
     if (!targets.empty())
       plans.push_back({row.table, HugeArray<Index>(sources), HugeArray<Index>(targets), false});
   }
-}
-
-std::vector<SideRow> side_rows(const StencilTables& tables, const LatticeStep& step) {
-  std::vector<SideRow> rows;
-  for (Index c = 0; c < std::ssize(tables.strips); ++c) {
-    const Stencil& stencil = tables.strips[static_cast<std::size_t>(c)];
-    if (stencil.empty()) continue;
-    SideRow& row = rows.emplace_back(SideRow{c / step.cut, c % step.cut, step.cut, {}, {}});
-    row.table = to_rows(stencil);
-    for (const Tap& tap : stencil) row.sources.push_back(tap.place);
-  }
-  return rows;
 }
 
 }  // namespace limn::fast

@@ -2,49 +2,33 @@
 /// Rows for the points round control vertices, from the tables of their valences, and for those
 /// along boundaries, with the numbers that a layout gives them.
 
-#include <functional>
-
 #include "limn/fast/layout/grid_patches.h"
 #include "limn/fast/sites/stencil_tables.h"
 
 namespace limn::fast {
 
-/// Control vertices of one kind.
+/// Control vertices that have as many faces in a ring, or in a fan (on the boundary). Isolated
+/// vertices make a group of their own, of no face.
 struct ZoneGroup {
-  VertexKind kind;
+  StarShape kind;
+  std::vector<Index> vertices;  ///< ascending
   /// The half-edges out of its vertices, counterclockwise, as many for each as it has faces.
   std::vector<Index> sectors;
   std::vector<EdgeCode> codes;  ///< of these half-edges
   std::vector<Index> ends;      ///< their targets
 };
 
-/// All vertices of the control mesh.
-[[nodiscard]] std::vector<ZoneGroup> group_vertices(std::vector<VertexKind> kinds,
-                                                    const Mesh& control);
-
-/// The table of a group's vertices; an isolated vertex stays.
-[[nodiscard]] const ZoneTable& table_of(const StencilTables& tables, const VertexKind& kind);
+/// All vertices of the control mesh, rings before fans, few faces before many. Cost O(half-edges).
+[[nodiscard]] std::vector<ZoneGroup> group_vertices(const Mesh& control, Lattice lattice);
 
 /// A table's rows round each vertex of a group, from points of one layout to points of another.
 [[nodiscard]] RowPlan zone_rows(const ZoneTable& table, const ZoneGroup& group,
                                 const GridLayout& old_points, const GridLayout& new_points,
                                 bool overlap);
 
-/// A row of points along boundary sides: those (x, y) with x ≡ phase (mod period).
-struct SideRow {
-  Index y = 0, phase = 0, period = 1;
-  RowTable table;
-  std::vector<Offset> sources;  ///< from the point
-};
-/// The zone of the points round a boundary vertex of so many faces.
-using ZoneOfFaces = std::function<Zone(Index faces)>;
-
-/// The rows' points but for those in zones; `sides` are the boundary half-edges.
-void add_side_rows(const std::vector<SideRow>& rows, const std::vector<Index>& sides,
-                   const ZoneOfFaces& zone_of, const GridLayout& old_points,
-                   const GridLayout& new_points, std::vector<RowPlan>& plans);
-
-/// Those of a step.
-[[nodiscard]] std::vector<SideRow> side_rows(const StencilTables& tables, const LatticeStep& step);
+/// The rows along boundary sides, but for the points in zones; `sides` are the boundary half-edges.
+void add_side_rows(const StencilTables& tables, const std::vector<Index>& sides,
+                   const GridLayout& old_points, const GridLayout& new_points,
+                   std::vector<RowPlan>& plans);
 
 }  // namespace limn::fast

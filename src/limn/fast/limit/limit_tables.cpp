@@ -1,10 +1,8 @@
-#include "limn/fast/limit/grid_limit.h"
+#include "limn/fast/limit/limit_tables.h"
 
 #include <algorithm>
-#include <cassert>
 #include <map>
 
-#include "limn/fast/limit/limit_sums.h"
 #include "limn/mesh/lattice.h"
 
 namespace limn::fast {
@@ -19,40 +17,46 @@ constexpr Index kFewestSeen = 2;     // edges round a vertex, or from a side, th
 constexpr Index kMostSeen = 8;       // if need be more. Those of the last edge must not differ.
 constexpr Index kLargestZone = 200;  // valence of a zone wider than its vertex
 
-class LimitPlanner {
+class TableMaker {
  public:
-  LimitPlanner(const GridControl& control, int level, int steps_made, LimitReader& reader)
+  TableMaker(const LimitControl& control, int level, int steps_made, LimitReader& reader)
       : control_(control),
-        step_(control.mesh, control.cycle, level),
+        step_(control.cycle, level),
+        n_(power(control.cycle.cut, level / control.cycle.steps)),
+        side_(n_ * step_.edge),
         index_(level % control.cycle.steps),
         lattice_(control.cycle.lattice),
-        edge_(control.cycle.cut),
+        edge_(step_.edge),
         steps_made_(steps_made),
         reader_(reader) {}
 
-  Result<std::optional<StepPlan>> make() {
-    using Found = std::optional<StepPlan>;
+  Result<std::optional<StencilTables>> make() {
+    using Found = std::optional<StencilTables>;
     for (const auto read :
-         {&LimitPlanner::find_rings, &LimitPlanner::read_plane, &LimitPlanner::read_sides,
-          &LimitPlanner::read_kinds, &LimitPlanner::read_near}) {
+         {&TableMaker::find_rings, &TableMaker::read_plane, &TableMaker::read_sides,
+          &TableMaker::read_kinds, &TableMaker::read_near}) {
       Known found = (this->*read)();
       // a coarse mesh may have no regular vertex to fail at
-      if (!found && step_.n() > 1) return found.error();
+      if (!found && n_ > 1) return found.error();
       if (!found || !*found) return Found();
     }
-    return Found(plan());
+    for (const Stencil& stencil : interior_) {
+      Stencil& local = tables_.interior.emplace_back(stencil);
+      for (Tap& tap : local) tap.place = step_.to_local(tap.place);
+      std::sort(local.begin(), local.end(),
+                [](const Tap& p, const Tap& q) { return p.place < q.place; });
+    }
+    for (const auto& [y, sums] : side_rows_) {
+      auto [table, places] = limit_rows(sums);
+      tables_.strips.push_back({y, y % edge_, edge_, std::move(table), std::move(places)});
+    }
+    tables_.stars[0].tables = {{0, {SectorPoint{}}, {SectorPoint{}}, isolated_limit_rows()}};
+    return Found(std::move(tables_));
   }
 
  private:
   using Known = Result<bool>;  // whether there are sums that can be used
   using Sums = std::vector<LimitSums>;
-  /// The points round a vertex whose sums are not those of the lattice, or that stencils cannot
-  /// make. The centre may have another number of sums than the rest.
-  struct LimitZone {
-    Index size = 0;
-    std::vector<ZoneTable> tables;
-  };
-
   /// Whether a vertex's sums are found on its own ring, whatever follows.
   [[nodiscard]] bool is_near() const { return inner_ <= 1 && outer_ <= 1; }
   /// Whether they are along a boundary. With centres, the vertices there have other valences.
@@ -62,7 +66,7 @@ class LimitPlanner {
     const Result<Index> inner = reader_.regular_rings(false);
     if (!inner) return inner.error();
     inner_ = *inner;
-    if (control_.sides.empty()) return true;
+    if (!control_.boundary) return true;
     const Result<Index> outer = reader_.regular_rings(true);
     if (!outer) return outer.error();
     outer_ = *outer;
@@ -139,11 +143,12 @@ class LimitPlanner {
   }
 
   Known read_plane() {
-    const auto plane = read({lattice_, plane_sectors(lattice_), false}, 0, {SectorPoint{}});
+    const SectorPoint first{0, step_.first(), step_.first()};
+    const auto plane = read({lattice_, plane_sectors(lattice_), false}, 0, {first});
     if (!plane) return plane.error();
     if (!*plane || (*plane)->sums.front().size() != 3) return false;
     const LimitSums& sums = (*plane)->sums.front();
-    interior_ = on_plane_from(sums, (*plane)->site, {});
+    interior_ = on_plane_from(sums, (*plane)->site, first);
     Index far = 0;
     for (const Form& form : sums)
       for (const auto& [vertex, weight] : form.terms)
@@ -154,7 +159,7 @@ class LimitPlanner {
 
   /// Along a straight boundary.
   Known read_sides() {
-    if (control_.sides.empty()) return true;
+    if (!control_.boundary) return true;
     for (Index seen = is_near_boundary() ? 0 : kFewestSeen; seen <= kMostSeen; seen *= 2) {
       Known found = read_sides(seen * edge_);
       const Index depth = side_rows_.empty() ? 0 : side_rows_.rbegin()->first;
@@ -166,7 +171,7 @@ class LimitPlanner {
   Known read_sides(Index seen) {
     Places points;
     for (Index y = 0; y <= seen; ++y)
-      if (step_.step.is_old(y % edge_, y)) points.push_back({0, y % edge_, y});
+      if (step_.is_old(y % edge_, y)) points.push_back({0, y % edge_, y});
     const auto read = this->read({lattice_, half_plane_sectors(lattice_), true}, seen, points);
     if (!read) return read.error();
     if (!*read) return false;
@@ -228,58 +233,56 @@ class LimitPlanner {
   }
 
   Known read_kinds() {
-    for (const ZoneGroup& group : control_.groups) {
-      const StarShape shape{lattice_, group.kind.faces, group.kind.open};
+    for (const StarShape& shape : control_.kinds) {
       if (shape.sectors == 0) continue;
-      LimitZone& zone = zones_[shape.open ? 1 : 0][shape.sectors];
-      Known found = read_kind(shape, zone);
+      // the middle of a regular star is no point
+      if (control_.cycle.offset && shape.sectors == plane_sectors(lattice_)) continue;
+      ZoneTables& around = (shape.open ? tables_.fans : tables_.stars)[shape.sectors];
+      Known found = read_kind(shape, around);
       if (!found || !*found) return found;
-      if (!fits(shape, zone)) return false;
+      if (!fits(shape, around)) return false;
     }
-    return chain_rings_ <= step_.n();
+    return chain_rings_ <= n_;
   }
 
-  Known read_kind(const StarShape& shape, LimitZone& zone) {
-    const bool near = shape.open ? is_near_boundary() : inner_ <= 1;
+  Known read_kind(const StarShape& shape, ZoneTables& around) {
+    const bool near = shape.open ? is_near_boundary() : inner_ <= 1 && !control_.cycle.offset;
     if (!near && shape.sectors > kLargestZone) return false;
     for (Index seen = near ? 0 : kFewestSeen; seen <= kMostSeen; seen *= 2) {
-      Known found = read_zone(shape, seen * edge_, zone);
-      if (!found || !*found || seen == 0 || zone.size <= (seen - 1) * edge_) return found;
+      Known found = read_zone(shape, seen * edge_, around);
+      if (!found || !*found || seen == 0 || around.zone.size <= (seen - 1) * edge_) return found;
     }
     return false;
   }
 
   /// The old points up to a ring, the middle first.
   [[nodiscard]] Places points_round(Index sectors, bool last_spoke, Index seen) const {
-    Places points{{}};
+    Places points;
+    if (step_.is_old(0, 0)) points.emplace_back();
     for (Index s = 0; s < sectors; ++s)
       for (Index x = 1; x <= seen; ++x)
         for (Index y = 0; ring_of(lattice_, x, y) <= seen; ++y)
-          if (step_.step.is_old(x, y)) points.push_back({s, x, y});
+          if (step_.is_old(x, y)) points.push_back({s, x, y});
     for (Index y = 1; last_spoke && y <= seen; ++y)
-      if (step_.step.is_old(0, y)) points.push_back({sectors - 1, 0, y});
+      if (step_.is_old(0, y)) points.push_back({sectors - 1, 0, y});
     return points;
   }
 
-  Known read_zone(const StarShape& shape, Index seen, LimitZone& zone) {
+  Known read_zone(const StarShape& shape, Index seen, ZoneTables& around) {
     // the sectors of a star are alike
     Places points = points_round(shape.open ? shape.sectors : 1, shape.open, seen);
     auto found = read(shape, seen, points);
     if (!found) return found.error();
     if (!*found) return false;
-    zone.size = 0;
-    for (std::size_t i = 1; i < points.size(); ++i) {
+    around.zone = {0, lattice_ == Lattice::quad};
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      if (points[i] == SectorPoint{}) continue;
       const auto expected = usual((*found)->site, points[i]);
       if (!expected || (*found)->sums[i].size() != 3 || !same_limit(*expected, (*found)->sums[i]))
-        zone.size = std::max(zone.size, ring_of(lattice_, points[i].x, points[i].y));
+        around.zone.size = std::max(around.zone.size, ring_of(lattice_, points[i].x, points[i].y));
     }
-    if (zone.size > 0 && !shape.open) {
-      points = points_round(shape.sectors, false, zone.size);
-      found = read(shape, zone.size, points);
-      if (!found) return found.error();
-      if (!*found) return false;
-    }
-    add_tables(**found, points, zone);
+    if (!shape.open) turn(around.zone.size, **found, points);
+    add_tables(**found, points, around);
     if (is_near_boundary() || !shape.open || shape.sectors > 1) return true;
     // where the only face at a corner gives the normal, it has to be of the level itself
     const Result<LimitSums> chain =
@@ -288,39 +291,60 @@ class LimitPlanner {
     return true;
   }
 
-  void add_tables(const Read& read, const Places& points, LimitZone& zone) const {
-    zone.tables.clear();
+  /// Adds what is in the sectors after the first, so far from the middle.
+  void turn(Index size, Read& read, Places& points) const {
+    const Index sectors = read.site.shape().sectors;
+    const std::size_t count = points.size();
+    for (Index s = 1; s < sectors; ++s)
+      for (std::size_t i = 0; i < count; ++i) {
+        const auto [sector, x, y] = points[i];
+        if (ring_of(lattice_, x, y) > size || (x == 0 && y == 0)) continue;
+        points.push_back({s, x, y});
+        LimitSums sums = read.sums[i];
+        for (Form& form : sums)
+          for (auto& [vertex, weight] : form.terms) {
+            SectorPoint at = read.site.place(index_, vertex);
+            at.sector = (at.sector + s) % sectors;
+            vertex = read.site.old_vertex(index_, at);
+          }
+        read.sums.push_back(std::move(sums));
+      }
+  }
+
+  void add_tables(const Read& read, const Places& points, ZoneTables& around) const {
+    around.tables.clear();
     const bool alike = read.sums.front().size() == 3;
     for (const bool centre : {true, false}) {
       std::vector<Form> forms;
       Places targets;
       for (std::size_t i = 0; i < points.size(); ++i) {
-        if (ring_of(lattice_, points[i].x, points[i].y) > zone.size) continue;
-        if (centre ? i > 0 && !alike : i == 0 || alike) continue;
+        if (ring_of(lattice_, points[i].x, points[i].y) > around.zone.size) continue;
+        if (centre != (alike || points[i] == SectorPoint{})) continue;
         targets.push_back(points[i]);
         forms.insert(forms.end(), read.sums[i].begin(), read.sums[i].end());
       }
       if (!targets.empty())
-        zone.tables.push_back(zone_table(forms, read.site, index_, std::move(targets)));
+        around.tables.push_back(zone_table(forms, read.site, index_, std::move(targets)));
     }
   }
 
   /// Whether a zone ends, and its sums do, before another's begins.
-  [[nodiscard]] bool fits(const StarShape& shape, const LimitZone& zone) const {
-    const Index side = step_.side();
-    const bool alone = step_.n() == 1;
+  [[nodiscard]] bool fits(const StarShape& shape, const ZoneTables& around) const {
+    const Index side = side_;
+    const bool alone = n_ == 1;
     const auto all_sources = [&](auto condition) {
-      return std::all_of(zone.tables.begin(), zone.tables.end(), [&](const ZoneTable& table) {
+      return std::all_of(around.tables.begin(), around.tables.end(), [&](const ZoneTable& table) {
         return std::all_of(table.sources.begin(), table.sources.end(), condition);
       });
     };
     // a zone may hold the centre of its only triangle, that across the triangle's third side
     // counts, and the next vertices along the boundary
-    if (alone && control_.cycle.steps == 2 && shape.open && shape.sectors == 1 && zone.size < edge_)
+    if (alone && control_.cycle.steps == 2 && shape.open && shape.sectors == 1 &&
+        around.zone.size < edge_)
       return all_sources([&](const SectorPoint& p) {
         return (p.x <= side && p.y <= side) || (p.x * p.y == 0 && p.x + p.y <= 2 * side);
       });
-    if (zone.size > 0 && 2 * zone.size + edge_ > side) return false;
+    if (around.zone.size > 0 && 2 * around.zone.size + edge_ > side) return false;
     // neighbours see one another's control vertices, and no more (read_near)
     return all_sources([&](const SectorPoint& p) {
       const Index far = ring_of(lattice_, p.x, p.y);
@@ -331,16 +355,10 @@ class LimitPlanner {
   /// Where control vertices are neighbours: whether they do without each other's surroundings. The
   /// sums are read again where all that is beyond the neighbours is cut off.
   Known read_near() {
-    if (step_.n() > 1) return true;
-    const Mesh& mesh = control_.mesh;
-    const bool lone = std::any_of(control_.sides.begin(), control_.sides.end(), [&](Index h) {
-      return mesh.twin(mesh.next(h)) == kNone && mesh.twin(mesh.prev(h)) == kNone;
-    });
-    if (lone && index_ > 0) return false;  // its centre is in three zones
+    if (n_ > 1 || control_.cycle.offset) return true;
+    if (control_.lone && index_ > 0) return false;  // its centre is in three zones
     if (is_near()) return true;
-    for (const ZoneGroup& group : control_.groups) {
-      const bool open = group.kind.open;
-      const Index sectors = group.kind.faces;
+    for (const auto& [lattice, sectors, open, offset] : control_.kinds) {
       if (sectors == 0) continue;
       std::vector<LimitForms> read;
       for (const Index rings : {reach_ + kRim, Index{1}}) {
@@ -355,58 +373,27 @@ class LimitPlanner {
     return true;
   }
 
-  StepPlan plan() {
-    StepPlan plan;
-    std::vector<Stencil> local(interior_.begin(), interior_.end());
-    for (Stencil& stencil : local) {
-      for (Tap& tap : stencil) tap.place = step_.step.to_local(tap.place);
-      std::sort(stencil.begin(), stencil.end(),
-                [](const Tap& p, const Tap& q) { return p.place < q.place; });
-    }
-    const GridLayout& points = step_.old_points;
-    plan.patches = plan_patches(step_, std::move(local), control_.faces, Made::same_level);
-    std::vector<SideRow> rows;
-    for (const auto& [y, sums] : side_rows_) {
-      auto [table, places] = limit_rows(sums);
-      rows.push_back({y, y % edge_, edge_, std::move(table), std::move(places)});
-    }
-    const auto zone_of = [&](Index faces) {
-      return Zone{zones_[1].at(faces).size, lattice_ == Lattice::quad};
-    };
-    add_side_rows(rows, control_.sides, zone_of, points, points, plan.rows);
-    static const ZoneTable isolated{0, {SectorPoint{}}, {SectorPoint{}}, isolated_limit_rows()};
-    for (const ZoneGroup& group : control_.groups) {
-      const Index sectors = group.kind.faces;
-      if (sectors == 0) {
-        plan.rows.push_back(zone_rows(isolated, group, points, points, false));
-        continue;
-      }
-      for (const ZoneTable& table : zones_[group.kind.open ? 1 : 0].at(sectors).tables)
-        plan.rows.push_back(zone_rows(table, group, points, points, false));
-    }
-    return plan;
-  }
-
-  const GridControl& control_;
-  GridStep step_;
-  int index_;  // of the step in its cycle
+  const LimitControl& control_;
+  LatticeStep step_;
+  Index n_, side_;  // edges, and steps, of a patch
+  int index_;       // of the step in its cycle
   Lattice lattice_;
   Index edge_;  // steps of an edge of the level's grid
   int steps_made_;
   LimitReader& reader_;
-  Index inner_ = 1, outer_ = 1;  // regular_rings
-  Index reach_ = 1;              // edges that a regular vertex's sums reach
-  Index chain_rings_ = 1;        // the most of a LimitChain
+  Index inner_ = 1, outer_ = 1;               // regular_rings
+  Index reach_ = 1;                           // edges that a regular vertex's sums reach
+  Index chain_rings_ = 1;                     // the most of a LimitChain
+  std::map<Index, LimitStencils> side_rows_;  // by row
   LimitStencils interior_;
-  std::map<Index, LimitStencils> side_rows_;         // by row
-  std::array<std::map<Index, LimitZone>, 2> zones_;  // of interior, boundary vertices, by faces
+  StencilTables tables_;
 };
 
 }  // namespace
 
-Result<std::optional<StepPlan>> plan_grid_limit(const GridControl& control, int level,
-                                                int steps_made, LimitReader& reader) {
-  return LimitPlanner(control, level, steps_made, reader).make();
+Result<std::optional<StencilTables>> read_limit_tables(const LimitControl& control, int level,
+                                                       int steps_made, LimitReader& reader) {
+  return TableMaker(control, level, steps_made, reader).make();
 }
 
 }  // namespace limn::fast

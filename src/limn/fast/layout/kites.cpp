@@ -1,4 +1,4 @@
-#include "limn/fast/layout/dual_layout.h"
+#include "limn/fast/layout/kites.h"
 
 #include <algorithm>
 #include <cstring>
@@ -13,12 +13,12 @@ constexpr Index kQuadGrain = 8192;  // refined quads that one call of a parallel
 
 }  // namespace
 
-DualCorners::DualCorners(const Mesh& control) : mesh_(&control) {
+Kites::Kites(const Mesh& control) : mesh_(&control) {
   place_patches();
   list_inner_elements();
 }
 
-void DualCorners::place_patches() {
+void Kites::place_patches() {
   place_.resize(at(mesh_->halfedge_count()));
   std::vector<char> open(at(mesh_->vertex_count()));
   for (Index v = 0; v < mesh_->vertex_count(); ++v) {
@@ -32,17 +32,14 @@ void DualCorners::place_patches() {
       wholes_.push_back(h);
       continue;
     }
-    place_[at(h)] = ~static_cast<Index>(rims_.size());
-    rims_.push_back(h);
-    arms_before_.emplace_back(static_cast<Index>(y_arms_.size()),
-                              static_cast<Index>(x_arms_.size()));
-    if (has_y_arm(h)) y_arms_.push_back(h);
-    if (has_x_arm(h)) x_arms_.push_back(h);
+    place_[at(h)] = ~rim_count();
+    if (has_y_arm(h)) lines_.push_back(h);
+    arms_before_.push_back(arms_before_.back() + (has_x_arm(h) ? 1 : 0) + (has_y_arm(h) ? 1 : 0));
   }
-  if (rims_.empty()) place_ = {};
+  if (!has_rims()) place_ = {};
 }
 
-void DualCorners::list_inner_elements() {
+void Kites::list_inner_elements() {
   for (Index e = 0; e < mesh_->edge_count(); ++e)
     if (!mesh_->is_boundary_edge(e)) inner_edges_.push_back(e);
   std::vector<Index> corners(at(mesh_->vertex_count()), 0);
@@ -55,63 +52,44 @@ void DualCorners::list_inner_elements() {
   }
 }
 
-bool DualCorners::is_regular() const {
+bool Kites::is_regular() const {
   if (mesh_->uniform_degree() != 4) return false;
   for (Index i = 0; i < std::ssize(inner_vertices_); ++i)
     if (vertex_begin(i + 1) - vertex_begin(i) != 4) return false;
   return true;
 }
 
-DualLayout::DualLayout(const DualCorners& corners, Index n)
-    : corners_(&corners),
+KiteLayout::KiteLayout(const Kites& kites, Index n)
+    : kites_(&kites),
       n_(n),
-      rims_at_(count(corners.wholes()) * n * n),
-      y_arms_at_(rims_at_ + count(corners.rims())),
-      x_arms_at_(y_arms_at_ + count(corners.y_arms()) * (n - 1)),
-      isolated_at_(x_arms_at_ + count(corners.x_arms()) * (n - 1)),
-      arm_quads_at_(count(corners.wholes()) * (n * n - 1)),
-      edge_quads_at_(arm_quads_at_ + count(corners.y_arms()) * (n - 1)),
-      quads_(edge_quads_at_ + count(corners.inner_edges())) {}
+      rims_at_(count(kites.wholes()) * n * n),
+      isolated_at_(rims_at_ + kites.rim_count() + kites.arms_before(kites.rim_count()) * (n - 1)),
+      arm_quads_at_(count(kites.wholes()) * (n * n - 1)),
+      edge_quads_at_(arm_quads_at_ + count(kites.lines()) * (n - 1)),
+      quads_(edge_quads_at_ + count(kites.inner_edges())) {}
 
-std::vector<Index> DualLayout::isolated() const {
-  std::vector<Index> numbers(corners_->isolated().size());
+std::vector<Index> KiteLayout::isolated() const {
+  std::vector<Index> numbers(kites_->isolated().size());
   std::iota(numbers.begin(), numbers.end(), isolated_at_);
   return numbers;
 }
 
-Index DualLayout::line_point(Index h, Index t, Index u) const {
+Index KiteLayout::line_point(Index h, Index t, Index u) const {
   if (t < n_) return u >= 0 ? point(h, u, t) : point(control().next(h), t, -1 - u);
   const Index twin = control().twin(h), back = 2 * n_ - 1 - t;
   return u >= 0 ? point(control().next(twin), back, u) : point(twin, -1 - u, back);
 }
 
-void DualLayout::row(Index h, Index y, Index* out) const {
-  Index first = point(h, 0, y);
-  *out = first;
-  if (!corners_->is_whole(h)) first = x_arm_begin(h);
-  for (Index x = 1; x < n_; ++x) out[x] = first + x;
-}
-
-void DualLayout::column(Index h, Index x, Index* out) const {
-  Index first = point(h, x, 0);
-  *out = first;
-  const bool whole = corners_->is_whole(h);
-  const Index step = whole ? n_ : 1;
-  if (!whole) first = y_arm_begin(h);
-  for (Index y = 1; y < n_; ++y) out[y] = first + y * step;
-}
-
-void DualLayout::write_patch(Index h, Index* out) const {
+void KiteLayout::write_patch(Index h, Index* out) const {
   typedef Index Four __attribute__((vector_size(16)));
   const auto add = [&out](const Four& corners) {
     std::memcpy(out, &corners, sizeof corners);
     out += 4;
   };
   const Index before = control().next(h), after = control().rotate(h);
-  const bool whole = corners_->is_whole(before);
-  const Index left = whole ? point(before, 0, 0) : x_arm_begin(before);  // from its point 1 on
+  const Index left = point(before, 0, 0);  // from which the points of its row or arm follow
   const Index right = point(after, 0, n_ - 1);
-  Index low = point(h, 0, 0), side = point(before, 0, 0);
+  Index low = point(h, 0, 0), side = left;
   for (Index y = 0; y + 1 < n_; ++y, low += n_, side = left + y) {
     const Index high = low + n_;
     add(Four{side, low, high, left + y + 1});
@@ -121,25 +99,14 @@ void DualLayout::write_patch(Index h, Index* out) const {
   }
 }
 
-void DualLayout::write_arm(Index h, Index* out) const {
-  const Index before = control().next(h);
-  for (Index y = 0; y + 1 < n_; ++y) {
-    *out++ = point(before, y, 0);
-    *out++ = point(h, 0, y);
-    *out++ = point(h, 0, y + 1);
-    *out++ = point(before, y + 1, 0);
-  }
+void KiteLayout::write_across(Index h, Index t, Index* out) const {
+  out[0] = line_point(h, t, -1);
+  out[1] = line_point(h, t, 0);
+  out[2] = line_point(h, t + 1, 0);
+  out[3] = line_point(h, t + 1, -1);
 }
 
-void DualLayout::write_edge(Index e, Index* out) const {
-  const Index h = control().halfedge_of_edge(e);
-  for (const Index side : {h, control().twin(h)}) {
-    *out++ = point(control().next(side), n_ - 1, 0);
-    *out++ = point(side, 0, n_ - 1);
-  }
-}
-
-void DualLayout::write_vertex(Index v, Index* out) const {
+void KiteLayout::write_vertex(Index v, Index* out) const {
   const Index first = control().halfedge_of_vertex(v);
   Index h = first;
   do {
@@ -148,7 +115,7 @@ void DualLayout::write_vertex(Index v, Index* out) const {
   } while (h != first);
 }
 
-void DualLayout::write_faces(Index* out) const {
+void KiteLayout::write_faces(Index* out) const {
   const Index patch = n_ * n_ - 1, arm = n_ - 1;
   // by so many quads, or a face, for each element of a list
   const auto each = [](const std::vector<Index>& list, Index quads, const auto& write) {
@@ -161,26 +128,29 @@ void DualLayout::write_faces(Index* out) const {
   };
   parallel_for_each(control().halfedge_count(), [&](Index h) { out[h] = point(h, 0, 0); });
   out += control().halfedge_count();
-  each(corners_->inner_vertices(), 1,
-       [&](Index v, Index i) { write_vertex(v, out + corners_->vertex_begin(i)); });
-  out += corners_->vertex_begin(inner_count());
-  each(corners_->wholes(), patch,
+  each(kites_->inner_vertices(), 1,
+       [&](Index v, Index i) { write_vertex(v, out + kites_->vertex_begin(i)); });
+  out += kites_->vertex_begin(inner_count());
+  each(kites_->wholes(), patch,
        [&](Index h, std::ptrdiff_t i) { write_patch(h, out + 4 * i * patch); });
   out += std::ptrdiff_t{4} * arm_quads_at_;
-  each(corners_->y_arms(), arm,
-       [&](Index h, std::ptrdiff_t i) { write_arm(h, out + 4 * i * arm); });
+  each(kites_->lines(), arm, [&](Index h, std::ptrdiff_t i) {
+    for (Index t = 0; t < arm; ++t) write_across(h, t, out + 4 * (i * arm + t));
+  });
   out += std::ptrdiff_t{4} * (edge_quads_at_ - arm_quads_at_);
-  each(corners_->inner_edges(), 1, [&](Index e, std::ptrdiff_t i) { write_edge(e, out + 4 * i); });
+  each(kites_->inner_edges(), 1, [&](Index e, std::ptrdiff_t i) {
+    write_across(control().halfedge_of_edge(e), arm, out + 4 * i);
+  });
 }
 
-void DualLayout::write_face_begin(Index* out) const {
+void KiteLayout::write_face_begin(Index* out) const {
   parallel_for_each(control().face_count(), [&](Index f) { out[f] = control().face_begin(f); });
   out += control().face_count();
   const Index vertices_at = control().halfedge_count();
   parallel_for_each(inner_count(),
-                    [&](Index i) { out[i] = vertices_at + corners_->vertex_begin(i); });
+                    [&](Index i) { out[i] = vertices_at + kites_->vertex_begin(i); });
   out += inner_count();
-  const Index quads_at = vertices_at + corners_->vertex_begin(inner_count());
+  const Index quads_at = vertices_at + kites_->vertex_begin(inner_count());
   parallel_for_each(quads_ + 1, [&](Index f) { out[f] = quads_at + 4 * f; });
 }
 
