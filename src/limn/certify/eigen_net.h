@@ -28,8 +28,8 @@ struct NetPoint {
 
 class EigenNet {
  public:
-  /// `pair`: eigenvalue of one step, eigenvector in the real basis without the centre. All must
-  /// outlive the net.
+  /// `pair`: eigenvalue of one step, eigenvector in the real basis without the centre. Points are
+  /// in the coordinates (Re, Im/σ) of `phase`'s turns. All must outlive the net.
   EigenNet(const CellMatrices& cells, const RealBasis& basis, const EnclosedPair& pair,
            const Phase<Ball>& phase);
 
@@ -47,7 +47,7 @@ class EigenNet {
   const RealBasis& basis_;
   const EnclosedPair& pair_;
   const Phase<Ball>& phase_;
-  std::pair<Ball, Ball> factor_;  // 1/λ, turned back
+  Turn<Ball> factor_;  // 1/λ, turned back
   std::map<LatticeVector, NetPoint> known_;
 };
 
