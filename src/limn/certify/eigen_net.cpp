@@ -46,14 +46,17 @@ std::optional<SectorPlace> turned_into_sector(Lattice lattice, LatticeVector pla
 
 EigenNet::EigenNet(const CellMatrices& cells, const RealBasis& basis, const EnclosedPair& pair,
                    const Phase<Ball>& phase)
-    : cells_(cells), basis_(basis), pair_(pair), phase_(phase), factor_(outwards(cells, pair.value, phase)) {}
+    : cells_(cells),
+      basis_(basis),
+      pair_(pair),
+      phase_(phase),
+      factor_(outwards(cells, pair.value, phase)) {}
 
 Result<NetPoint> EigenNet::at(LatticeVector j) { return at(j, 0); }
 
 Result<NetPoint> EigenNet::at(LatticeVector j, int depth) {
   const int half = cells_.dual ? 1 : 0;
-  const auto found =
-      turned_into_sector(cells_.lattice, {2 * j[0] + half, 2 * j[1] + half});
+  const auto found = turned_into_sector(cells_.lattice, {2 * j[0] + half, 2 * j[1] + half});
   if (!found) return Error{"a control point lies more than a sector away"};
   const LatticeVector inside{(found->place[0] - half) / 2, (found->place[1] - half) / 2};
   Result<NetPoint> point = in_sector(inside, depth);

@@ -3,7 +3,11 @@
 ///
 /// With t = 1/n a quantity is t^power · F(t), and a ball holds F(t) for every t of the range. So n
 /// is t^-1 · 1, and 1/n² times n is t · 1: what tends to 0 or ∞ keeps its exact power of t, and
-/// quotients that have a limit are enclosed where a ball of n, or of t, would say nothing.
+/// quotients that have a limit are enclosed where a ball of n, or of t, would say nothing. Where
+/// F(0) is known to be a rational, F = F(0) + t^step · R with a ball for R, so that differences
+/// that tend to 0, as 1/4 - cos(3π/n)/4, get their power of t too.
+
+#include <optional>
 
 #include "limn/number/ball.h"
 
@@ -25,17 +29,16 @@ class ValenceRange {
 
 class PowerBall {
  public:
-  PowerBall() = default;
-  PowerBall(int value) : factor_(value) {}
-  explicit PowerBall(const Rational& value) : factor_(value) {}
+  PowerBall() : PowerBall(Rational(0)) {}
+  PowerBall(int value) : PowerBall(Rational(value)) {}
+  explicit PowerBall(const Rational& value);
   explicit PowerBall(Ball value) : factor_(std::move(value)) {}
-  /// t^power · factor
-  PowerBall(int power, Ball factor) : power_(power), factor_(std::move(factor)), constant_(false) {}
 
-  [[nodiscard]] static PowerBall valence() { return {-1, Ball(1)}; }  ///< n
+  [[nodiscard]] static PowerBall valence();  ///< n
 
   [[nodiscard]] int power() const { return power_; }
-  [[nodiscard]] const Ball& factor() const { return factor_; }
+  [[nodiscard]] const Ball& factor() const { return factor_; }  ///< F
+  [[nodiscard]] bool is_zero() const { return factor_.is_exactly_zero(); }
   /// Whether it was made without n.
   [[nodiscard]] bool is_constant() const { return constant_; }
   /// All its values; the whole line where it may tend to ∞.
@@ -50,10 +53,21 @@ class PowerBall {
 
  private:
   friend struct Arithmetic<PowerBall>;
-  static PowerBall known(int power, Ball factor, bool constant);
+  /// F = value + t^step · rest.
+  struct Head {
+    Rational value;
+    int step;
+    Ball rest;
+    /// `rest` where F is written with another step, not above this one.
+    [[nodiscard]] Ball with_step(int other) const;
+  };
+  PowerBall(int power, Ball factor, std::optional<Head> head, bool constant);
+  /// Of the quantity over t^power, power ≤ power_.
+  [[nodiscard]] std::optional<Head> head_over(int power) const;
 
   int power_ = 0;
   Ball factor_;
+  std::optional<Head> head_;
   bool constant_ = true;
 };
 

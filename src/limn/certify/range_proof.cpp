@@ -1,5 +1,6 @@
 #include "limn/certify/range_proof.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "limn/certify/turn_range.h"
@@ -97,7 +98,9 @@ std::vector<std::size_t> IntervalBlocks::rows(bool real) const {
   return result;
 }
 
-BallMatrix IntervalBlocks::cup_transposed() const { return transposed(part(constant_, rows(true))); }
+BallMatrix IntervalBlocks::cup_transposed() const {
+  return transposed(part(constant_, rows(true)));
+}
 
 BallMatrix IntervalBlocks::odd() const { return part(constant_, rows(false)); }
 
@@ -105,17 +108,22 @@ Ball IntervalBlocks::cup_gap(const EnclosedPair& left, const EnclosedPair& tange
   const ValenceRange range(t_);
   const Result<NamedValues<PowerBall>> values = rules_->values(1);
   if (!values) return Ball(std::nan(""));
-  // off the centre A - B is w · loss, less the centre's row
+  // off the centre A - B is w · loss, less the centre's row; all of it is over t^power here
   const BallMatrix loss = rules_->block(*values, turn_losses_of(w_));
   const std::vector<Ball> lost = times(loss, tangent.vector);
   const std::vector<std::size_t> real = rows(true);
+  int power = 2;
+  for (const std::size_t j : real)
+    if (const PowerBall& weight = whole_constant_(0, j + 1); !weight.is_zero())
+      power = std::min(power, weight.power());
   Ball of_center;
   for (const std::size_t j : real)
-    of_center.add_product(whole_constant_(0, j + 1).over(1), tangent.vector[j]);
-  const Ball w_over_t = Ball(4) * Ball::pi() * Ball::pi() * t_;
+    of_center.add_product(whole_constant_(0, j + 1).over(power), tangent.vector[j]);
+  Ball w_over = Ball(4) * Ball::pi() * Ball::pi();
+  for (int i = power; i < 2; ++i) w_over *= t_;
   Ball above, below;
   for (std::size_t i = 0; i < real.size(); ++i) {
-    above.add_product(left.vector[i], w_over_t * lost[real[i]] - of_center);
+    above.add_product(left.vector[i], w_over * lost[real[i]] - of_center);
     below.add_product(left.vector[i], tangent.vector[real[i]]);
   }
   return -above / below;

@@ -34,8 +34,9 @@ class IntervalBlocks {
   /// The part of `constant()` on real parts, transposed, and that on imaginary parts.
   [[nodiscard]] BallMatrix cup_transposed() const;
   [[nodiscard]] BallMatrix odd() const;
-  /// (μ1 - μ0)/t, where `left` is the eigenvector of cup_transposed() to μ0, and `tangent` that
-  /// of tangent() to μ1: with yᵀA = μ0 yᵀ and Bx = μ1 x, (μ0 - μ1) yᵀx = yᵀ(A - B)x.
+  /// (μ1 - μ0)/t^p, p ≤ 2 so that it has a limit, where `left` is the eigenvector of
+  /// cup_transposed() to μ0, and `tangent` that of tangent() to μ1: with yᵀA = μ0 yᵀ and Bx = μ1 x,
+  /// (μ0 - μ1) yᵀx = yᵀ(A - B)x.
   [[nodiscard]] Ball cup_gap(const EnclosedPair& left, const EnclosedPair& tangent) const;
 
  private:
@@ -68,8 +69,8 @@ class IntervalRing {
                const IntervalBlocks& blocks, const EnclosedPair& pair);
 
   [[nodiscard]] Result<CellMap> map_on(LatticeVector cell);
-  /// Signs of the Jacobian and of the map along the half-plane's middle. Nothing where a sign is not
-  /// shown.
+  /// Signs of the Jacobian and of the map along the half-plane's middle. Nothing where a sign is
+  /// not shown.
   struct Signs {
     bool jacobian_positive, ahead;
     friend bool operator==(const Signs&, const Signs&) = default;

@@ -96,7 +96,8 @@ Result<RangeRules> RangeRules::make(const Scheme& scheme, int from) {
   if (Status found = rules.find_sums(); !found) return found.error();
   for (const SectorTerm& term : rules.pattern_.terms)
     if (term.repeated >= 0 && term.slope == 0 && term.row != kCenter && term.column != kCenter)
-      return Error{"weights of several places fall on one vertex; this is not proved for all valences"};
+      return Error{
+          "weights of several places fall on one vertex; this is not proved for all valences"};
   return rules;
 }
 
@@ -108,8 +109,9 @@ Status RangeRules::choose_cases() {
   for (std::size_t i = 0; i < kinds.size(); ++i) {
     const Result<const RuleCase*> chosen = case_of_range(*scheme_, kinds[i]);
     if (!chosen || *chosen != (*cases)[i])
-      return Error{fmt::format("the {} rule's guards do not choose one case for all valences n ≥ {}",
-                               rule_name(kinds[i]), from_)};
+      return Error{
+          fmt::format("the {} rule's guards do not choose one case for all valences n ≥ {}",
+                      rule_name(kinds[i]), from_)};
   }
   return Done{};
 }
@@ -144,8 +146,9 @@ Status RangeRules::find_sums() {
   for (const auto& [kind, sum] : sums) {
     if (!sum.result()) return sum.result().error();
     if (!(*sum.result() == Symbolic(1)))
-      return Error{fmt::format("that the weights of the {} rule sum to 1 for all valences is not shown",
-                               rule_name(kind))};
+      return Error{
+          fmt::format("that the weights of the {} rule sum to 1 for all valences is not shown",
+                      rule_name(kind))};
   }
   if (weights.least_valence() > from_)
     return Error{fmt::format("the weights' formulas hold for valences n ≥ {} alone",

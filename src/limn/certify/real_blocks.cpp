@@ -21,8 +21,7 @@ RealBasis real_basis(const SectorPattern& pattern) {
   RealBasis basis;
   basis.has_center = pattern.has_center;
   basis.rings = pattern.rings;
-  for (const Orbit& orbit : pattern.orbits)
-    basis.orbits.push_back({orbit.ring, 0, 0, 0, 0, false});
+  for (const Orbit& orbit : pattern.orbits) basis.orbits.push_back({orbit.ring, 0, 0, 0, 0, false});
   for (std::size_t first = 0; first < basis.orbits.size();) {
     basis.first_orbit.push_back(first);
     std::size_t end = first;

@@ -20,9 +20,9 @@ namespace limn::certify {
 
 /// An orbit of the star, its angle exactly, and where its amplitude is in the real basis.
 struct RealOrbit {
-  int ring = 0;   ///< from 1
-  int place = 0;  ///< the angle is place/size sectors from the spoke (dual: the corner)
-  int size = 1;   ///< points of the ring in a sector
+  int ring = 0;               ///< from 1
+  int place = 0;              ///< the angle is place/size sectors from the spoke (dual: the corner)
+  int size = 1;               ///< points of the ring in a sector
   std::size_t real = 0;       ///< row of its value, or of p
   std::size_t imaginary = 0;  ///< row of q; the same as `real` where the orbit is its own image
   bool reflected = false;     ///< the amplitude is p - iq
@@ -60,12 +60,12 @@ Result<NamedValues<Number>> named_values(const Scheme& scheme, const SectorPatte
   for (std::size_t i = 0; i < pattern.names.size(); ++i) {
     const NamedWeight& name = pattern.names[i];
     for (int k = 0; k < (name.repeated ? n : 1); ++k) {
-      const std::optional<long long> index =
-          name.repeated ? std::optional<long long>(k)
-          : name.k      ? std::optional<long long>(*name.k)
-                        : std::nullopt;
+      const std::optional<long long> index = name.repeated ? std::optional<long long>(k)
+                                             : name.k      ? std::optional<long long>(*name.k)
+                                                           : std::nullopt;
       std::optional<long long> valence = n;
-      if (name.regular) valence = *name.regular == 0 ? std::nullopt : std::optional<long long>(*name.regular);
+      if (name.regular)
+        valence = *name.regular == 0 ? std::nullopt : std::optional<long long>(*name.regular);
       Result<Number> value = Scope<Number>(scheme, valence, index)(name.weight->value);
       if (value) value = A::multiply(*value, A::from(name.share));
       if (!value) return value.error();
@@ -102,8 +102,8 @@ using Phase = std::function<Turn<Number>(int numerator, int denominator)>;
 template <class Number>
 class RealBlock {
  public:
-  RealBlock(const SectorPattern& pattern, const RealBasis& basis,
-            const NamedValues<Number>& values, const Phase<Number>& phase, bool constant)
+  RealBlock(const SectorPattern& pattern, const RealBasis& basis, const NamedValues<Number>& values,
+            const Phase<Number>& phase, bool constant)
       : pattern_(pattern), basis_(basis), values_(values), phase_(phase), constant_(constant) {}
 
   DenseMatrix<Number> make() {
@@ -133,8 +133,8 @@ class RealBlock {
     if (term.column == kCenter || term.row == kCenter) return {0, 1};
     const auto [row, row_size] = place(term.row);
     const auto [column, column_size] = place(term.column);
-    const double known = static_cast<double>(column) / column_size -
-                         static_cast<double>(row) / row_size;
+    const double known =
+        static_cast<double>(column) / column_size - static_cast<double>(row) / row_size;
     const int halves = static_cast<int>(std::lround(2 * (term.angle - known)));
     return {halves * row_size * column_size + 2 * column * row_size - 2 * row * column_size,
             2 * row_size * column_size};
@@ -146,8 +146,7 @@ class RealBlock {
     if (term.repeated < 0) return add(term, scaled(first, factor));
     const auto name = static_cast<std::size_t>(term.repeated);
     const std::vector<Number>& weights = values_.values[name];
-    Turn<Number> sum =
-        scaled(first, values_.amid.empty() ? Number(0) : values_.amid[name]);
+    Turn<Number> sum = scaled(first, values_.amid.empty() ? Number(0) : values_.amid[name]);
     for (std::size_t i = 0; i < weights.size(); ++i) {
       const int k = values_.positions.empty() ? static_cast<int>(i) : values_.positions[name][i];
       const Turn<Number> at =

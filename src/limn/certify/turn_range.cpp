@@ -44,7 +44,7 @@ AtPoint at_point(const Ball& u) {
       }
       return total.widened(1e-50);
     };
-    return {sum(cosine, 0), sum(sinc, 0), sum(cosine, 1),
+    return {sum(cosine, 0), sum(sinc, 0),   sum(cosine, 1),
             sum(sinc, 1),   sum(cosine, 2), sum(sinc, 2)};
   }
   const Ball y = sqrt(u);
