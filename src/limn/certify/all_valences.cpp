@@ -11,20 +11,20 @@
 namespace limn::certify {
 namespace {
 
-constexpr int kDeepestInterval = 12;    // halvings of 0 … 1/N
-constexpr int kDeepestAtInfinity = 24;  // of the interval at t = 0
+constexpr int kDeepestAtInfinity = 24;  // halvings of the interval at t = 0
 constexpr int kProbedFrom = 5;          // halvings after which a failing middle ends the search
 constexpr int kMostUncovered = 24;
 constexpr int kDeepestTurn = 16;
-constexpr double kNear = 1e-9;  // a claim's number and what it stands for
 
-/// Some 1/n, n whole, lies in begin … end (in the open interval: strictly between).
-bool holds_valence(const Rational& begin, const Rational& end, bool open) {
-  if (begin <= 0) return end > 0;
-  const Rational first = Rational(1) / end;
-  Integer n = numerator(first) / denominator(first);  // ≤ 1/end
-  if (Rational(n) < first || (open && Rational(n) == first)) ++n;
-  return open ? Rational(n) * begin < 1 : Rational(n) * begin <= 1;
+Integer floor_of(const Rational& positive) { return numerator(positive) / denominator(positive); }
+Integer ceiling_of(const Rational& positive) {
+  return (numerator(positive) + denominator(positive) - 1) / denominator(positive);
+}
+
+/// Some 1/n lies strictly between 0 ≤ begin and end.
+bool is_valence_between(const Rational& begin, const Rational& end) {
+  if (end <= begin) return false;
+  return begin == 0 || floor_of(1 / end) + 1 < ceiling_of(1 / begin);
 }
 
 /// The least of what μ1 may be.
@@ -43,15 +43,12 @@ class Search {
       : prover_(prover), found_(found), stop_(stop) {}
 
   void cover_valences() {
-    struct Piece {
-      Rational begin, end;
-      int depth;
-    };
     std::deque<Piece> todo{{Rational(0), Rational(Integer(1), Integer(found_.from)), 0}};
     while (!todo.empty()) {
       const Piece piece = todo.front();
       todo.pop_front();
-      if (!holds_valence(piece.begin, piece.end, false)) continue;
+      const Integer first = ceiling_of(1 / piece.end);
+      if (piece.begin > 0 && floor_of(1 / piece.begin) < first) continue;
       ValenceInterval claim;
       claim.begin = piece.begin;
       claim.end = piece.end;
@@ -61,22 +58,21 @@ class Search {
         found_.intervals.push_back(std::move(claim));
         continue;
       }
+      const bool is_point = piece.begin == piece.end;
       const Rational middle = (piece.begin + piece.end) / 2;
-      if (is_hopeless(piece.begin, middle, piece.depth) || asked(stop_) ||
+      if (is_point || is_hopeless(piece, middle) || asked(stop_) ||
           found_.uncovered.size() > kMostUncovered) {
-        leave_out(piece.begin, piece.end, shown.error().message);
-        continue;
+        leave_out(piece, shown.error().message);
+      } else if (piece.begin > 0 && floor_of(1 / piece.begin) == first) {
+        todo.push_front({Rational(Integer(1), first), Rational(Integer(1), first), 0});
+      } else {
+        todo.push_front({middle, piece.end, piece.depth + 1});
+        todo.push_front({piece.begin, middle, piece.depth + 1});
       }
-      todo.push_front({middle, piece.end, piece.depth + 1});
-      todo.push_front({piece.begin, middle, piece.depth + 1});
     }
   }
 
   void cover_turns() {
-    struct Piece {
-      Rational begin, end;
-      int depth;
-    };
     std::deque<Piece> todo{{Rational(0), Rational(1), 0}};
     while (!todo.empty()) {
       const Piece piece = todo.front();
@@ -101,18 +97,25 @@ class Search {
   }
 
  private:
-  [[nodiscard]] bool is_hopeless(const Rational& begin, const Rational& middle, int depth) {
-    if (depth >= (begin == 0 ? kDeepestAtInfinity : kDeepestInterval)) return true;
-    if (depth < kProbedFrom) return false;
-    return !prover_.show_at(middle);
+  /// Of 1/n, or of a turn's square.
+  struct Piece {
+    Rational begin, end;
+    int depth;
+  };
+
+  [[nodiscard]] bool is_hopeless(const Piece& piece, const Rational& middle) {
+    if (piece.begin == 0 && piece.depth >= kDeepestAtInfinity) return true;
+    return piece.depth >= kProbedFrom && !prover_.show_at(middle);
   }
 
-  void leave_out(const Rational& begin, const Rational& end, const std::string& reason) {
+  void leave_out(const Piece& piece, const std::string& reason) {
+    UncoveredValences here{ceiling_of(1 / piece.end).convert_to<long long>(), 0, reason};
+    if (piece.begin > 0) here.last = floor_of(1 / piece.begin).convert_to<long long>();
     std::vector<UncoveredValences>& all = found_.uncovered;
-    if (!all.empty() && all.back().end == begin && all.back().reason == reason)
-      all.back().end = end;
+    if (!all.empty() && all.back().reason == reason && all.back().first <= here.last + 1)
+      all.back().first = here.first;
     else
-      all.push_back({begin, end, reason});
+      all.push_back(std::move(here));
   }
 
   IntervalProver& prover_;
@@ -122,11 +125,10 @@ class Search {
 };
 
 /// "n = 7", "n = 7 … 9" or "n ≥ 7".
-std::string valences_text(const Rational& begin, const Rational& end) {
-  const int first = static_cast<int>(std::ceil(1 / to_double(end) - kNear));
-  if (begin == 0) return fmt::format("n ≥ {}", first);
-  const int last = static_cast<int>(std::floor(1 / to_double(begin) + kNear));
-  return first == last ? fmt::format("n = {}", first) : fmt::format("n = {} … {}", first, last);
+std::string valences_text(const UncoveredValences& some) {
+  if (some.last == 0) return fmt::format("n ≥ {}", some.first);
+  return some.first == some.last ? fmt::format("n = {}", some.first)
+                                 : fmt::format("n = {} … {}", some.first, some.last);
 }
 
 Result<RangeRules> rules_from(const Scheme& scheme, int from) {
@@ -157,7 +159,7 @@ AllValences certify_all_valences(const Scheme& scheme, const CellMatrices& cells
   search.cover_valences();
   if (!found.uncovered.empty()) {
     const UncoveredValences& first = found.uncovered.front();
-    found.reason = fmt::format("{}: {}", valences_text(first.begin, first.end), first.reason);
+    found.reason = fmt::format("{}: {}", valences_text(first), first.reason);
   }
   if (found.intervals.empty()) return found;
   search.cover_turns();
@@ -177,7 +179,7 @@ Status check_all_valences(const Scheme& scheme, const CellMatrices& cells,
   LeastEigenvalue least;
   Rational reached(0);
   for (ValenceInterval interval : claim.intervals) {
-    if (interval.begin > reached && holds_valence(reached, interval.begin, reached > 0))
+    if (is_valence_between(reached, interval.begin))
       return Error{"the intervals leave out a valence"};
     if (interval.begin < 0 || interval.end < interval.begin)
       return Error{"an interval of 1/n does not begin at 0 or later and end after that"};

@@ -48,9 +48,10 @@ struct TurnInterval {
   std::vector<double> right, left;  ///< its eigenvectors; empty: none is apart
 };
 
-/// What is not shown, and why.
+/// Valences for which it is not shown, and why.
 struct UncoveredValences {
-  Rational begin, end;  ///< of t: valences 1/end … 1/begin
+  long long first = 0;
+  long long last = 0;  ///< 0: all from `first` on
   std::string reason;
 };
 
@@ -58,9 +59,9 @@ struct AllValences {
   int from = 0;  ///< N
   Truth c1 = Truth::undecided;
   std::string reason;                        ///< where it is not yes
-  std::vector<ValenceInterval> intervals;    ///< from t = 0 on; they cover all but `uncovered`
+  std::vector<ValenceInterval> intervals;    ///< t ascending; every valence but those uncovered
   std::vector<TurnInterval> turns;           ///< from 0 to 1
-  std::vector<UncoveredValences> uncovered;  ///< where frequencies ω ≥ 2 are shown nonetheless
+  std::vector<UncoveredValences> uncovered;  ///< descending
 };
 
 /// Searches for a proof for all valences n ≥ `from` > 6. The scheme's regular part is taken as

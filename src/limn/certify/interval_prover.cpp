@@ -13,7 +13,7 @@ namespace {
 constexpr int kMostSquarings = 24;
 constexpr std::size_t kMostCuts = 9;  // of a cell
 constexpr std::size_t kMoreCuts = 1;  // than one valence needs; beyond, t's interval is halved
-constexpr double kNear = 1e-9;        // from a claim's number to what it stands for
+constexpr double kNear = 1e-9;        // of a claimed eigenvector's residual
 
 Error undecided(const std::string& what) { return Error{what}; }
 
@@ -35,26 +35,30 @@ std::optional<Approximation> approx_leader(const BallMatrix& a) {
     if (std::abs(solver.eigenvalues()(i)) > std::abs(solver.eigenvalues()(leader))) leader = i;
   if (solver.eigenvalues()(leader).imag() != 0) return std::nullopt;
   Approximation result{solver.eigenvalues()(leader).real(), {}};
+  const Eigen::VectorXd vector = solver.eigenvectors().col(leader).real();
+  Eigen::Index largest = 0;
+  vector.cwiseAbs().maxCoeff(&largest);
   for (Eigen::Index i = 0; i < size; ++i)
-    result.vector.push_back(solver.eigenvectors()(i, leader).real());
+    result.vector.push_back(i == largest ? 1 : vector(i) / vector(largest));
   return result;
 }
 
-/// The pair near what a claim says.
+/// The pair near a claim: an eigenpair of the middle to kNear, its largest entry 1.
 Result<EnclosedPair> claimed_pair(const BallMatrix& a, double value,
                                   const std::vector<double>& vector) {
   if (vector.size() != a.rows() || vector.empty())
     return Error{"an eigenvector has not the size of its matrix"};
-  Result<EnclosedPair> pair = enclose_eigenpair(a, value, vector);
-  if (!pair) return pair;
-  const auto is_near = [](const Ball& enclosed, double claimed) {
-    return enclosed.widened(kNear).overlaps(Ball(claimed));
-  };
-  bool near = is_near(pair->value, value);
-  for (std::size_t i = 0; i < vector.size(); ++i)
-    near = near && is_near(pair->vector[i], vector[i] / vector[pair->pivot]);
-  if (!near) return Error{"an eigenvalue or eigenvector is not near the one claimed"};
-  return pair;
+  double largest = 0;
+  bool is_near = true;
+  for (std::size_t i = 0; i < vector.size(); ++i) {
+    double residual = -value * vector[i];
+    for (std::size_t j = 0; j < vector.size(); ++j) residual += a(i, j).approx() * vector[j];
+    is_near = is_near && std::abs(residual) <= kNear;
+    if (std::abs(vector[i]) > std::abs(largest)) largest = vector[i];
+  }
+  if (!is_near || largest != 1)
+    return Error{"what is claimed is no eigenvector of the interval's middle"};
+  return enclose_eigenpair(a, value, vector);
 }
 
 }  // namespace
@@ -90,10 +94,7 @@ bool IntervalProver::show_at(const Rational& t) {
   ValenceInterval point;
   point.begin = t;
   point.end = t;
-  const std::size_t cuts = std::exchange(most_cuts_, kMostCuts);
-  const bool shown = show(point).ok();
-  most_cuts_ = cuts;
-  if (!shown) return false;
+  if (!show(point)) return false;
   for (const auto& words : point.parts)
     for (const std::string& word : words)
       most_cuts_ = std::clamp(word.size() + kMoreCuts, most_cuts_, kMostCuts);
@@ -198,12 +199,14 @@ Status IntervalProver::show_ring(const IntervalBlocks& blocks, const EnclosedPai
   if (searching_) claim.parts.assign(ring_.cells.size(), {});
   if (claim.parts.size() != ring_.cells.size()) return Error{"cells of the ring are missing"};
   const std::size_t count = ring_.cells.size();
+  const std::size_t most_cuts = claim.begin == claim.end ? kMostCuts : most_cuts_;
   for (std::size_t at = 0; at < count; ++at) {
     const std::size_t i = (hardest_ + at) % count;
     const Result<CellMap> map = ring.map_on(ring_.cells[i]);
     if (!map) return map.error();
     std::vector<std::string> shown;
-    if (!show_part(ring, *map, "", claim.parts[i], shown)) {
+    PartSearch search{ring, claim.parts[i], most_cuts, shown};
+    if (!show_part(search, *map, "")) {
       hardest_ = i;
       return undecided("the characteristic map's Jacobian, or its winding, is not decided");
     }
@@ -213,23 +216,22 @@ Status IntervalProver::show_ring(const IntervalBlocks& blocks, const EnclosedPai
   return Done{};
 }
 
-bool IntervalProver::show_part(IntervalRing& ring, const CellMap& map, const std::string& word,
-                               const std::vector<std::string>& claimed,
-                               std::vector<std::string>& shown) const {
+bool IntervalProver::show_part(PartSearch& search, const CellMap& map,
+                               const std::string& word) const {
+  const std::vector<std::string>& claimed = search.claimed;
   const bool is_claimed = std::find(claimed.begin(), claimed.end(), word) != claimed.end();
-  if ((searching_ || is_claimed) && ring.agrees(map)) {
-    shown.push_back(word);
+  if ((searching_ || is_claimed) && search.ring.agrees(map)) {
+    search.shown.push_back(word);
     return true;
   }
   const auto is_within = [&](const std::string& one) {
     return one.size() > word.size() && one.starts_with(word);
   };
-  const bool cut = word.size() < most_cuts_ &&
+  const bool cut = word.size() < search.most_cuts &&
                    (searching_ || std::any_of(claimed.begin(), claimed.end(), is_within));
   if (!cut) return false;
   for (std::size_t digit = 0; digit < cells_.residual.size(); ++digit)
-    if (!show_part(ring, signs_.part(map, digit), word + static_cast<char>('0' + digit), claimed,
-                   shown))
+    if (!show_part(search, signs_.part(map, digit), word + static_cast<char>('0' + digit)))
       return false;
   return true;
 }

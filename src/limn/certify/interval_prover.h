@@ -37,8 +37,14 @@ class IntervalProver {
                   ValenceInterval& claim) const;
   Status show_ring(const IntervalBlocks& blocks, const EnclosedPair& pair,
                    ValenceInterval& claim) const;
-  bool show_part(IntervalRing& ring, const CellMap& map, const std::string& word,
-                 const std::vector<std::string>& claimed, std::vector<std::string>& shown) const;
+  /// The parts of one cell.
+  struct PartSearch {
+    IntervalRing& ring;
+    const std::vector<std::string>& claimed;
+    std::size_t most_cuts;
+    std::vector<std::string>& shown;
+  };
+  bool show_part(PartSearch& search, const CellMap& map, const std::string& word) const;
 
   const CellMatrices& cells_;
   const RangeRules& rules_;

@@ -102,7 +102,8 @@ Result<RangeRules> RangeRules::make(const Scheme& scheme, int from) {
 }
 
 Status RangeRules::choose_cases() {
-  const ValenceRange range(Ball::hull(Ball(0), Ball(Rational(Integer(1), Integer(from_)))));
+  // n = from itself is decided exactly, so that a guard may change there
+  const ValenceRange range(Ball::hull(Ball(0), Ball(Rational(Integer(1), Integer(from_ + 1)))));
   const Result<CenterCases> cases = center_cases(*scheme_, from_);
   if (!cases) return cases.error();
   const std::vector<RuleKind> kinds = center_rules(*scheme_->split);
@@ -176,11 +177,7 @@ Status RangeRules::find_sums() {
 }
 
 Result<PowerBall> RangeRules::plain(const NamedWeight& name) const {
-  std::optional<long long> valence;
-  std::optional<long long> k;
-  if (name.regular && *name.regular != 0) valence = *name.regular;
-  if (name.k) k = *name.k;
-  Scope<PowerBall> scope(*scheme_, valence, k);
+  Scope<PowerBall> scope = scope_of<PowerBall>(*scheme_, name, std::nullopt, 0);
   if (!name.regular) scope.give("n", PowerBall::valence());
   Result<PowerBall> value = scope(name.weight->value);
   if (!value) return value;

@@ -50,6 +50,19 @@ struct NamedValues {
   std::vector<Number> amid = {};
 };
 
+/// Scope of the weight of a name at position k: the valence is n at the centre, and that of a
+/// regular rule elsewhere.
+template <class Number>
+Scope<Number> scope_of(const Scheme& scheme, const NamedWeight& name, std::optional<int> n, int k) {
+  using A = Arithmetic<Number>;
+  Scope<Number> scope(scheme, std::nullopt, std::nullopt);
+  if (!name.regular && n) scope.give("n", A::from(Rational(*n)));
+  if (name.regular && *name.regular != 0) scope.give("n", A::from(Rational(*name.regular)));
+  if (name.repeated) scope.give("k", A::from(Rational(k)));
+  if (name.k) scope.give("k", A::from(Rational(*name.k)));
+  return scope;
+}
+
 /// At the valence n, a whole number.
 template <class Number>
 Result<NamedValues<Number>> named_values(const Scheme& scheme, const SectorPattern& pattern,
@@ -60,13 +73,7 @@ Result<NamedValues<Number>> named_values(const Scheme& scheme, const SectorPatte
   for (std::size_t i = 0; i < pattern.names.size(); ++i) {
     const NamedWeight& name = pattern.names[i];
     for (int k = 0; k < (name.repeated ? n : 1); ++k) {
-      const std::optional<long long> index = name.repeated ? std::optional<long long>(k)
-                                             : name.k      ? std::optional<long long>(*name.k)
-                                                           : std::nullopt;
-      std::optional<long long> valence = n;
-      if (name.regular)
-        valence = *name.regular == 0 ? std::nullopt : std::optional<long long>(*name.regular);
-      Result<Number> value = Scope<Number>(scheme, valence, index)(name.weight->value);
+      Result<Number> value = scope_of<Number>(scheme, name, n, k)(name.weight->value);
       if (value) value = A::multiply(*value, A::from(name.share));
       if (!value) return value.error();
       result.values[i].push_back(std::move(*value));
