@@ -135,6 +135,7 @@ TEST(AllValences, GuardsThatChangeBeyondTheStartAreRefused) {
   EXPECT_NE(early.reason.find("guards"), std::string::npos) << early.reason;
   const AllValences late = certify_all_valences(scheme, regular.cells, regular.bounds, 20);
   EXPECT_EQ(late.c1, Truth::yes) << late.reason;
+  EXPECT_EQ(first_of_all_valences(scheme).value(), 20);
 }
 
 // The check refuses claims that were changed.

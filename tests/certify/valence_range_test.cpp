@@ -221,6 +221,45 @@ TEST(IntervalBlocks, EncloseTangentAndItsDistanceFromTheCup) {
   }
 }
 
+bool agree(IntervalRing& ring, const CellSigns& signs, const CellMap& map, int cuts) {
+  if (ring.agrees(map)) return true;
+  if (cuts == 0) return false;
+  for (std::size_t digit = 0; digit < 4; ++digit)
+    if (!agree(ring, signs, signs.part(map, digit), cuts - 1)) return false;
+  return true;
+}
+
+// The map of frequency 1's leading eigenvector winds once and is regular, that of its second folds.
+TEST(IntervalRing, TellsARegularMapFromAFoldedOne) {
+  const Scheme scheme = find_scheme("catmull-clark").value();
+  const RangeRules rules = RangeRules::make(scheme, 12).value();
+  const CellMatrices cells = cell_matrices(regular_mask(scheme).value()).value();
+  const Contraction bounds = enclose_contraction(cells, kContracted, 100'000).value();
+  const CellSigns signs(cells, bounds);
+  const Rational t(1, 20);
+  const IntervalBlocks blocks = IntervalBlocks::make(rules, t, t).value();
+  const EnclosedPair first = leader(blocks.tangent());
+  EnclosedPair second = leader(deflated(blocks.tangent(), first));
+  const auto is_regular = [&](const EnclosedPair& pair) {
+    IntervalRing ring(cells, signs, rules, blocks, pair);
+    for (const LatticeVector cell : ring_cells(cells).value().cells)
+      if (!agree(ring, signs, ring.map_on(cell).value(), 5)) return false;
+    return true;
+  };
+  EXPECT_TRUE(is_regular(first));
+  // an eigenvector of the deflated matrix is one of the whole matrix less a multiple of the first
+  Ball share;
+  for (std::size_t j = 0, column = 0; j < blocks.tangent().rows(); ++j)
+    if (j != first.pivot)
+      share.add_product(blocks.tangent()(first.pivot, j), second.vector[column++]);
+  share /= second.value - first.value;
+  std::vector<Ball> whole;
+  for (std::size_t j = 0, row = 0; j < blocks.tangent().rows(); ++j)
+    whole.push_back((j == first.pivot ? Ball(0) : second.vector[row++]) + share * first.vector[j]);
+  second.vector = whole;
+  EXPECT_FALSE(is_regular(second));
+}
+
 TEST(TurnBlocks, SlopeOfTheLeadingEigenvalue) {
   // Loop: λ = 3/8 + cos(θ)/4, by θ²: -sin(θ)/(8θ)
   const Scheme scheme = find_scheme("loop").value();

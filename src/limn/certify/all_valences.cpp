@@ -49,6 +49,10 @@ class Search {
       todo.pop_front();
       const Integer first = ceiling_of(1 / piece.end);
       if (piece.begin > 0 && floor_of(1 / piece.begin) < first) continue;
+      if (asked(stop_) || found_.uncovered.size() > kMostUncovered) {
+        leave_out(piece, "not tried: the time ended, or too many others are not shown");
+        continue;
+      }
       ValenceInterval claim;
       claim.begin = piece.begin;
       claim.end = piece.end;
@@ -60,11 +64,10 @@ class Search {
       }
       const bool is_point = piece.begin == piece.end;
       const Rational middle = (piece.begin + piece.end) / 2;
-      if (is_point || is_hopeless(piece, middle) || asked(stop_) ||
-          found_.uncovered.size() > kMostUncovered) {
+      if (!is_point && piece.begin > 0 && floor_of(1 / piece.begin) == first) {
+        todo.push_front({Rational(Integer(1), first), Rational(Integer(1), first), piece.depth});
+      } else if (is_point || is_hopeless(piece, middle)) {
         leave_out(piece, shown.error().message);
-      } else if (piece.begin > 0 && floor_of(1 / piece.begin) == first) {
-        todo.push_front({Rational(Integer(1), first), Rational(Integer(1), first), 0});
       } else {
         todo.push_front({middle, piece.end, piece.depth + 1});
         todo.push_front({piece.begin, middle, piece.depth + 1});
@@ -131,8 +134,10 @@ std::string valences_text(const UncoveredValences& some) {
                                  : fmt::format("n = {} … {}", some.first, some.last);
 }
 
+constexpr int kLargestRegular = 6;
+constexpr int kLastStart = 60;
+
 Result<RangeRules> rules_from(const Scheme& scheme, int from) {
-  constexpr int kLargestRegular = 6;
   if (from <= kLargestRegular)
     return Error{"a proof for all valences begins beyond the regular ones, at 7 or later"};
   Result<RangeRules> rules = RangeRules::make(scheme, from);
@@ -142,6 +147,14 @@ Result<RangeRules> rules_from(const Scheme& scheme, int from) {
 }
 
 }  // namespace
+
+Result<int> first_of_all_valences(const Scheme& scheme) {
+  for (int from = kLargestRegular + 1;; ++from) {
+    const Result<RangeRules> rules = rules_from(scheme, from);
+    if (rules) return from;
+    if (from == kLastStart) return rules.error();
+  }
+}
 
 AllValences certify_all_valences(const Scheme& scheme, const CellMatrices& cells,
                                  const Contraction& bounds, int from, const Stop& stop) {

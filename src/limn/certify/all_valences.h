@@ -64,6 +64,10 @@ struct AllValences {
   std::vector<UncoveredValences> uncovered;  ///< descending
 };
 
+/// The least N, 7 … 60, from which on the centre's rules are one formula in n that a proof can use:
+/// where guards no longer change. Fails where there is none, with the reason at 60.
+[[nodiscard]] Result<int> first_of_all_valences(const Scheme& scheme);
+
 /// Searches for a proof for all valences n ≥ `from` > 6. The scheme's regular part is taken as
 /// proved: `bounds` are those of `cells`. Cost: seconds.
 [[nodiscard]] AllValences certify_all_valences(const Scheme& scheme, const CellMatrices& cells,
