@@ -121,6 +121,15 @@ TEST(AllValences, GapsThatCloseLinearlyAndQuadraticallyAreShown) {
   EXPECT_EQ(certify_all_valences(closer, regular.cells, regular.bounds, 12).c1, Truth::undecided);
 }
 
+TEST(AllValences, AFrequencyThatLeadsBeforeTheFirstIsFoundAtOnce) {
+  const Scheme scheme = scheme_of("butterfly");
+  const Regular regular(scheme);
+  const AllValences all = certify_all_valences(scheme, regular.cells, regular.bounds, 12);
+  EXPECT_EQ(all.c1, Truth::undecided);
+  EXPECT_EQ(all.uncovered.size(), 1U);
+  EXPECT_NE(all.reason.find("seems to lead"), std::string::npos) << all.reason;
+}
+
 TEST(AllValences, GuardsThatChangeBeyondTheStartAreRefused) {
   Scheme scheme =
       parse_scheme(

@@ -14,6 +14,7 @@ namespace {
 constexpr int kDeepestAtInfinity = 24;  // halvings of the interval at t = 0
 constexpr int kProbedFrom = 5;          // halvings after which a failing middle ends the search
 constexpr int kMostUncovered = 24;
+constexpr long kMostParts = 400'000;  // of cells, that a search looks at
 constexpr int kDeepestTurn = 16;
 
 Integer floor_of(const Rational& positive) { return numerator(positive) / denominator(positive); }
@@ -49,8 +50,9 @@ class Search {
       todo.pop_front();
       const Integer first = ceiling_of(1 / piece.end);
       if (piece.begin > 0 && floor_of(1 / piece.begin) < first) continue;
-      if (asked(stop_) || found_.uncovered.size() > kMostUncovered) {
-        leave_out(piece, "not tried: the time ended, or too many others are not shown");
+      if (asked(stop_) || found_.uncovered.size() > kMostUncovered ||
+          prover_.parts_seen() > kMostParts) {
+        leave_out(piece, "not tried, the search being ended by its bounds");
         continue;
       }
       ValenceInterval claim;
@@ -167,6 +169,12 @@ AllValences certify_all_valences(const Scheme& scheme, const CellMatrices& cells
   if (!found.reason.empty()) return found;
   const CellSigns signs(cells, bounds);
   IntervalProver prover(cells, *rules, signs, *ring, true);
+  for (const int n : {from, 2 * from, 8 * from})
+    if (const std::optional<int> rival = prover.approx_rival(n)) {
+      found.reason = fmt::format("frequency {} seems to lead at n = {}", *rival, n);
+      found.uncovered.push_back({from, 0, found.reason});
+      return found;
+    }
   for (const int part : {1, 16}) prover.show_at(Rational(Integer(1), Integer(from * part)));
   Search search(prover, found, stop);
   search.cover_valences();

@@ -12,6 +12,7 @@ namespace {
 
 constexpr int kMostSquarings = 24;
 constexpr std::size_t kMostCuts = 9;  // of a cell
+constexpr int kMostParts = 4000;      // that one interval's search looks at
 constexpr std::size_t kMoreCuts = 1;  // than one valence needs; beyond, t's interval is halved
 constexpr double kNear = 1e-9;        // of a claimed eigenvector's residual
 
@@ -125,6 +126,20 @@ Status IntervalProver::show(TurnInterval& claim, const Ball& bound) const {
   return Done{};
 }
 
+std::optional<int> IntervalProver::approx_rival(int n) const {
+  const Rational t(Integer(1), Integer(n));
+  const Result<IntervalBlocks> blocks = IntervalBlocks::make(rules_, t, t);
+  const auto tangent = blocks ? approx_leader(blocks->tangent()) : std::nullopt;
+  for (int frequency = rules_.last_special() + 1; tangent && frequency <= n / 2; ++frequency) {
+    if (frequency == 1) continue;
+    const Rational turn = Rational(4 * frequency * frequency) * t * t;
+    const Result<TurnBlocks> other = turn_blocks(rules_, turn, turn);
+    const auto leader = other ? approx_leader(other->block) : std::nullopt;
+    if (leader && std::abs(leader->value) >= std::abs(tangent->value)) return frequency;
+  }
+  return std::nullopt;
+}
+
 Status IntervalProver::fill(const BallMatrix& a, double& value, std::vector<double>& vector) const {
   if (!searching_) return Done{};
   std::optional<Approximation> found = approx_leader(a);
@@ -200,12 +215,13 @@ Status IntervalProver::show_ring(const IntervalBlocks& blocks, const EnclosedPai
   if (claim.parts.size() != ring_.cells.size()) return Error{"cells of the ring are missing"};
   const std::size_t count = ring_.cells.size();
   const std::size_t most_cuts = claim.begin == claim.end ? kMostCuts : most_cuts_;
+  const long last_part = parts_seen_ + kMostParts;
   for (std::size_t at = 0; at < count; ++at) {
     const std::size_t i = (hardest_ + at) % count;
     const Result<CellMap> map = ring.map_on(ring_.cells[i]);
     if (!map) return map.error();
     std::vector<std::string> shown;
-    PartSearch search{ring, claim.parts[i], most_cuts, shown};
+    PartSearch search{ring, claim.parts[i], most_cuts, shown, last_part};
     if (!show_part(search, *map, "")) {
       hardest_ = i;
       return undecided("the characteristic map's Jacobian, or its winding, is not decided");
@@ -219,6 +235,7 @@ Status IntervalProver::show_ring(const IntervalBlocks& blocks, const EnclosedPai
 bool IntervalProver::show_part(PartSearch& search, const CellMap& map,
                                const std::string& word) const {
   const std::vector<std::string>& claimed = search.claimed;
+  if (searching_ && ++parts_seen_ > search.last_part) return false;
   const bool is_claimed = std::find(claimed.begin(), claimed.end(), word) != claimed.end();
   if ((searching_ || is_claimed) && search.ring.agrees(map)) {
     search.shown.push_back(word);

@@ -25,6 +25,11 @@ class IntervalProver {
   /// Searching: whether the proof is found at one t, cells being cut as often as it takes. From
   /// then on intervals' cells are cut that often, and a little more.
   bool show_at(const Rational& t);
+  /// Parts of cells that were looked at.
+  [[nodiscard]] long parts_seen() const { return parts_seen_; }
+  /// A frequency of valence n, not 0 nor special, that seems to lead in place of frequency 1. A
+  /// hint, in double precision.
+  [[nodiscard]] std::optional<int> approx_rival(int n) const;
 
  private:
   Status fill(const BallMatrix& a, double& value, std::vector<double>& vector) const;
@@ -43,6 +48,7 @@ class IntervalProver {
     const std::vector<std::string>& claimed;
     std::size_t most_cuts;
     std::vector<std::string>& shown;
+    long last_part;
   };
   bool show_part(PartSearch& search, const CellMap& map, const std::string& word) const;
 
@@ -51,7 +57,8 @@ class IntervalProver {
   const CellSigns& signs_;
   const RingCells& ring_;
   bool searching_;
-  std::size_t most_cuts_;            // of a cell
+  std::size_t most_cuts_;  // of a cell
+  mutable long parts_seen_ = 0;
   mutable std::size_t hardest_ = 0;  // the last cell that was not decided: the first to try
 };
 
