@@ -17,8 +17,14 @@ std::pair<int, int> ring_and_place(const CellMatrices& cells, LatticeVector j) {
   return cells.dual ? std::pair{ring + 1, place - ring} : std::pair{ring, place};
 }
 
-NetPoint turned(const NetPoint& p, const std::pair<Ball, Ball>& by) {
-  return {p.u * by.first - p.v * by.second, p.u * by.second + p.v * by.first};
+NetPoint turned(const NetPoint& p, const Turn<Ball>& by) {
+  return {p.u * by.cosine - p.v * by.to_real, p.u * by.to_imaginary + p.v * by.cosine};
+}
+
+/// What one step's coordinates are multiplied by: 1/λ, turned back where the star turns.
+Turn<Ball> outwards(const CellMatrices& cells, const Ball& eigenvalue, const Phase<Ball>& phase) {
+  const Turn<Ball> back = cells.turns ? phase(-1, 2) : Turn<Ball>({Ball(1), Ball(0)});
+  return {back.cosine / eigenvalue, back.to_imaginary / eigenvalue, back.to_real / eigenvalue};
 }
 
 }  // namespace
@@ -40,10 +46,12 @@ std::optional<SectorPlace> turned_into_sector(Lattice lattice, LatticeVector pla
 
 EigenNet::EigenNet(const CellMatrices& cells, const RealBasis& basis, const EnclosedPair& pair,
                    const Phase<Ball>& phase, Ball center)
-    : cells_(cells), basis_(basis), pair_(pair), phase_(phase), center_(std::move(center)) {
-  const auto back = cells.turns ? phase(-1, 2) : std::pair{Ball(1), Ball(0)};
-  factor_ = {back.first / pair.value, back.second / pair.value};
-}
+    : cells_(cells),
+      basis_(basis),
+      pair_(pair),
+      phase_(phase),
+      center_(std::move(center)),
+      factor_(outwards(cells, pair.value, phase)) {}
 
 Result<NetPoint> EigenNet::at(LatticeVector j) { return at(j, 0); }
 

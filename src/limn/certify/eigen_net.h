@@ -28,9 +28,9 @@ struct NetPoint {
 
 class EigenNet {
  public:
-  /// `pair`: eigenvalue of one step, eigenvector in the real basis without the centre. All must
-  /// outlive the net.
-  /// `center`: the value there; other than 0 for frequency 0 alone.
+  /// `pair`: eigenvalue of one step, eigenvector in the real basis without the centre. Points are
+  /// in the coordinates (Re, Im/σ) of `phase`'s turns. `center`: the value there; other
+  /// than 0 for frequency 0 alone. All must outlive the net.
   EigenNet(const CellMatrices& cells, const RealBasis& basis, const EnclosedPair& pair,
            const Phase<Ball>& phase, Ball center = 0);
 
@@ -49,7 +49,7 @@ class EigenNet {
   const EnclosedPair& pair_;
   const Phase<Ball>& phase_;
   Ball center_;
-  std::pair<Ball, Ball> factor_;  // 1/λ, turned back
+  Turn<Ball> factor_;  // 1/λ, turned back
   std::map<LatticeVector, NetPoint> known_;
 };
 

@@ -44,6 +44,10 @@ template <class Number>
 struct NamedValues {
   Number n;                                 ///< the valence
   std::vector<std::vector<Number>> values;  ///< one number each, or n of a repeated role
+  /// Of repeated roles where not all n positions are told apart: k of each value, and what the
+  /// others add up to at this frequency with the phase of k = 0. Empty: values are of k = 0 … n-1.
+  std::vector<std::vector<int>> positions = {};
+  std::vector<Number> amid = {};
 };
 
 /// Scope of the weight of a name at position k: the valence is n at the centre, and that of a
@@ -82,9 +86,23 @@ Result<NamedValues<Number>> named_values(const Scheme& scheme, const SectorPatte
 /// rules apply is that of valence n.
 [[nodiscard]] Result<SectorPattern> exact_pattern(const Scheme& scheme, int n);
 
-/// cos and sin of x sectors of frequency ω: of 2πωx/n, x = numerator/denominator.
+/// A turn of the plane by an angle α, in coordinates (p, q/σ): p' = cos α p - σ sin α (q/σ),
+/// q'/σ = (sin α/σ) p + cos α (q/σ). σ is 1 but where it makes a limit exist.
 template <class Number>
-using Phase = std::function<std::pair<Number, Number>(int numerator, int denominator)>;
+struct Turn {
+  Turn(Number along, Number imaginary, Number real)
+      : cosine(std::move(along)), to_imaginary(std::move(imaginary)), to_real(std::move(real)) {}
+  /// σ = 1: cos α and sin α.
+  Turn(std::pair<Number, Number> phase)  // NOLINT(google-explicit-constructor): the usual case
+      : cosine(std::move(phase.first)), to_imaginary(phase.second), to_real(phase.second) {}
+  Number cosine;
+  Number to_imaginary;  ///< sin α/σ
+  Number to_real;       ///< σ sin α
+};
+
+/// The turn by x sectors at frequency ω: α = 2πωx/n, x = numerator/denominator.
+template <class Number>
+using Phase = std::function<Turn<Number>(int numerator, int denominator)>;
 
 /// The real matrix of one frequency. `constant`: ω = 0, the centre comes first where there is one;
 /// else it has none. Precondition: all phases that `phase` gives are those of that frequency.
@@ -112,8 +130,6 @@ class RealBlock {
   }
 
  private:
-  using Complex = std::pair<Number, Number>;
-
   /// Numerator and denominator of an angle in sectors: from the row's point to the column's.
   [[nodiscard]] std::pair<int, int> angle(const SectorTerm& term) const {
     const auto place = [&](int orbit) {
@@ -133,24 +149,26 @@ class RealBlock {
 
   void add(const SectorTerm& term, const Number& factor) {
     const auto [numerator, denominator] = angle(term);
-    if (term.repeated < 0) return add(term, scaled(phase_(numerator, denominator), factor));
-    const std::vector<Number>& weights = values_.values[static_cast<std::size_t>(term.repeated)];
-    Complex sum{Number(0), Number(0)};
-    for (std::size_t k = 0; k < weights.size(); ++k) {
-      const int turn = term.slope * static_cast<int>(k) * denominator;
-      const Complex at = phase_(numerator + turn, denominator);
-      sum.first = sum.first + at.first * weights[k];
-      sum.second = sum.second + at.second * weights[k];
+    const Turn<Number> first = phase_(numerator, denominator);
+    if (term.repeated < 0) return add(term, scaled(first, factor));
+    const auto name = static_cast<std::size_t>(term.repeated);
+    const std::vector<Number>& weights = values_.values[name];
+    Turn<Number> sum = scaled(first, values_.amid.empty() ? Number(0) : values_.amid[name]);
+    for (std::size_t i = 0; i < weights.size(); ++i) {
+      const int k = values_.positions.empty() ? static_cast<int>(i) : values_.positions[name][i];
+      const Turn<Number> at =
+          scaled(phase_(numerator + term.slope * k * denominator, denominator), weights[i]);
+      sum = {sum.cosine + at.cosine, sum.to_imaginary + at.to_imaginary, sum.to_real + at.to_real};
     }
     add(term, scaled(sum, factor));
   }
 
-  static Complex scaled(const Complex& z, const Number& factor) {
-    return {z.first * factor, z.second * factor};
+  static Turn<Number> scaled(const Turn<Number>& z, const Number& factor) {
+    return {z.cosine * factor, z.to_imaginary * factor, z.to_real * factor};
   }
 
   /// X_row += z X_column, in real coordinates.
-  void add(const SectorTerm& term, const Complex& z) {
+  void add(const SectorTerm& term, const Turn<Number>& z) {
     if (term.row != kCenter && basis_.orbits[static_cast<std::size_t>(term.row)].reflected)
       return;  // the conjugate of its image's row
     const auto rows = coordinates(term.row);
@@ -158,12 +176,12 @@ class RealBlock {
     const bool reflected =
         term.column != kCenter && basis_.orbits[static_cast<std::size_t>(term.column)].reflected;
     // z (p ± iq) = (z1 p ∓ z2 q) + i (z2 p ± z1 q)
-    sum(rows.first, columns.first, z.first, false);
+    sum(rows.first, columns.first, z.cosine, false);
     const bool pair_row = rows.first != rows.second;
-    if (pair_row) sum(rows.second, columns.first, z.second, false);
+    if (pair_row) sum(rows.second, columns.first, z.to_imaginary, false);
     if (columns.first == columns.second) return;
-    sum(rows.first, columns.second, z.second, !reflected);
-    if (pair_row) sum(rows.second, columns.second, z.first, reflected);
+    sum(rows.first, columns.second, z.to_real, !reflected);
+    if (pair_row) sum(rows.second, columns.second, z.cosine, reflected);
   }
 
   void sum(std::size_t row, std::size_t column, const Number& value, bool negative) {
