@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <memory>
-#include <numeric>
 
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
@@ -26,11 +25,13 @@ constexpr std::uint64_t kMostBytes = 1ULL << 30;  // of a certificate that is re
 struct CertifyCommand {
   SchemeOptions scheme;
   std::string valence = "3..12";
+  bool valence_given = false;
   int bits = 128;
   double seconds = kSecondsToCertify;
   std::string output, resume, check;
   bool json = false;
   bool latex = false;
+  bool all = false;
 };
 
 Result<certify::Certificate> read_certificate(const std::string& path) {
@@ -77,6 +78,7 @@ Result<certify::CertifyOptions> options_of(const CertifyCommand& command, const 
                                            ProgressLine& line) {
   certify::CertifyOptions options;
   options.bits = command.bits;
+  options.all = command.all;
   options.time = TimeBudget(time_limit(command.seconds));
   options.progress = [&line](const std::string& what) { line.show("certifying: " + what); };
   if (command.resume.empty()) return options;
@@ -103,8 +105,10 @@ int prove(const CertifyCommand& command) {
   ProgressLine line;
   const Result<certify::CertifyOptions> options = options_of(command, *scheme, line);
   if (!options) return report(options.error());
-  std::vector<int> valences(static_cast<std::size_t>(range->last - range->first + 1));
-  std::iota(valences.begin(), valences.end(), range->first);
+  std::vector<int> valences;
+  // all valences bring those that are proved one by one
+  if (!command.all || command.valence_given)
+    for (int n = range->first; n <= range->last; ++n) valences.push_back(n);
   Result<certify::Certificate> certificate = certify::certify(*scheme, valences, *options);
   if (!certificate) {
     if (certificate.error().file.empty()) certificate.error().file = scheme->file;
@@ -122,7 +126,8 @@ int prove(const CertifyCommand& command) {
   const bool undecided = std::any_of(
       certificate->valences.begin(), certificate->valences.end(),
       [](const certify::ValenceClaim& c) { return c.c1 == certify::Answer::undecided; });
-  return undecided ? kUndecided : kDone;
+  const bool open = certificate->all && certificate->all->c1 == certify::Answer::undecided;
+  return undecided || open ? kUndecided : kDone;
 }
 
 }  // namespace
@@ -133,8 +138,10 @@ void declare_certify(CLI::App& parser, Action& action) {
   const auto chosen = std::make_shared<CertifyCommand>();
   command->add_option("SCHEME", chosen->scheme.name, kSchemeArgumentHelp);
   chosen->scheme.declare_parameters(*command);
-  command->add_option("--valence", chosen->valence, "a valence or a range, as 3..50")
-      ->capture_default_str();
+  CLI::Option* valence =
+      command->add_option("--valence", chosen->valence, "a valence or a range, as 3..50")
+          ->capture_default_str();
+  command->add_flag("--all", chosen->all, "every valence from 3 on at once");
   command->add_option("-o,--output", chosen->output, "where the certificate is written, as JSON");
   CLI::Option* check_option =
       command->add_option("--check", chosen->check,
@@ -152,8 +159,10 @@ void declare_certify(CLI::App& parser, Action& action) {
   command->footer(
       "Example: limn certify loop --valence 3..50 -o loop.json\n"
       "         limn certify --check loop.json\n"
+      "         limn certify catmull-clark --all\n"
       "         limn certify laplacian-loop -p a=1/16 --valence 3..20 --json");
-  command->callback([&action, chosen] {
+  command->callback([&action, chosen, valence] {
+    chosen->valence_given = valence->count() > 0;
     action = [chosen] { return chosen->check.empty() ? prove(*chosen) : check(*chosen); };
   });
 }

@@ -2,11 +2,13 @@
 /// A certificate: what is claimed of a scheme's surfaces, and what a check needs to see that it is
 /// so without searching. Theorems, hypotheses and an example by hand: docs/certificates.md.
 
+#include <array>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "limn/certify/all_valences.h"
 #include "limn/mesh/split/dilation.h"
 #include "limn/scheme/scheme.h"
 
@@ -84,12 +86,26 @@ struct ValenceClaim {
   CurvatureClaim curvature;
 };
 
+/// C1 at every valence from `from` on.
+struct AllClaim {
+  struct Exception {
+    int valence = 0;
+    Answer c1 = Answer::undecided;
+  };
+  int from = 3;
+  Answer c1 = Answer::undecided;  ///< proved: at all but the exceptions; never refuted
+  std::string reason;
+  std::vector<Exception> exceptions;  ///< of Certificate::valences, ascending
+  AllValences proof;                  ///< of those from proof.from on; the others one by one
+};
+
 struct Certificate {
   std::vector<SourceText> texts;        ///< the scheme's files, as in Scheme
   std::vector<std::string> parameters;  ///< "name=expression", set after reading
   std::string scheme;                   ///< its name
   RegularClaim regular;
   std::vector<ValenceClaim> valences;
+  std::optional<AllClaim> all;
 };
 
 }  // namespace limn::certify

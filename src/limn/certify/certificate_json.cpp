@@ -1,15 +1,10 @@
 #include "limn/certify/certificate_json.h"
 
-#include <cmath>
-#include <set>
-
-#include <fmt/core.h>
-#include <nlohmann/json.hpp>
+#include "limn/certify/all_valences_json.h"
+#include "limn/certify/json_reader.h"
 
 namespace limn::certify {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 constexpr const char* kFormat = "limn certificate";
 constexpr int kVersion = 1;
@@ -75,80 +70,8 @@ Json regular_json(const RegularClaim& claim) {
           {"longest", claim.longest}};
 }
 
-/// Reads one object, key by key; what is left over at its end is a fault.
-class Reader {
- public:
-  Reader(const Json& json, std::string place) : json_(json), place_(std::move(place)) {
-    if (!json.is_object()) fail("an object is needed here");
-  }
-  [[nodiscard]] const std::optional<Error>& fault() const { return fault_; }
-
-  void fail(const std::string& what) {
-    if (!fault_) fault_ = Error{place_ + ": " + what};
-  }
-  void take(const std::optional<Error>& fault) {
-    if (!fault_ && fault) fault_ = fault;
-  }
-  [[nodiscard]] bool has(const char* key) const { return json_.is_object() && json_.contains(key); }
-  [[nodiscard]] std::string at(const char* key) const { return place_ + "/" + key; }
-
-  const Json& get(const char* key) {
-    static const Json none;
-    read_.insert(key);
-    if (has(key)) return json_.at(key);
-    fail(fmt::format("'{}' is missing", key));
-    return none;
-  }
-  std::string text(const char* key) {
-    const Json& value = get(key);
-    if (!value.is_string()) fail(fmt::format("'{}' is to be a text", key));
-    return value.is_string() ? value.get<std::string>() : std::string();
-  }
-  double number(const char* key) { return number_of(get(key), key); }
-  int whole(const char* key) { return whole_of(get(key), key); }
-  std::vector<int> wholes(const char* key) {
-    std::vector<int> result;
-    for (const Json& one : list(key)) result.push_back(whole_of(one, key));
-    return result;
-  }
-  std::vector<double> numbers(const char* key) {
-    std::vector<double> result;
-    for (const Json& one : list(key)) result.push_back(number_of(one, key));
-    return result;
-  }
-  const Json& list(const char* key) {
-    static const Json none = Json::array();
-    const Json& value = get(key);
-    if (!value.is_array()) fail(fmt::format("'{}' is to be a list", key));
-    return value.is_array() ? value : none;
-  }
-  /// No more keys are known.
-  void end(const std::set<std::string>& ignored = {}) {
-    if (!json_.is_object()) return;
-    for (const auto& [key, value] : json_.items())
-      if (read_.count(key) == 0 && ignored.count(key) == 0)
-        fail(fmt::format("unknown key '{}'", key));
-  }
-
- private:
-  int whole_of(const Json& value, const char* key) {
-    const bool fits = value.is_number_integer() && std::abs(value.get<double>()) < 2e9;
-    if (!fits) fail(fmt::format("'{}' is to be a whole number", key));
-    return fits ? value.get<int>() : 0;
-  }
-  double number_of(const Json& value, const char* key) {
-    if (!value.is_number()) fail(fmt::format("'{}' is to be a number", key));
-    return value.is_number() ? value.get<double>() : 0;
-  }
-
-  const Json& json_;
-  std::string place_;
-  std::set<std::string> read_;
-  std::optional<Error> fault_;
-};
-
 template <class Enum>
-Enum word(Reader& reader, const char* key, std::initializer_list<Enum> all) {
+Enum word(JsonReader& reader, const char* key, std::initializer_list<Enum> all) {
   const std::string text = reader.text(key);
   for (const Enum one : all)
     if (text == to_string(one)) return one;
@@ -156,18 +79,18 @@ Enum word(Reader& reader, const char* key, std::initializer_list<Enum> all) {
   return *all.begin();
 }
 
-Answer answer(Reader& reader, const char* key) {
+Answer answer(JsonReader& reader, const char* key) {
   return word(reader, key, {Answer::undecided, Answer::proved, Answer::refuted});
 }
 
-LatticeVector read_cell(Reader& reader) {
+LatticeVector read_cell(JsonReader& reader) {
   const std::vector<int> cell = reader.wholes("cell");
   if (cell.size() == 2) return {cell[0], cell[1]};
   reader.fail("'cell' is to be two whole numbers");
   return {};
 }
 
-std::vector<std::string> read_parts(Reader& reader) {
+std::vector<std::string> read_parts(JsonReader& reader) {
   std::vector<std::string> parts;
   std::string text = reader.text("parts") + ' ';
   for (std::size_t begin = 0; begin < text.size();) {
@@ -182,28 +105,28 @@ std::vector<std::string> read_parts(Reader& reader) {
 }
 
 CellClaim read_cell_claim(const Json& json, const std::string& place, std::optional<Error>& fault) {
-  Reader reader(json, place);
+  JsonReader reader(json, place);
   CellClaim claim{read_cell(reader), read_parts(reader)};
   reader.end();
   if (!fault) fault = reader.fault();
   return claim;
 }
 
-CurvatureClaim read_curvature(Reader& outer) {
+CurvatureClaim read_curvature(JsonReader& outer) {
   CurvatureClaim claim;
   claim.answer = word(outer, "curvature",
                       {CurvatureAnswer::undecided, CurvatureAnswer::bounded,
                        CurvatureAnswer::unbounded, CurvatureAnswer::flat});
-  Reader reader(outer.get("curvature_proof"), outer.at("curvature_proof"));
+  JsonReader reader(outer.get("curvature_proof"), outer.at("curvature_proof"));
   claim.reason = reader.text("reason");
   if (reader.has("larger")) {
-    Reader larger(reader.get("larger"), reader.at("larger"));
+    JsonReader larger(reader.get("larger"), reader.at("larger"));
     claim.large = {larger.whole("frequency"), larger.wholes("rows"), larger.number("value")};
     larger.end();
     reader.take(larger.fault());
   }
   if (reader.has("jordan")) {
-    Reader jordan(reader.get("jordan"), reader.at("jordan"));
+    JsonReader jordan(reader.get("jordan"), reader.at("jordan"));
     claim.jordan = {jordan.whole("frequency"), jordan.whole("multiplicity")};
     jordan.end();
     reader.take(jordan.fault());
@@ -211,7 +134,7 @@ CurvatureClaim read_curvature(Reader& outer) {
   if (reader.has("squarings")) {
     claim.squarings = reader.wholes("squarings");
     for (const Json& json : reader.list("equal")) {
-      Reader equal(json, reader.at("equal"));
+      JsonReader equal(json, reader.at("equal"));
       claim.equal.push_back({equal.whole("frequency"), equal.whole("multiplicity")});
       equal.end();
       reader.take(equal.fault());
@@ -223,7 +146,7 @@ CurvatureClaim read_curvature(Reader& outer) {
 }
 
 ValenceClaim read_valence(const Json& json, const std::string& place, std::optional<Error>& fault) {
-  Reader reader(json, place);
+  JsonReader reader(json, place);
   ValenceClaim claim;
   claim.valence = reader.whole("valence");
   claim.c1 = answer(reader, "c1");
@@ -256,12 +179,12 @@ ValenceClaim read_valence(const Json& json, const std::string& place, std::optio
   return claim;
 }
 
-Certificate read_certificate(Reader& reader) {
+Certificate read_certificate(JsonReader& reader) {
   Certificate certificate;
   if (reader.text("format") != kFormat) reader.fail("it is no certificate of limn's");
   certificate.scheme = reader.text("scheme");
   for (const Json& json : reader.list("texts")) {
-    Reader text(json, reader.at("texts"));
+    JsonReader text(json, reader.at("texts"));
     certificate.texts.push_back({text.text("name"), text.text("text")});
     text.end();
     reader.take(text.fault());
@@ -270,7 +193,7 @@ Certificate read_certificate(Reader& reader) {
     if (!json.is_string()) reader.fail("'parameters' is to be a list of texts");
     if (json.is_string()) certificate.parameters.push_back(json.get<std::string>());
   }
-  Reader regular(reader.get("regular"), reader.at("regular"));
+  JsonReader regular(reader.get("regular"), reader.at("regular"));
   certificate.regular = {answer(regular, "c1"), regular.text("reason"), regular.number("leaf_norm"),
                          regular.whole("products"), regular.whole("longest")};
   regular.end();
@@ -280,6 +203,9 @@ Certificate read_certificate(Reader& reader) {
   for (const Json& json : reader.list("valences"))
     certificate.valences.push_back(
         read_valence(json, fmt::format("{}/{}", reader.at("valences"), number++), inside));
+  reader.take(inside);
+  if (reader.has("all"))
+    certificate.all = read_all_valences(reader.get("all"), reader.at("all"), inside);
   reader.take(inside);
   reader.end({"version", "limn", "seconds", "time"});
   return certificate;
@@ -297,6 +223,7 @@ Json certificate_json(const Certificate& certificate) {
   json["valences"] = Json::array();
   for (const ValenceClaim& claim : certificate.valences)
     json["valences"].push_back(valence_json(claim));
+  if (certificate.all) json["all"] = all_valences_json(*certificate.all);
   return json;
 }
 
@@ -310,13 +237,14 @@ Json answers_json(const Certificate& certificate) {
     one["curvature_reason"] = claim.curvature.reason;
     json["valences"].push_back(one);
   }
+  if (certificate.all) json["all"] = all_answer_json(*certificate.all);
   return json;
 }
 
 Result<Certificate> parse_certificate(std::string_view text) {
   const Json json = Json::parse(text, nullptr, false);
   if (json.is_discarded()) return Error{"it is no JSON"};
-  Reader reader(json, "");
+  JsonReader reader(json, "");
   Certificate certificate = read_certificate(reader);
   if (reader.fault()) {
     Error fault = *reader.fault();

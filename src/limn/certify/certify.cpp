@@ -14,6 +14,9 @@ namespace {
 constexpr std::array<double, 3> kLeafNorms{0.25, 0.5, 0.75};
 constexpr int kLargestClaim = 1'000'000;  // products that a check is ready to make
 constexpr int kMostBits = 4096;
+constexpr int kFirstValence = 3;
+constexpr int kMostStarts = 4;     // of a proof for all valences
+constexpr int kLatestStart = 200;  // valences below are proved one by one
 
 /// The smaller the leaves' norms are, the better the bounds and the larger the tree.
 Result<RegularProof> search_regular(const Mask& mask, const CertifyOptions& options) {
@@ -63,6 +66,74 @@ Result<ValenceClaim> certify_valence(const Scheme& scheme, const RegularProof& r
     if (again && again->c1 != Answer::undecided) return again;
   }
   return claim;
+}
+
+/// What is proved of all valences at once, beginning later where valences are left out.
+AllValences search_together(const Scheme& scheme, const RegularProof& regular,
+                            const CertifyOptions& options) {
+  AllValences found;
+  const Result<int> first = first_of_all_valences(scheme);
+  if (!first) {
+    found.reason = first.error().message;
+    return found;
+  }
+  int from = *first;
+  for (int round = 0; round < kMostStarts; ++round) {
+    if (options.progress) options.progress(fmt::format("all valences from {} on", from));
+    found =
+        certify_all_valences(scheme, regular.cells, regular.contraction, from, options.time.stop());
+    if (found.c1 == Truth::yes || found.uncovered.empty()) return found;
+    long long last = 0;
+    for (const UncoveredValences& some : found.uncovered) {
+      if (some.last == 0) return found;
+      last = std::max(last, some.last);
+    }
+    if (last >= kLatestStart) return found;
+    from = static_cast<int>(last) + 1;
+  }
+  return found;
+}
+
+/// The claim's exceptions are what single valences below the common proof are.
+std::vector<AllClaim::Exception> exceptions_of(const Certificate& certificate, int first, int end) {
+  std::vector<AllClaim::Exception> result;
+  for (const ValenceClaim& claim : certificate.valences)
+    if (claim.valence >= first && claim.valence < end && claim.c1 != Answer::proved)
+      result.push_back({claim.valence, claim.c1});
+  return result;
+}
+
+AllClaim claim_of(AllValences proof) {
+  AllClaim claim;
+  claim.from = kFirstValence;
+  if (proof.c1 == Truth::yes) {
+    claim.c1 = Answer::proved;
+    claim.reason =
+        fmt::format("the valences from {} on together, those below one by one", proof.from);
+    claim.proof = std::move(proof);
+  } else {
+    claim.reason = proof.reason;
+  }
+  return claim;
+}
+
+/// Fails where the claim on all valences is not shown by the proof and the single valences.
+Status check_all(const Scheme& scheme, const RegularProof& regular,
+                 const Certificate& certificate) {
+  const AllClaim& claim = *certificate.all;
+  if (claim.c1 == Answer::undecided) return Done{};
+  if (claim.c1 != Answer::proved || claim.from != kFirstValence || claim.proof.from > kLatestStart)
+    return Error{"all valences: no such claim is known"};
+  for (int n = claim.from; n < claim.proof.from; ++n)
+    if (std::none_of(certificate.valences.begin(), certificate.valences.end(),
+                     [n](const ValenceClaim& one) { return one.valence == n; }))
+      return Error{fmt::format("all valences: nothing is said of {}", n)};
+  const auto expected = exceptions_of(certificate, claim.from, claim.proof.from);
+  if (!std::equal(
+          expected.begin(), expected.end(), claim.exceptions.begin(), claim.exceptions.end(),
+          [](const auto& a, const auto& b) { return a.valence == b.valence && a.c1 == b.c1; }))
+    return Error{"all valences: the exceptions are not those of the single valences"};
+  return check_all_valences(scheme, regular.cells, regular.contraction, claim.proof);
 }
 
 Result<Scheme> scheme_of(const Certificate& certificate) {
@@ -149,15 +220,29 @@ Result<Certificate> certify(const Scheme& scheme, const std::vector<int>& valenc
     for (const int n : valences)
       certificate.valences.push_back(
           undecided(n, "C1 on the regular lattice is undecided: " + regular.error().message));
+    if (options.all) {
+      certificate.all = AllClaim{};
+      certificate.all->reason = "C1 on the regular lattice is undecided";
+    }
     return certificate;
   }
   certificate.regular = claim_of(*regular);
   const CellSigns signs(regular->cells, regular->contraction);
-  for (const int n : valences) {
+  std::vector<int> wanted = valences;
+  if (options.all) {
+    certificate.all = claim_of(search_together(scheme, *regular, options));
+    for (int n = kFirstValence; n < certificate.all->proof.from; ++n) wanted.push_back(n);
+    std::sort(wanted.begin(), wanted.end());
+    wanted.erase(std::unique(wanted.begin(), wanted.end()), wanted.end());
+  }
+  for (const int n : wanted) {
     Result<ValenceClaim> claim = certify_valence(scheme, *regular, signs, n, options);
     if (!claim) return claim.error();
     certificate.valences.push_back(std::move(*claim));
   }
+  if (certificate.all && certificate.all->c1 == Answer::proved)
+    certificate.all->exceptions =
+        exceptions_of(certificate, kFirstValence, certificate.all->proof.from);
   return certificate;
 }
 
@@ -170,7 +255,8 @@ Status check_certificate(const Certificate& certificate,
                                   [](const ValenceClaim& c) { return c.c1 != Answer::undecided; });
   const RegularClaim& claimed = certificate.regular;
   if (claimed.c1 == Answer::undecided) {
-    if (claims) return Error{"C1 on the regular lattice is not shown, on which the claims rest"};
+    if (claims || (certificate.all && certificate.all->c1 != Answer::undecided))
+      return Error{"C1 on the regular lattice is not shown, on which the claims rest"};
     return Done{};
   }
   if (std::find(kLeafNorms.begin(), kLeafNorms.end(), claimed.leaf_norm) == kLeafNorms.end() ||
@@ -196,7 +282,9 @@ Status check_certificate(const Certificate& certificate,
     if (Status shown = check_valence(*scheme, regular, signs, claim); !shown)
       return at_valence(claim.valence, shown.error());
   }
-  return Done{};
+  if (!certificate.all) return Done{};
+  if (progress) progress("all valences");
+  return check_all(*scheme, regular, certificate);
 }
 
 }  // namespace limn::certify

@@ -17,15 +17,19 @@ struct CertifyOptions {
   /// Work of one valence: cells of the characteristic map, and products of the regular lattice.
   int most_parts = 60'000;
   int most_products = 200'000;
+  /// Also a proof for every valence from 3 on: the valences that it does not cover are then added
+  /// to those asked for.
+  bool all = false;
   TimeBudget time;                                   ///< when it ends, what is left is undecided
   std::function<void(const std::string&)> progress;  ///< called with what is done next, if given
   /// Claims that are taken over unseen, from a certificate of the same scheme that was checked.
   std::vector<ValenceClaim> known;
 };
 
-/// At each of these valences, from 3 on. Fails where the scheme has no rule at one of them, and
-/// where it was not read from a text. Deterministic as long as the time does not end. Cost: of the
-/// order of 10 milliseconds a valence; some seconds where interpolating schemes have small ones.
+/// At each of these valences, from 3 on, ascending. Fails where the scheme has no rule at one of
+/// them, and where it was not read from a text. Deterministic as long as the time does not end.
+/// Cost: of the order of 10 milliseconds a valence; some seconds where interpolating schemes have
+/// small ones.
 [[nodiscard]] Result<Certificate> certify(const Scheme& scheme, const std::vector<int>& valences,
                                           const CertifyOptions& options = {});
 

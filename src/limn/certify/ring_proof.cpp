@@ -43,10 +43,11 @@ RingProof::RingProof(const CellMatrices& cells, const CellSigns& signs, EigenNet
 Status RingProof::look(int inner) {
   const Result<NetPoint> first = net_.at({inner, cells_.dual ? inner : 0});
   if (!first) return first.error();
-  const auto middle =
-      goal_ == RingGoal::one_sign ? std::pair{Ball(1), Ball(0)} : phase_(cells_.dual ? -1 : 1, 4);
+  const Turn<Ball> middle = goal_ == RingGoal::one_sign ? Turn<Ball>({Ball(1), Ball(0)})
+                                                        : phase_(cells_.dual ? -1 : 1, 4);
   const bool negative = first->u.is_negative();
-  direction_ = {negative ? -middle.first : middle.first, negative ? -middle.second : middle.second};
+  direction_ = {negative ? -middle.cosine : middle.cosine,
+                negative ? -middle.to_imaginary : middle.to_imaginary};
   return Done{};
 }
 

@@ -17,7 +17,16 @@ std::string certificate_text(const certify::Certificate& certificate) {
     if (claim.c1 == certify::Answer::proved)
       text += fmt::format("{:>29}  {}\n", "", claim.curvature.reason);
   }
-  return text;
+  if (!certificate.all) return text;
+  const certify::AllClaim& all = *certificate.all;
+  if (all.c1 != certify::Answer::proved)
+    return text + fmt::format("\nall valences: undecided ({})\n", all.reason);
+  std::string except;
+  for (const certify::AllClaim::Exception& one : all.exceptions)
+    except += fmt::format("{}{} ({})", except.empty() ? " except " : ", ", one.valence,
+                          to_string(one.c1));
+  return text +
+         fmt::format("\nC1 is proved for every n ≥ {}{}: {}\n", all.from, except, all.reason);
 }
 
 }  // namespace limn

@@ -1,0 +1,158 @@
+#include "limn/certify/all_valences_json.h"
+
+namespace limn::certify {
+namespace {
+
+std::string joined(const std::vector<std::string>& parts) {
+  std::string text;
+  for (const std::string& part : parts)
+    text += (text.empty() ? "" : " ") + (part.empty() ? "-" : part);
+  return text;
+}
+
+std::vector<std::string> separated(const std::string& text) {
+  std::vector<std::string> parts;
+  for (std::size_t begin = 0; begin <= text.size();) {
+    const std::size_t end = std::min(text.find(' ', begin), text.size());
+    const std::string part = text.substr(begin, end - begin);
+    parts.push_back(part == "-" ? std::string() : part);
+    begin = end + 1;
+  }
+  return parts;
+}
+
+Json interval_json(const ValenceInterval& one) {
+  Json parts = Json::array();
+  for (const auto& cell : one.parts) parts.push_back(joined(cell));
+  return {{"begin", to_string(one.begin)},
+          {"end", to_string(one.end)},
+          {"eigenvalue", one.eigenvalue},
+          {"eigenvector", one.eigenvector},
+          {"squarings", one.squarings},
+          {"special", one.special},
+          {"constant_squarings", one.constant_squarings},
+          {"cup", one.cup},
+          {"cup_vector", one.cup_vector},
+          {"cup_squarings", one.cup_squarings},
+          {"odd_squarings", one.odd_squarings},
+          {"parts", parts}};
+}
+
+Json turn_json(const TurnInterval& one) {
+  return {
+      {"begin", to_string(one.begin)}, {"end", to_string(one.end)}, {"squarings", one.squarings},
+      {"eigenvalue", one.eigenvalue},  {"right", one.right},        {"left", one.left}};
+}
+
+Rational rational(JsonReader& reader, const char* key) {
+  const std::string text = reader.text(key);
+  const std::size_t slash = text.find('/');
+  const auto whole = [](const std::string& digits) {
+    return !digits.empty() && digits.size() < 400 &&
+           digits.find_first_not_of("0123456789") == std::string::npos;
+  };
+  if (whole(text)) return Rational(text);
+  if (slash != std::string::npos && whole(text.substr(0, slash)) && whole(text.substr(slash + 1)) &&
+      text.find_first_not_of('0', slash + 1) != std::string::npos)
+    return Rational(text);
+  reader.fail(fmt::format("'{}' is to be a fraction", key));
+  return 0;
+}
+
+ValenceInterval read_interval(const Json& json, const std::string& place,
+                              std::optional<Error>& fault) {
+  JsonReader reader(json, place);
+  ValenceInterval one;
+  one.begin = rational(reader, "begin");
+  one.end = rational(reader, "end");
+  one.eigenvalue = reader.number("eigenvalue");
+  one.eigenvector = reader.numbers("eigenvector");
+  one.squarings = reader.whole("squarings");
+  one.special = reader.wholes("special");
+  one.constant_squarings = reader.whole("constant_squarings");
+  one.cup = reader.number("cup");
+  one.cup_vector = reader.numbers("cup_vector");
+  one.cup_squarings = reader.whole("cup_squarings");
+  one.odd_squarings = reader.whole("odd_squarings");
+  for (const Json& cell : reader.list("parts")) {
+    if (!cell.is_string()) reader.fail("'parts' is to be a list of texts");
+    if (cell.is_string()) one.parts.push_back(separated(cell.get<std::string>()));
+  }
+  reader.end();
+  if (!fault) fault = reader.fault();
+  return one;
+}
+
+TurnInterval read_turn(const Json& json, const std::string& place, std::optional<Error>& fault) {
+  JsonReader reader(json, place);
+  TurnInterval one;
+  one.begin = rational(reader, "begin");
+  one.end = rational(reader, "end");
+  one.squarings = reader.whole("squarings");
+  one.eigenvalue = reader.number("eigenvalue");
+  one.right = reader.numbers("right");
+  one.left = reader.numbers("left");
+  reader.end();
+  if (!fault) fault = reader.fault();
+  return one;
+}
+
+Answer read_answer(JsonReader& reader, const char* key) {
+  const std::string text = reader.text(key);
+  for (const Answer one : {Answer::proved, Answer::refuted, Answer::undecided})
+    if (text == to_string(one)) return one;
+  reader.fail(fmt::format("'{}' cannot be '{}'", key, text.substr(0, 40)));
+  return Answer::undecided;
+}
+
+}  // namespace
+
+Json all_answer_json(const AllClaim& claim) {
+  Json json{{"from", claim.from}, {"c1", to_string(claim.c1)}, {"exceptions", Json::array()}};
+  for (const AllClaim::Exception& one : claim.exceptions)
+    json["exceptions"].push_back({{"valence", one.valence}, {"c1", to_string(one.c1)}});
+  json["reason"] = claim.reason;
+  return json;
+}
+
+Json all_valences_json(const AllClaim& claim) {
+  Json json = all_answer_json(claim);
+  if (claim.c1 != Answer::proved) return json;
+  json["together_from"] = claim.proof.from;
+  json["intervals"] = Json::array();
+  for (const ValenceInterval& one : claim.proof.intervals)
+    json["intervals"].push_back(interval_json(one));
+  json["turns"] = Json::array();
+  for (const TurnInterval& one : claim.proof.turns) json["turns"].push_back(turn_json(one));
+  return json;
+}
+
+AllClaim read_all_valences(const Json& json, const std::string& place,
+                           std::optional<Error>& fault) {
+  JsonReader reader(json, place);
+  AllClaim claim;
+  claim.from = reader.whole("from");
+  claim.c1 = read_answer(reader, "c1");
+  claim.reason = reader.text("reason");
+  std::optional<Error> inside;
+  for (const Json& one : reader.list("exceptions")) {
+    JsonReader exception(one, reader.at("exceptions"));
+    claim.exceptions.push_back({exception.whole("valence"), read_answer(exception, "c1")});
+    exception.end();
+    if (!inside) inside = exception.fault();
+  }
+  if (claim.c1 == Answer::proved) {
+    claim.proof.from = reader.whole("together_from");
+    claim.proof.c1 = Truth::yes;
+    for (const Json& one : reader.list("intervals"))
+      claim.proof.intervals.push_back(read_interval(one, reader.at("intervals"), inside));
+    for (const Json& one : reader.list("turns"))
+      claim.proof.turns.push_back(read_turn(one, reader.at("turns"), inside));
+  }
+  reader.take(inside);
+  reader.end();
+  if (!fault) fault = reader.fault();
+  return claim;
+}
+
+}  // namespace limn::certify
