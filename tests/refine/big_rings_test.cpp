@@ -44,7 +44,7 @@ TEST_P(BigRings, AreTheSumsOneByOne) {
   const Scheme& scheme = shipped(GetParam());
   if (scheme.mask || scheme.factors) GTEST_SKIP() << "no rules off the regular lattice";
   for (const Index n : {kBigRing - 1, kBigRing, kBigRing + 89}) {
-    const Mesh mesh = split_star(*scheme.split, n, 1);
+    const Mesh mesh = split_star(*scheme.split, n, least_star_rings(*scheme.split));
     const std::vector<Point3> points = random_points(mesh.vertex_count(), 5);
     const std::vector<Point3> quick = step(scheme, mesh, points);
     std::vector<Index> all(quick.size());
@@ -80,7 +80,7 @@ TEST(BigRingsOf, TwoPolesAreTheSumsOneByOne) {
 TEST(BigRingsOf, AreTheSameBitsOnAnyThreadsAndTakeNoSquareOfTheirSize) {
   for (const char* name : {"butterfly-modified", "doo-sabin"}) {
     const Scheme& scheme = shipped(name);
-    const Mesh mesh = split_star(*scheme.split, 100000, 1);
+    const Mesh mesh = split_star(*scheme.split, 100000, least_star_rings(*scheme.split));
     const std::vector<Point3> points = random_points(mesh.vertex_count(), 7);
     const std::vector<Point3> many = step(scheme, mesh, points);
     set_thread_limit(1);

@@ -54,7 +54,7 @@ TEST(CompareRecord, KnowsWhatInterpolates) {
 
 /// A wave as long as the sampling density asks for has the artifacts that it allows.
 TEST(CompareRecord, ArtifactsAndSamplingDensityAgree) {
-  for (const char* name : {"sqrt3", "doo-sabin", "four-eight"}) {
+  for (const char* name : {"sqrt3", "doo-sabin"}) {
     const ArtifactAnalysis analysis = *ArtifactAnalysis::of(*regular_mask(*find_scheme(name)));
     const WaveArtifacts wave = wave_artifacts(analysis, 5);
     const auto density = [&](double percent) {

@@ -61,8 +61,8 @@ std::vector<Offset> birth_places(const Mesh& mesh, const Births& births) {
   return places;
 }
 
-/// Twice the offset on the refined lattice, from four times that in control edges. The refined edges
-/// of a dyadic split are half of those; those of √2 go half the way along the diagonals.
+/// Twice the offset on the refined lattice, from four times that in control edges. The refined
+/// edges of a dyadic split are half of those; those of √2 go half the way along the diagonals.
 Offset doubled_offset(const Split& split, Offset quarters) {
   if (split.name != "quad-sqrt2") return quarters;
   return {(quarters[0] + quarters[1]) / 2, (quarters[1] - quarters[0]) / 2};
