@@ -198,9 +198,9 @@ class Analysis {
   void decide(int r) {
     Smoothness& smoothness = result_.smoothness.emplace_back();
     const HolderBracket& holder = result_.holder;
-    if (holder.exact) {
-      smoothness = {*holder.exact > r ? Truth::yes : Truth::no, 0, 0,
-                    fmt::format("Hölder exponent {}: {}", *holder.exact, holder.exact_reason)};
+    if (!holder.exact_reason.empty()) {  // a box spline: `lower` is its exponent
+      smoothness = {holder.lower > r ? Truth::yes : Truth::no, 0, 0,
+                    fmt::format("Hölder exponent {}: {}", holder.exact, holder.exact_reason)};
     } else if (holder.lower > r) {
       smoothness = {Truth::yes, 0, 0, "Hölder exponent ≥ " + rounded_down(holder.lower)};
     } else if (result_.smoothness.front().verdict == Truth::no) {
