@@ -104,6 +104,7 @@ Result<std::optional<RimTables>> read_limit_rims(const Split& split, const GridC
   const auto read = [&](const Site& site,
                         const std::vector<SectorPoint>& points) -> Result<RimForms> {
     std::vector<Index> vertices;
+    vertices.reserve(points.size());
     for (const SectorPoint& point : points) vertices.push_back(site.old_vertex(0, point));
     const auto found = reader.read(site.mesh(0), steps_made, false, vertices);
     if (!found) return found.error();
