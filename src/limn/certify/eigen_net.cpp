@@ -45,11 +45,12 @@ std::optional<SectorPlace> turned_into_sector(Lattice lattice, LatticeVector pla
 }
 
 EigenNet::EigenNet(const CellMatrices& cells, const RealBasis& basis, const EnclosedPair& pair,
-                   const Phase<Ball>& phase)
+                   const Phase<Ball>& phase, Ball center)
     : cells_(cells),
       basis_(basis),
       pair_(pair),
       phase_(phase),
+      center_(std::move(center)),
       factor_(outwards(cells, pair.value, phase)) {}
 
 Result<NetPoint> EigenNet::at(LatticeVector j) { return at(j, 0); }
@@ -65,7 +66,7 @@ Result<NetPoint> EigenNet::at(LatticeVector j, int depth) {
 }
 
 Result<NetPoint> EigenNet::in_sector(LatticeVector j, int depth) {
-  if (!cells_.dual && j == LatticeVector{0, 0}) return NetPoint{};
+  if (!cells_.dual && j == LatticeVector{0, 0}) return NetPoint{center_, Ball(0)};
   if (const auto known = known_.find(j); known != known_.end()) return known->second;
   const auto [ring, place] = ring_and_place(cells_, j);
   if (depth > kDeepest) return Error{"control points do not follow from inner ones"};

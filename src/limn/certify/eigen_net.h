@@ -30,8 +30,9 @@ class EigenNet {
  public:
   /// `pair`: eigenvalue of one step, eigenvector in the real basis without the centre. Points are
   /// in the coordinates (Re, Im/σ) of `phase`'s turns. All must outlive the net.
+  /// `center`: the value there; other than 0 for frequency 0 alone.
   EigenNet(const CellMatrices& cells, const RealBasis& basis, const EnclosedPair& pair,
-           const Phase<Ball>& phase);
+           const Phase<Ball>& phase, Ball center = 0);
 
   /// The control point j: at j, or j + (½, ½) (dual). Fails for places more than one sector away,
   /// and where the mask does not reach outwards.
@@ -47,6 +48,7 @@ class EigenNet {
   const RealBasis& basis_;
   const EnclosedPair& pair_;
   const Phase<Ball>& phase_;
+  Ball center_;
   Turn<Ball> factor_;  // 1/λ, turned back
   std::map<LatticeVector, NetPoint> known_;
 };
