@@ -6,6 +6,7 @@
 
 #include <map>
 
+#include "limn/certify/power_ball.h"
 #include "limn/number/ball.h"
 #include "limn/number/symbolic.h"
 #include "limn/scheme/evaluate.h"
@@ -79,7 +80,7 @@ Result<Number> evaluate(const std::string& text) {
 template <class Number>
 class Conformance : public testing::Test {};
 
-using Numbers = testing::Types<double, Exact, Symbolic, Measured, Ball>;
+using Numbers = testing::Types<double, Exact, Symbolic, Measured, Ball, certify::PowerBall>;
 TYPED_TEST_SUITE(Conformance, Numbers);
 
 TYPED_TEST(Conformance, Values) {

@@ -94,6 +94,7 @@ Result<RangeRules> RangeRules::make(const Scheme& scheme, int from) {
   rules.pattern_ = std::move(*pattern);
   rules.basis_ = real_basis(rules.pattern_);
   if (Status found = rules.find_sums(); !found) return found.error();
+  rules.find_dependence();
   for (const SectorTerm& term : rules.pattern_.terms)
     if (term.repeated >= 0 && term.slope == 0 && term.row != kCenter && term.column != kCenter)
       return Error{
@@ -118,7 +119,6 @@ Status RangeRules::choose_cases() {
 }
 
 Status RangeRules::find_sums() {
-  const ValenceRange range(Ball::hull(Ball(0), Ball(Rational(Integer(1), Integer(from_)))));
   const NamesKept kept{};
   SymbolicWeights weights(*scheme_, kept);
   std::map<RuleKind, Total> sums;
@@ -154,6 +154,11 @@ Status RangeRules::find_sums() {
   if (weights.least_valence() > from_)
     return Error{fmt::format("the weights' formulas hold for valences n ≥ {} alone",
                              weights.least_valence())};
+  return Done{};
+}
+
+void RangeRules::find_dependence() {
+  const ValenceRange range(Ball::hull(Ball(0), Ball(Rational(Integer(1), Integer(from_)))));
   const auto depends = [&](int name) {
     const auto number = static_cast<std::size_t>(name);
     const NamedWeight& one = pattern_.names[number];
@@ -173,7 +178,6 @@ Status RangeRules::find_sums() {
     for (const int name : term.names)
       if (depends(name)) steady_ = false;
   }
-  return Done{};
 }
 
 Result<PowerBall> RangeRules::plain(const NamedWeight& name) const {

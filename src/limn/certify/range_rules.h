@@ -50,6 +50,7 @@ class RangeRules {
 
   Status choose_cases();
   Status find_sums();
+  void find_dependence();
   [[nodiscard]] Result<PowerBall> plain(const NamedWeight& name) const;
 
   const Scheme* scheme_ = nullptr;

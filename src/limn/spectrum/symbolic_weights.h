@@ -1,5 +1,6 @@
 #pragma once
-/// The named weights of a star (sector_pattern.h) as formulas. Private to eigen_formula.
+/// The named weights of a star (sector_pattern.h) as formulas. Private to eigen_formula and
+/// certify/range_rules.
 
 #include <map>
 #include <set>
