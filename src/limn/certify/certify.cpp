@@ -11,7 +11,7 @@
 namespace limn::certify {
 namespace {
 
-constexpr std::array<double, 3> kLeafNorms{0.25, 0.5, 0.75};
+constexpr std::array<double, 4> kLeafNorms{0.1, 0.25, 0.5, 0.75};
 constexpr int kLargestClaim = 1'000'000;  // products that a check is ready to make
 constexpr int kMostBits = 4096;
 constexpr int kFirstValence = 3;
@@ -24,6 +24,8 @@ Result<RegularProof> search_regular(const Mask& mask, const CertifyOptions& opti
   if (!cells) return cells.error();
   Error last;
   for (const double leaf_norm : kLeafNorms) {
+    // all valences need the best bounds, for single ones they cost more than they spare
+    if (leaf_norm == kLeafNorms.front() && !options.all) continue;
     Result<Contraction> contraction =
         enclose_contraction(*cells, leaf_norm, options.most_products, options.time.stop());
     if (contraction)
