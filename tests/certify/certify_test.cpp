@@ -157,6 +157,35 @@ TEST(Certificate, IsRefusedWithAnyNumberChanged) {
   }
 }
 
+/// Of all valences: read again as it was, and refused with other numbers.
+TEST(Certificate, OfAllValencesIsCheckedToo) {
+  CertifyOptions options;
+  options.all = true;
+  const Result<Certificate> found = certify(test::shipped("catmull-clark"), {}, options);
+  ASSERT_TRUE(found.ok()) << found.error().text();
+  ASSERT_TRUE(found->all);
+  EXPECT_EQ(found->all->c1, Answer::proved) << found->all->reason;
+  EXPECT_TRUE(found->all->exceptions.empty());
+  const nlohmann::json json = nlohmann::json::parse(certificate_json(*found).dump());
+  const auto verified = [](const nlohmann::json& some) {
+    const Result<Certificate> read = parse_certificate(some.dump());
+    return read.ok() && check_certificate(*read).ok();
+  };
+  ASSERT_TRUE(verified(json));
+  const auto refused = [&](const std::string& path, const nlohmann::json& value) {
+    nlohmann::json other = json;
+    other[nlohmann::json::json_pointer(path)] = value;
+    EXPECT_FALSE(verified(other)) << path;
+  };
+  refused("/all/from", 4);
+  refused("/all/together_from", json["all"]["together_from"].get<int>() + 1);
+  refused("/all/exceptions", nlohmann::json::array({{{"valence", 5}, {"c1", "undecided"}}}));
+  refused("/all/intervals/0/eigenvalue", 0.8);
+  refused("/all/intervals/0/end", "1/1000000");
+  refused("/all/turns/0/end", "1/1000000");
+  refused("/valences", nlohmann::json::array());
+}
+
 TEST(Certificate, HasNoKeysThatNobodyReads) {
   nlohmann::json json =
       nlohmann::json::parse(certificate_json(certified(test::shipped("loop"), 6, 6)).dump());

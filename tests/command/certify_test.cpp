@@ -58,6 +58,19 @@ TEST(CertifyCommand, RefusesWhatIsWrong) {
   expect_refused(folder.limn("certify --check other.json"), "valence 4");
 }
 
+TEST(CertifyCommand, ProvesEveryValence) {
+  const Folder folder;
+  const Outcome outcome = folder.limn("certify loop --all --json -o all.json");
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  const nlohmann::json all = nlohmann::json::parse(outcome.out).at("all");
+  EXPECT_EQ(all.at("from"), 3);
+  EXPECT_EQ(all.at("c1"), "proved");
+  EXPECT_EQ(all.at("exceptions"), nlohmann::json::array());
+  EXPECT_EQ(folder.limn("certify --check all.json").code, 0);
+  const Outcome seven = folder.limn("certify loop-7-shrinking --all");
+  EXPECT_NE(seven.out.find("n ≥ 3 except 7 (refuted)"), std::string::npos) << seven.out;
+}
+
 TEST(CertifyCommand, PrintsAProof) {
   const Folder folder;
   const Outcome proof = folder.limn("certify butterfly --valence 7..8 --latex");

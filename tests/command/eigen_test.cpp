@@ -126,7 +126,7 @@ TEST(EigenCommand, PrintsFormulas) {
   ASSERT_EQ(outcome.code, 0) << outcome.err;
   for (const char* line :
        {"n ≥ 3\n", "omega = 0     ring 1  1\n", "ring 1  2/3 - alpha = 4/9*cos(pi/n)^2\n",
-        "omega ≥ 1     ring 1  2/3*cos(pi*omega/n)\n", "ring 3  0  (3 times)\n",
+        "omega ≥ 1     ring 1  2/3*cos(pi*omega/n)\n", "ring 2  (1 + sqrt(7))/18\n",
         "(c + sqrt(c^2 + 6))/18  with c = cos(pi*omega/n)\n"})
     EXPECT_NE(outcome.out.find(line), std::string::npos) << line << "in\n" << outcome.out;
   const Outcome latex = folder.limn("eigen loop --formulas --latex");

@@ -24,24 +24,29 @@ std::vector<std::string> separated(const std::string& text) {
 Json interval_json(const ValenceInterval& one) {
   Json parts = Json::array();
   for (const auto& cell : one.parts) parts.push_back(joined(cell));
-  return {{"begin", to_string(one.begin)},
-          {"end", to_string(one.end)},
-          {"eigenvalue", one.eigenvalue},
-          {"eigenvector", one.eigenvector},
-          {"squarings", one.squarings},
-          {"special", one.special},
-          {"constant_squarings", one.constant_squarings},
-          {"cup", one.cup},
-          {"cup_vector", one.cup_vector},
-          {"cup_squarings", one.cup_squarings},
-          {"odd_squarings", one.odd_squarings},
-          {"parts", parts}};
+  Json json{{"begin", to_string(one.begin)},
+            {"end", to_string(one.end)},
+            {"eigenvalue", one.eigenvalue},
+            {"eigenvector", one.eigenvector},
+            {"squarings", one.squarings},
+            {"special", one.special},
+            {"parts", parts}};
+  if (one.constant_squarings >= 0)
+    json["constant_squarings"] = one.constant_squarings;
+  else
+    json["closing"] = {{"cup", one.cup},
+                       {"cup_vector", one.cup_vector},
+                       {"cup_squarings", one.cup_squarings},
+                       {"odd_squarings", one.odd_squarings}};
+  return json;
 }
 
 Json turn_json(const TurnInterval& one) {
-  return {
-      {"begin", to_string(one.begin)}, {"end", to_string(one.end)}, {"squarings", one.squarings},
-      {"eigenvalue", one.eigenvalue},  {"right", one.right},        {"left", one.left}};
+  Json json{
+      {"begin", to_string(one.begin)}, {"end", to_string(one.end)}, {"squarings", one.squarings}};
+  if (!one.right.empty())
+    json["falling"] = {{"eigenvalue", one.eigenvalue}, {"right", one.right}, {"left", one.left}};
+  return json;
 }
 
 Rational rational(JsonReader& reader, const char* key) {
@@ -69,11 +74,19 @@ ValenceInterval read_interval(const Json& json, const std::string& place,
   one.eigenvector = reader.numbers("eigenvector");
   one.squarings = reader.whole("squarings");
   one.special = reader.wholes("special");
-  one.constant_squarings = reader.whole("constant_squarings");
-  one.cup = reader.number("cup");
-  one.cup_vector = reader.numbers("cup_vector");
-  one.cup_squarings = reader.whole("cup_squarings");
-  one.odd_squarings = reader.whole("odd_squarings");
+  if (reader.has("closing")) {
+    JsonReader closing(reader.get("closing"), reader.at("closing"));
+    one.constant_squarings = -1;
+    one.cup = closing.number("cup");
+    one.cup_vector = closing.numbers("cup_vector");
+    one.cup_squarings = closing.whole("cup_squarings");
+    one.odd_squarings = closing.whole("odd_squarings");
+    closing.end();
+    reader.take(closing.fault());
+  } else {
+    one.constant_squarings = reader.whole("constant_squarings");
+    if (one.constant_squarings < 0) reader.fail("'constant_squarings' is to be 0 or more");
+  }
   for (const Json& cell : reader.list("parts")) {
     if (!cell.is_string()) reader.fail("'parts' is to be a list of texts");
     if (cell.is_string()) one.parts.push_back(separated(cell.get<std::string>()));
@@ -89,9 +102,14 @@ TurnInterval read_turn(const Json& json, const std::string& place, std::optional
   one.begin = rational(reader, "begin");
   one.end = rational(reader, "end");
   one.squarings = reader.whole("squarings");
-  one.eigenvalue = reader.number("eigenvalue");
-  one.right = reader.numbers("right");
-  one.left = reader.numbers("left");
+  if (reader.has("falling")) {
+    JsonReader falling(reader.get("falling"), reader.at("falling"));
+    one.eigenvalue = falling.number("eigenvalue");
+    one.right = falling.numbers("right");
+    one.left = falling.numbers("left");
+    falling.end();
+    reader.take(falling.fault());
+  }
   reader.end();
   if (!fault) fault = reader.fault();
   return one;

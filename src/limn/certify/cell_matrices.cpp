@@ -90,7 +90,15 @@ bool is_dual(const Mask& mask) {
 
 class CellMaker {
  public:
-  explicit CellMaker(CellMatrices& cells) : cells_(cells) {}
+  CellMaker(CellMatrices& cells, CellExtent extent) : cells_(cells) {
+    cells_.points = {{0, 0}, {1, 0}, {0, 1}};
+    if (extent == CellExtent::cell) return;
+    for (int y = -1; y <= 2; ++y)
+      for (int x = -1; x <= 2; ++x)
+        if (x + y < 4 && std::find(cells_.points.begin(), cells_.points.end(),
+                                   LatticeVector{x, y}) == cells_.points.end())
+          cells_.points.push_back({x, y});
+  }
 
   Status make() {
     if (Status grown = grow_points(); !grown) return grown;
@@ -116,7 +124,6 @@ class CellMaker {
  private:
   Status grow_points() {
     std::vector<LatticeVector>& points = cells_.points;
-    points = {{0, 0}, {1, 0}, {0, 1}};
     std::set<LatticeVector> seen(points.begin(), points.end());
     for (std::size_t i = 0; i < points.size(); ++i) {
       const LatticeVector point = points[i];
@@ -259,7 +266,7 @@ Status find_labels(CellMatrices& cells, const Refinement& refinement) {
 
 }  // namespace
 
-Result<CellMatrices> cell_matrices(const Mask& mask) {
+Result<CellMatrices> cell_matrices(const Mask& mask, CellExtent extent) {
   const Result<Refinement> refinement = refinement_of(mask);
   if (!refinement) return refinement.error();
   CellMatrices cells;
@@ -276,7 +283,7 @@ Result<CellMatrices> cell_matrices(const Mask& mask) {
     cells.mask[*turned] = value;
   }
   if (Status labelled = find_labels(cells, *refinement); !labelled) return labelled.error();
-  if (Status made = CellMaker(cells).make(); !made) return made.error();
+  if (Status made = CellMaker(cells, extent).make(); !made) return made.error();
   find_places(cells, *refinement);
   return cells;
 }

@@ -59,8 +59,14 @@ struct CellMatrices {
   int place_unit = 2;
 };
 
+/// What is kept of a cell. cell: the points that it depends on. neighbours: those of the gradients
+/// g of the eight cells round it, too: where products of their matrices contract, the gradients of
+/// neighbouring cells have the same limits, which the cell by itself does not tell.
+enum class CellExtent { cell, neighbours };
+
 /// Fails where the mask's sum rules are of order 1 or less, where no one or two steps make a whole
 /// dilation, and where a cell depends on more than 200 points.
-[[nodiscard]] Result<CellMatrices> cell_matrices(const Mask& mask);
+[[nodiscard]] Result<CellMatrices> cell_matrices(const Mask& mask,
+                                                 CellExtent extent = CellExtent::cell);
 
 }  // namespace limn::certify

@@ -24,13 +24,19 @@ enum class CurvatureAnswer { bounded, unbounded, flat, undecided };
 /// "bounded", "unbounded", "flat" or "undecided".
 [[nodiscard]] std::string_view to_string(CurvatureAnswer answer);
 
-/// The regular lattice: that products of cell matrices contract (contraction.h).
-struct RegularClaim {
-  Answer c1 = Answer::undecided;  ///< never refuted here
-  std::string reason;
+/// A tree of products of cell matrices (contraction.h).
+struct TreeClaim {
   double leaf_norm = 0;
   int products = 0;
   int longest = 0;
+};
+
+/// The regular lattice: that products of cell matrices contract.
+struct RegularClaim {
+  Answer c1 = Answer::undecided;  ///< never refuted here
+  std::string reason;
+  TreeClaim neighbours;  ///< of cells with their neighbours: the surface is C1
+  TreeClaim cells;       ///< of cells alone: bounds of gradients
 };
 
 /// A cell of the characteristic ring (ring_cells.h) and the parts it was cut into: words of digits,

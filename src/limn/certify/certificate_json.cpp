@@ -62,12 +62,16 @@ Json valence_json(const ValenceClaim& claim) {
   return json;
 }
 
+Json tree_json(const TreeClaim& claim) {
+  return {{"leaf_norm", claim.leaf_norm}, {"products", claim.products}, {"longest", claim.longest}};
+}
+
 Json regular_json(const RegularClaim& claim) {
-  return {{"c1", to_string(claim.c1)},
-          {"reason", claim.reason},
-          {"leaf_norm", claim.leaf_norm},
-          {"products", claim.products},
-          {"longest", claim.longest}};
+  Json json{{"c1", to_string(claim.c1)}, {"reason", claim.reason}};
+  if (claim.c1 != Answer::proved) return json;
+  json["neighbours"] = tree_json(claim.neighbours);
+  json["cells"] = tree_json(claim.cells);
+  return json;
 }
 
 template <class Enum>
@@ -179,6 +183,29 @@ ValenceClaim read_valence(const Json& json, const std::string& place, std::optio
   return claim;
 }
 
+TreeClaim read_tree(JsonReader& outer, const char* key) {
+  JsonReader reader(outer.get(key), outer.at(key));
+  const TreeClaim claim{reader.number("leaf_norm"), reader.whole("products"),
+                        reader.whole("longest")};
+  reader.end();
+  outer.take(reader.fault());
+  return claim;
+}
+
+RegularClaim read_regular(JsonReader& outer) {
+  JsonReader reader(outer.get("regular"), outer.at("regular"));
+  RegularClaim claim;
+  claim.c1 = answer(reader, "c1");
+  claim.reason = reader.text("reason");
+  if (claim.c1 == Answer::proved) {
+    claim.neighbours = read_tree(reader, "neighbours");
+    claim.cells = read_tree(reader, "cells");
+  }
+  reader.end();
+  outer.take(reader.fault());
+  return claim;
+}
+
 Certificate read_certificate(JsonReader& reader) {
   Certificate certificate;
   if (reader.text("format") != kFormat) reader.fail("it is no certificate of limn's");
@@ -193,11 +220,7 @@ Certificate read_certificate(JsonReader& reader) {
     if (!json.is_string()) reader.fail("'parameters' is to be a list of texts");
     if (json.is_string()) certificate.parameters.push_back(json.get<std::string>());
   }
-  JsonReader regular(reader.get("regular"), reader.at("regular"));
-  certificate.regular = {answer(regular, "c1"), regular.text("reason"), regular.number("leaf_norm"),
-                         regular.whole("products"), regular.whole("longest")};
-  regular.end();
-  reader.take(regular.fault());
+  certificate.regular = read_regular(reader);
   std::optional<Error> inside;
   std::size_t number = 0;
   for (const Json& json : reader.list("valences"))

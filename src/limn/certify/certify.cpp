@@ -18,31 +18,68 @@ constexpr int kFirstValence = 3;
 constexpr int kMostStarts = 4;     // of a proof for all valences
 constexpr int kLatestStart = 200;  // valences below are proved one by one
 
-/// The smaller the leaves' norms are, the better the bounds and the larger the tree.
-Result<RegularProof> search_regular(const Mask& mask, const CertifyOptions& options) {
-  Result<CellMatrices> cells = cell_matrices(mask);
-  if (!cells) return cells.error();
+/// The smaller the leaves' norms are, the better the bounds and the larger the tree; `first` of the
+/// norms is tried first.
+Result<Contraction> search_tree(const CellMatrices& cells, const CertifyOptions& options,
+                                std::size_t first) {
   Error last;
-  for (const double leaf_norm : kLeafNorms) {
-    // all valences need the best bounds, for single ones they cost more than they spare
-    if (leaf_norm == kLeafNorms.front() && !options.all) continue;
-    Result<Contraction> contraction =
-        enclose_contraction(*cells, leaf_norm, options.most_products, options.time.stop());
-    if (contraction)
-      return RegularProof{std::move(*cells), std::move(*contraction), find_regular_part(mask)};
-    last = contraction.error();
+  for (std::size_t i = first; i < kLeafNorms.size(); ++i) {
+    Result<Contraction> found =
+        enclose_contraction(cells, kLeafNorms[i], options.most_products, options.time.stop());
+    if (found) return found;
+    last = found.error();
   }
   return last;
 }
 
+Result<RegularProof> search_regular(const Mask& mask, const CertifyOptions& options) {
+  Result<CellMatrices> cells = cell_matrices(mask);
+  if (!cells) return cells.error();
+  const Result<CellMatrices> wide = cell_matrices(mask, CellExtent::neighbours);
+  if (!wide) return wide.error();
+  Result<Contraction> continuity = search_tree(*wide, options, kLeafNorms.size() - 1);
+  if (!continuity) return continuity.error();
+  // all valences need the best bounds, for single ones they cost more than they spare
+  Result<Contraction> contraction = search_tree(*cells, options, options.all ? 0 : 1);
+  if (!contraction) return contraction.error();
+  return RegularProof{std::move(*cells), std::move(*contraction), std::move(*continuity),
+                      find_regular_part(mask)};
+}
+
+TreeClaim claim_of(const Contraction& found) {
+  return {found.leaf_norm, found.products, found.longest};
+}
+
 RegularClaim claim_of(const RegularProof& proof) {
-  const Contraction& found = proof.contraction;
-  return {
-      Answer::proved,
-      fmt::format("sum rules of order 2, and {} products of {} cell matrices of up to {} "
-                  "refinements by {} contract",
-                  found.products, proof.cells.residual.size(), found.longest, proof.cells.scale),
-      found.leaf_norm, found.products, found.longest};
+  return {Answer::proved,
+          fmt::format("sum rules of order 2, and {} products of cell matrices of up to {} "
+                      "refinements by {} contract",
+                      proof.continuity.products, proof.continuity.longest, proof.cells.scale),
+          claim_of(proof.continuity), claim_of(proof.contraction)};
+}
+
+/// The tree that is claimed, grown again.
+Result<Contraction> check_tree(const CellMatrices& cells, const TreeClaim& claim) {
+  if (std::find(kLeafNorms.begin(), kLeafNorms.end(), claim.leaf_norm) == kLeafNorms.end() ||
+      claim.products > kLargestClaim)
+    return Error{"the regular lattice: a norm of leaves that is not known, or too many products"};
+  Result<Contraction> found = enclose_contraction(cells, claim.leaf_norm, claim.products);
+  if (found && (found->products != claim.products || found->longest != claim.longest))
+    return Error{"the regular lattice: products are not as claimed"};
+  return found;
+}
+
+Result<RegularProof> check_regular(const Mask& mask, const RegularClaim& claim) {
+  Result<CellMatrices> cells = cell_matrices(mask);
+  if (!cells) return cells.error();
+  const Result<CellMatrices> wide = cell_matrices(mask, CellExtent::neighbours);
+  if (!wide) return wide.error();
+  Result<Contraction> continuity = check_tree(*wide, claim.neighbours);
+  if (!continuity) return continuity.error();
+  Result<Contraction> contraction = check_tree(*cells, claim.cells);
+  if (!contraction) return contraction.error();
+  return RegularProof{std::move(*cells), std::move(*contraction), std::move(*continuity),
+                      find_regular_part(mask)};
 }
 
 ValenceClaim undecided(int n, const std::string& reason) {
@@ -158,14 +195,6 @@ Result<Scheme> scheme_of(const Certificate& certificate) {
   return scheme;
 }
 
-Status check_regular(const RegularProof& proof, const RegularClaim& claim) {
-  const Contraction& found = proof.contraction;
-  if (claim.c1 != Answer::proved || found.products != claim.products ||
-      found.longest != claim.longest)
-    return Error{"the regular lattice: products are not as claimed"};
-  return Done{};
-}
-
 Error without_arb() {
   return {"limn was built without Arb, in whose ball arithmetic proofs are made",
           "build it where Arb and FLINT are installed (libflint-arb-dev, libflint-dev)"};
@@ -261,18 +290,12 @@ Status check_certificate(const Certificate& certificate,
       return Error{"C1 on the regular lattice is not shown, on which the claims rest"};
     return Done{};
   }
-  if (std::find(kLeafNorms.begin(), kLeafNorms.end(), claimed.leaf_norm) == kLeafNorms.end() ||
-      claimed.products > kLargestClaim)
-    return Error{"the regular lattice: a norm of leaves that is not known, or too many products"};
+  if (claimed.c1 != Answer::proved) return Error{"the regular lattice: no such claim is known"};
   const Result<Mask> mask = regular_mask(*scheme);
   if (!mask) return mask.error();
-  Result<CellMatrices> cells = cell_matrices(*mask);
-  if (!cells) return cells.error();
-  Result<Contraction> contraction =
-      enclose_contraction(*cells, claimed.leaf_norm, claimed.products);
-  if (!contraction) return contraction.error();
-  const RegularProof regular{std::move(*cells), std::move(*contraction), find_regular_part(*mask)};
-  if (Status same = check_regular(regular, claimed); !same) return same;
+  const Result<RegularProof> shown_regular = check_regular(*mask, claimed);
+  if (!shown_regular) return shown_regular.error();
+  const RegularProof& regular = *shown_regular;
   const CellSigns signs(regular.cells, regular.contraction);
   int last = 0;
   for (const ValenceClaim& claim : certificate.valences) {

@@ -21,6 +21,7 @@ namespace limn::certify {
 struct RegularProof {
   CellMatrices cells;
   Contraction contraction;
+  Contraction continuity;  ///< of cells with their neighbours: that gradients fit together
   RegularPart curvature;
 };
 

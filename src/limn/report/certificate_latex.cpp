@@ -52,11 +52,10 @@ lies. The number of parts is in the table.
 )";
 
 std::string row(const ValenceClaim& claim) {
-  if (claim.c1 == Answer::undecided)
-    return fmt::format("{} & undecided & & & & \\\\\n", claim.valence);
+  if (claim.c1 == Answer::undecided) return fmt::format("{} & undecided & & & & ", claim.valence);
   std::size_t parts = claim.fold ? 2 : 0;
   for (const certify::CellClaim& cell : claim.ring) parts += cell.parts.size();
-  return fmt::format("{} & {} & {} & {:.15g} & {} & {} \\\\\n", claim.valence, to_string(claim.c1),
+  return fmt::format("{} & {} & {} & {:.15g} & {} & {}", claim.valence, to_string(claim.c1),
                      claim.frequency, claim.eigenvalue,
                      *std::max_element(claim.squarings.begin(), claim.squarings.end()), parts);
 }
@@ -71,9 +70,10 @@ std::string certificate_latex(const certify::Certificate& certificate) {
   text += kProof;
   text +=
       "\n\\begin{center}\n\\begin{tabular}{rlrlrr}\n$n$ & $C^1$ & frequency & $\\lambda$ & "
-      "$\\max k_\\omega$ & parts \\\\\n\\hline\n";
-  for (const ValenceClaim& claim : certificate.valences) text += row(claim);
-  text += "\\end{tabular}\n\\end{center}\n";
+      "$\\max k_\\omega$ & parts";
+  for (const ValenceClaim& claim : certificate.valences)
+    text += (&claim == &certificate.valences.front() ? " \\\\\n\\hline\n" : " \\\\\n") + row(claim);
+  text += "\n\\end{tabular}\n\\end{center}\n";
   for (const ValenceClaim& claim : certificate.valences)
     if (claim.c1 != Answer::proved)
       text += fmt::format("\n$n = {}$: {}.\n", claim.valence, escaped(claim.reason));

@@ -102,13 +102,13 @@ struct SourceText {
 /// A scheme as plain data. One that `read_scheme` or `find_scheme` gave has been checked: every
 /// rule sums to 1 and is symmetric at the valences that the checks look at.
 struct Scheme {
-  std::string name;              ///< as stated; else the file's, without its ending
-  std::string title;             ///< one line, for listings
-  std::string source;            ///< citation
-  std::string notes;             ///< what a user should know, free text
-  std::string file;              ///< path, or "NAME.toml" of a shipped scheme
+  std::string name;               ///< as stated; else the file's, without its ending
+  std::string title;              ///< one line, for listings
+  std::string source;             ///< citation
+  std::string notes;              ///< what a user should know, free text
+  std::string file;               ///< path, or "NAME.toml" of a shipped scheme
   std::vector<SourceText> texts;  ///< the file and those that it extends, in the order of reading
-  const Split* split = nullptr;  ///< one of splits(), never null in a scheme that was read
+  const Split* split = nullptr;   ///< one of splits(), never null in a scheme that was read
   std::vector<std::pair<std::string, Formula>> lets;  ///< names for expressions, as in the file
   std::vector<Parameter> parameters;                  ///< in the order of the file
   std::array<std::optional<Rule>, kRuleKinds> rules;  ///< by RuleKind; nothing: not stated

@@ -82,7 +82,7 @@ class GridFamily final : public Family {
   }
 
   [[nodiscard]] Index face_blocks(int level) const override {
-    if (!is_cycle_begun()) return 1;
+    if (!is_cycle_begun() || has_halves()) return 1;
     const GridLayout at = step(level).old_points;  // faces on control edges are of no patch
     const bool all = at.face_count() == mesh().face_count() * at.patch_faces();
     return all ? std::max<Index>(1, mesh().face_count()) : 1;

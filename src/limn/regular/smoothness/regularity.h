@@ -81,8 +81,8 @@ struct Attainment {
 
 /// Ends of an interval that holds the Hölder exponent.
 struct HolderBracket {
-  double lower = 0;             ///< proved for every limit function
-  std::optional<double> upper;  ///< of φ; proved; nothing where stability is not
+  double lower = 0;                   ///< proved for every limit function
+  std::optional<double> upper;        ///< of φ; proved; nothing where stability is not
   JointSpectralRadius radius;         ///< of the transition operators, digit by digit
   std::vector<LatticeVector> digits;  ///< of radius.product
   /// The exponent of φ in closed form, proved: "2", "3/2", "log2(24/7)", "log2(5)/3" and the like;
@@ -92,7 +92,7 @@ struct HolderBracket {
   /// What `exact` rests on where differences prove less and φ is a box spline (box_spline.h); empty
   /// otherwise. `lower` is then the exponent, more than the radius tells, and `upper` nothing.
   std::string exact_reason;
-  Attainment attained;
+  Attainment attained;  ///< whether that exponent is attained
 };
 
 /// Whether the scheme converges, uniformly, to limit functions that are r times continuously
