@@ -62,6 +62,34 @@ TEST(Certify, RefutesTheShrinkingVariantAtSeven) {
   EXPECT_TRUE(check_certificate(certificate).ok());
 }
 
+/// A rule at the vertex's edges with so large a first harmonic that the map folds, at one place of
+/// the half sector; with a smaller one it does not.
+TEST(Certify, RefutesAMapThatFolds) {
+  const auto scheme = [](const char* harmonic) {
+    return parse_scheme(
+               "name = \"fold\"\nsplit = \"triangle-dyadic\"\n"
+               "extends = \"butterfly-modified\"\n[[edge-end]]\nwhen = \"n != 6\"\n"
+               "self = \"3/4\"\nring = \"(1/4 + " +
+                   std::string(harmonic) + "*cos(2*pi*k/n) + cos(4*pi*k/n)/2)/n\"\n",
+               "")
+        .value();
+  };
+  for (const char* harmonic : {"17/10", "185/100"}) {
+    const Scheme folded = scheme(harmonic);
+    const Certificate certificate = certified(folded, 7, 8);
+    for (const ValenceClaim& claim : certificate.valences) {
+      EXPECT_EQ(claim.c1, Answer::refuted) << harmonic << " " << claim.reason;
+      EXPECT_TRUE(claim.fold.has_value());
+      EXPECT_NE(approx_characteristic_map(folded, claim.valence)->regular, Truth::yes);
+    }
+    EXPECT_TRUE(check_certificate(certificate).ok());
+    Certificate swapped = certificate;
+    std::swap((*swapped.valences[0].fold)[0], (*swapped.valences[0].fold)[1]);
+    EXPECT_FALSE(check_certificate(swapped).ok());
+  }
+  EXPECT_EQ(certified(scheme("3/2"), 7, 7).valences.front().c1, Answer::proved);
+}
+
 TEST(Certify, LeavesTheOptimalSchemesTieAtThreeOpen) {
   const Certificate certificate = certified(test::shipped("optimal"), 3, 6);
   EXPECT_EQ(certificate.valences[0].c1, Answer::undecided);

@@ -1,6 +1,7 @@
 #include "limn/certify/ring_proof.h"
 
 #include <algorithm>
+#include <deque>
 
 #include <fmt/core.h>
 
@@ -65,45 +66,50 @@ Result<RingProof::Found> RingProof::search(int most_parts, const Stop& stop) {
   const Result<RingCells> ring = ring_cells(cells_);
   if (!ring) return ring.error();
   if (Status looked = look(ring->inner); !looked) return looked.error();
+  struct Part {
+    std::size_t cell;
+    CellMap map;
+    std::string word;
+  };
+  // large parts first, of all cells: where the map folds, both signs are soon seen
+  std::deque<Part> open;
   Found found;
   found.inner = ring->inner;
+  for (const LatticeVector cell : ring->cells) {
+    Result<CellMap> whole = signs_.map_on(net_, cell);
+    if (!whole) return whole.error();
+    open.push_back({found.ring.size(), std::move(*whole), ""});
+    found.ring.push_back({cell, {}});
+  }
   std::optional<PartPlace> positive;
   std::optional<PartPlace> negative;
-  int parts = 0;
   std::string failed;
-  for (const LatticeVector cell : ring->cells) {
-    const Result<CellMap> whole = signs_.map_on(net_, cell);
-    if (!whole) return whole.error();
-    found.ring.push_back({cell, {}});
-    std::vector<std::pair<CellMap, std::string>> open{{*whole, ""}};
-    while (!open.empty()) {
-      const auto [map, word] = std::move(open.back());
-      open.pop_back();
-      Ball jacobian;
-      const bool shown = shows(map, &jacobian);
-      if (goal_ == RingGoal::regular && jacobian.is_positive() && !positive)
-        positive = PartPlace{cell, word};
-      if (goal_ == RingGoal::regular && jacobian.is_negative() && !negative)
-        negative = PartPlace{cell, word};
-      if (positive && negative) {
-        found.answer = Answer::refuted;
-        found.fold = {*positive, *negative};
-        found.ring.clear();
-        return found;
-      }
-      if (shown) {
-        found.ring.back().parts.push_back(word);
-        continue;
-      }
-      ++parts;
-      if (failed.empty() && (word.size() >= kDeepest || parts > most_parts || asked(stop)))
-        failed = text(cell) + (word.empty() ? "" : ", part " + word);
-      // the other sign of the Jacobian may yet be found
-      if (word.size() >= kDeepest || parts > most_parts || asked(stop)) continue;
-      for (std::size_t d = cells_.residual.size(); d-- > 0;)
-        open.emplace_back(signs_.part(map, d), word + static_cast<char>('0' + d));
+  for (int cut = 0; !open.empty(); open.pop_front()) {
+    const Part& part = open.front();
+    CellClaim& cell = found.ring[part.cell];
+    Ball jacobian;
+    const bool shown = shows(part.map, &jacobian);
+    if (jacobian.is_positive() && !positive) positive = PartPlace{cell.cell, part.word};
+    if (jacobian.is_negative() && !negative) negative = PartPlace{cell.cell, part.word};
+    if (positive && negative) {
+      found.answer = Answer::refuted;
+      found.fold = {*positive, *negative};
+      found.ring.clear();
+      return found;
     }
+    if (shown) {
+      cell.parts.push_back(part.word);
+      continue;
+    }
+    if (part.word.size() >= kDeepest || ++cut > most_parts || asked(stop)) {
+      if (failed.empty())
+        failed = text(cell.cell) + (part.word.empty() ? "" : ", part " + part.word);
+      continue;
+    }
+    for (std::size_t d = 0; d < cells_.residual.size(); ++d)
+      open.push_back({part.cell, signs_.part(part.map, d), part.word + static_cast<char>('0' + d)});
   }
+  for (CellClaim& cell : found.ring) std::sort(cell.parts.begin(), cell.parts.end());
   if (failed.empty()) {
     found.answer = Answer::proved;
   } else {
