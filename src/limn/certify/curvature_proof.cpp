@@ -6,13 +6,13 @@
 
 #include <fmt/core.h>
 
+#include "limn/certify/exact_spectrum.h"
 #include "limn/spectrum/connected_parts.h"
 
 namespace limn::certify {
 namespace {
 
 constexpr int kMostSquarings = 40;
-constexpr int kLargestDenominator = 10'000;
 constexpr double kExactWork = 3e6;  // for one frequency: some tenths of a second
 
 using Size = std::size_t;
@@ -100,69 +100,6 @@ Status check_large(const ValenceBalls& balls, const EnclosedPair& leader,
   if (!(std::abs(value->approx() - claim.value) <= 1e-12 * std::abs(claim.value)))
     return Error{"the larger eigenvalue is another one"};
   return Done{};
-}
-
-/// λ as an exact number: a row of its own in the block, or a rational of small denominator.
-std::optional<Exact> exact_leader(const DenseMatrix<Exact>& block, const EnclosedPair& leader) {
-  for (Size i = 0; i < block.rows(); ++i) {
-    bool alone = true;
-    for (Size j = 0; j < block.rows(); ++j) alone = alone && (i == j || block(i, j).is_zero());
-    // the leader is simple and no other comes near it
-    if (alone && std::abs(block(i, i).approx() - leader.value.approx()) < 1e-9) return block(i, i);
-  }
-  for (int q = 1; q <= kLargestDenominator; ++q) {
-    const double p = std::nearbyint(leader.value.approx() * q);
-    const Rational candidate{Integer(static_cast<long long>(p)), Integer(q)};
-    if (std::abs(p / q - leader.value.approx()) < 1e-13 && Ball(candidate).overlaps(leader.value))
-      return Exact(candidate);
-  }
-  return std::nullopt;
-}
-
-/// to += a·b; false where exact arithmetic gives up.
-bool add_product(Exact& to, const Exact& a, const Exact& b) {
-  if (a.is_zero() || b.is_zero()) return true;
-  const Result<Exact> product = Exact::multiply(a, b);
-  const Result<Exact> sum = product ? Exact::add(to, *product) : product;
-  if (sum) to = *sum;
-  return sum.ok();
-}
-
-/// Row echelon form of block - value·I, and from it a basis of the null space. Nothing where exact
-/// arithmetic gives up.
-std::optional<std::vector<std::vector<Exact>>> null_space(DenseMatrix<Exact> a,
-                                                          const Exact& value) {
-  const Size size = a.rows();
-  for (Size i = 0; i < size; ++i) a(i, i) += Exact(-1) * value;
-  std::vector<Size> pivots;
-  for (Size column = 0; column < size && pivots.size() < size; ++column) {
-    Size row = pivots.size();
-    while (row < size && a(row, column).is_zero()) ++row;
-    if (row == size) continue;
-    const Size to = pivots.size();
-    const Exact pivot = a(row, column);
-    for (Size j = 0; j < size; ++j) {
-      std::swap(a(row, j), a(to, j));
-      const Result<Exact> quotient = Exact::divide(a(to, j), pivot);
-      if (!quotient) return std::nullopt;
-      a(to, j) = *quotient;
-    }
-    for (Size i = 0; i < size; ++i) {
-      if (i == to || a(i, column).is_zero()) continue;
-      const Exact factor = Exact(-1) * a(i, column);
-      for (Size j = 0; j < size; ++j)
-        if (!add_product(a(i, j), factor, a(to, j))) return std::nullopt;
-    }
-    pivots.push_back(column);
-  }
-  std::vector<std::vector<Exact>> basis;
-  for (Size free = 0; free < size; ++free) {
-    if (std::find(pivots.begin(), pivots.end(), free) != pivots.end()) continue;
-    std::vector<Exact>& vector = basis.emplace_back(size);
-    vector[free] = Exact(1);
-    for (Size i = 0; i < pivots.size(); ++i) vector[pivots[i]] = Exact(-1) * a(i, free);
-  }
-  return basis;
 }
 
 /// Exact::approx is within a few roundings of its magnitude.

@@ -5,6 +5,7 @@
 
 #include <fmt/core.h>
 
+#include "limn/certify/exact_spectrum.h"
 #include "limn/spectrum/eigencomponents.h"
 
 namespace limn::certify {
@@ -74,7 +75,10 @@ class Search {
     approx_ = approx_eigencomponents(*blocks);
     const Result<ValenceBalls> balls = ValenceBalls::make(scheme_, claim_.valence);
     if (!balls) return balls.error();
-    if (Status found = find_leader(*balls); !found) return undecided(found.error().message);
+    if (Status found = find_leader(*balls); !found) {
+      const std::string tie = exact_tie(scheme_, *balls, largest_);
+      return undecided(found.error().message + (tie.empty() ? "" : "; a tie: " + tie));
+    }
     if (Status shown = find_map(*balls); !shown) return undecided(shown.error().message);
     if (claim_.c1 == Answer::proved)
       claim_.curvature = search_curvature(scheme_, *balls, leader_, regular_.curvature);
@@ -95,13 +99,12 @@ class Search {
   }
 
   Status find_leader(const ValenceBalls& balls) {
-    double largest = 0;
     for (const BlockSpectrum& spectrum : approx_.spectra) {
       const std::size_t skip = spectrum.frequency == 0 ? 1 : 0;
       if (spectrum.eigenvalues.size() <= skip) continue;
       const double modulus = spectrum.eigenvalues[skip].modulus();
-      if (modulus > largest + kEqualBelow) {
-        largest = modulus;
+      if (modulus > largest_ + kEqualBelow) {
+        largest_ = modulus;
         claim_.frequency = spectrum.frequency;
       }
     }
@@ -166,6 +169,7 @@ class Search {
   ValenceClaim claim_;
   Eigencomponents approx_;
   EnclosedPair leader_;
+  double largest_ = 0;  // modulus, of all but 1, in double precision
 };
 
 Status same_numbers(const EnclosedPair& leader, const ValenceClaim& claim) {
