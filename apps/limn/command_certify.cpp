@@ -60,7 +60,10 @@ int check(const CertifyCommand& command) {
   const Result<certify::Certificate> certificate = checked_certificate(command.check, line);
   if (!certificate) return report(certificate.error());
   const Result<Scheme> shipped = find_scheme(certificate->scheme);
-  const bool same = shipped.ok() && shipped->texts.front().text == certificate->texts.front().text;
+  const auto same_text = [](const SourceText& a, const SourceText& b) { return a.text == b.text; };
+  const bool same = shipped.ok() && certificate->parameters.empty() &&
+                    std::equal(shipped->texts.begin(), shipped->texts.end(),
+                               certificate->texts.begin(), certificate->texts.end(), same_text);
   if (command.json) {
     nlohmann::ordered_json json = certify::answers_json(*certificate);
     json["verified"] = true;

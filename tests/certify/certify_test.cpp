@@ -90,6 +90,57 @@ TEST(Certify, RefutesAMapThatFolds) {
   EXPECT_EQ(certified(scheme("3/2"), 7, 7).valences.front().c1, Answer::proved);
 }
 
+/// Weights that cancel on the lattice and part at another valence: of walks that turn too far round
+/// the anchor, and of walks that turn round a vertex on their way.
+TEST(Certify, LeavesWalksRoundOtherVerticesOpen) {
+  const auto answer = [](const std::string& text) {
+    const Result<Scheme> scheme = parse_scheme(text, "");
+    EXPECT_TRUE(scheme.ok()) << scheme.error().text();
+    const Result<Certificate> certificate = certify(*scheme, {5, 7});
+    EXPECT_TRUE(certificate.ok()) << certificate.error().text();
+    for (const ValenceClaim& claim : certificate->valences)
+      EXPECT_NE(claim.reason.find("walk"), std::string::npos) << claim.reason;
+    return certificate->valences.front().c1;
+  };
+  EXPECT_EQ(answer(R"(
+name = "turn"
+split = "triangle-dyadic"
+[let]
+beta = "(5/8 - (3/8 + cos(2*pi/n)/4)^2)/n"
+[roles.edge]
+two = "efev"
+eight = "efefefefefefefev"
+[vertex]
+self = "1 - n*beta"
+ring = "beta"
+[edge]
+end = "3/8"
+wing = "1/8"
+two = "1/8"
+eight = "-1/8"
+)"),
+            Answer::undecided);
+  EXPECT_EQ(answer(R"(
+name = "through"
+split = "quad-dyadic"
+[roles.vertex]
+near = "vefevefevev"
+far = "vefevefevefefev"
+[face]
+corner = "1/n"
+[edge]
+end = "1/4"
+face = "1/4"
+[vertex]
+self = "(n - 2)/n"
+ring = "1/n^2"
+face = "1/n^2"
+near = "5"
+far = "-5"
+)"),
+            Answer::undecided);
+}
+
 TEST(Certify, LeavesTheOptimalSchemesTieAtThreeOpen) {
   const Certificate certificate = certified(test::shipped("optimal"), 3, 6);
   EXPECT_EQ(certificate.valences[0].c1, Answer::undecided);

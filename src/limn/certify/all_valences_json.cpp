@@ -53,7 +53,7 @@ Rational rational(JsonReader& reader, const char* key) {
   const std::string text = reader.text(key);
   const std::size_t slash = text.find('/');
   const auto whole = [](const std::string& digits) {
-    return !digits.empty() && digits.size() < 400 &&
+    return !digits.empty() && digits.size() < 400 && (digits == "0" || digits[0] != '0') &&
            digits.find_first_not_of("0123456789") == std::string::npos;
   };
   if (whole(text)) return Rational(text);

@@ -180,6 +180,7 @@ class CellMaker {
 
   Status add_digit(LatticeVector digit) {
     std::vector<std::vector<Rational>> forms;
+    forms.reserve(cells_.points.size());
     for (const LatticeVector point : cells_.points)
       forms.push_back(form({digit[0] + point[0], digit[1] + point[1]}));
     if (Status affine = check_affine(digit, forms); !affine) return affine;

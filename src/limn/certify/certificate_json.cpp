@@ -172,6 +172,7 @@ ValenceClaim read_valence(const Json& json, const std::string& place, std::optio
       std::array<PartPlace, 2> places;
       for (std::size_t i = 0; i < 2 && i < fold.size(); ++i) {
         const CellClaim one = read_cell_claim(fold[i], reader.at("fold"), inside);
+        if (one.parts.size() != 1) reader.fail("'fold' is to hold one part of each cell");
         places[i] = {one.cell, one.parts.front()};
       }
       claim.fold = places;

@@ -5,6 +5,7 @@
 #include <fmt/core.h>
 
 #include "limn/certify/valence_proof.h"
+#include "limn/certify/walk_bounds.h"
 #include "limn/regular/smoothness/second_differences.h"
 #include "limn/scheme/file/scheme_files.h"
 
@@ -13,7 +14,9 @@ namespace {
 
 constexpr std::array<double, 4> kLeafNorms{0.1, 0.25, 0.5, 0.75};
 constexpr int kLargestClaim = 1'000'000;  // products that a check is ready to make
-constexpr int kMostBits = 4096;
+constexpr int kLargestValence = 2000;
+constexpr int kLeastBits = 32;
+constexpr int kMostBits = 8192;
 constexpr int kFirstValence = 3;
 constexpr int kMostStarts = 4;     // of a proof for all valences
 constexpr int kLatestStart = 200;  // valences below are proved one by one
@@ -245,7 +248,9 @@ Result<Certificate> certify(const Scheme& scheme, const std::vector<int>& valenc
   if (options.progress) options.progress("the regular lattice");
   const Result<Mask> mask = regular_mask(scheme);
   if (!mask) return mask.error();
-  const Result<RegularProof> regular = search_regular(*mask, options);
+  const std::optional<std::string> beyond = walk_beyond_bounds(scheme);
+  const Result<RegularProof> regular =
+      beyond ? Result<RegularProof>(Error{*beyond}) : search_regular(*mask, options);
   if (!regular) {
     certificate.regular.reason = regular.error().message;
     for (const int n : valences)
@@ -291,6 +296,7 @@ Status check_certificate(const Certificate& certificate,
     return Done{};
   }
   if (claimed.c1 != Answer::proved) return Error{"the regular lattice: no such claim is known"};
+  if (const auto beyond = walk_beyond_bounds(*scheme)) return Error{*beyond};
   const Result<Mask> mask = regular_mask(*scheme);
   if (!mask) return mask.error();
   const Result<RegularProof> shown_regular = check_regular(*mask, claimed);
@@ -301,8 +307,10 @@ Status check_certificate(const Certificate& certificate,
   for (const ValenceClaim& claim : certificate.valences) {
     if (claim.valence <= last) return at_valence(claim.valence, Error{"it is not in order"});
     last = claim.valence;
-    if (claim.bits < 0 || claim.bits > kMostBits)
-      return at_valence(claim.valence, Error{"so many bits are beyond all need"});
+    if (claim.valence > kLargestValence)
+      return at_valence(claim.valence, Error{"it is beyond those that are looked at"});
+    if (claim.c1 != Answer::undecided && (claim.bits < kLeastBits || claim.bits > kMostBits))
+      return at_valence(claim.valence, Error{"so few or many bits are of no use"});
     if (progress) progress(fmt::format("valence {}", claim.valence));
     if (Status shown = check_valence(*scheme, regular, signs, claim); !shown)
       return at_valence(claim.valence, shown.error());

@@ -102,11 +102,6 @@ Status check_large(const ValenceBalls& balls, const EnclosedPair& leader,
   return Done{};
 }
 
-/// Exact::approx is within a few roundings of its magnitude.
-Ball enclosed(const Exact& value) {
-  return Ball(value.approx()).widened(1e-12 * value.magnitude());
-}
-
 /// A block, and λ², in exact numbers; λ is shown to be an eigenvalue of frequency 1.
 struct ExactSquare {
   DenseMatrix<Exact> block;

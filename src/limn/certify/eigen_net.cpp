@@ -96,7 +96,7 @@ Result<NetPoint> EigenNet::extended(LatticeVector k, int depth) {
   for (const auto& [offset, weight] : cells_.one_mask) {
     const auto j = cells_.dilation.divide({fine[0] - offset[0], fine[1] - offset[1]});
     if (!j) continue;
-    const Result<NetPoint> source = at(*j, depth);
+    Result<NetPoint> source = at(*j, depth);
     if (!source) return source;
     const Ball by(weight);
     sum.u.add_product(by, source->u);

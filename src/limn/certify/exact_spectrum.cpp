@@ -24,12 +24,16 @@ std::optional<Rational> near_fraction(double value, int largest, double near) {
 
 }  // namespace
 
+Ball enclosed(const Exact& value) {
+  return Ball(value.approx()).widened(1e-12 * value.magnitude());
+}
+
 std::optional<Exact> exact_leader(const DenseMatrix<Exact>& block, const EnclosedPair& leader) {
   for (Size i = 0; i < block.rows(); ++i) {
     bool alone = true;
     for (Size j = 0; j < block.rows(); ++j) alone = alone && (i == j || block(i, j).is_zero());
     // the leader is simple and no other comes near it
-    if (alone && std::abs(block(i, i).approx() - leader.value.approx()) < 1e-9) return block(i, i);
+    if (alone && enclosed(block(i, i)).overlaps(leader.value)) return block(i, i);
   }
   const std::optional<Rational> fraction = near_fraction(leader.value.approx(), 10'000, 1e-13);
   if (fraction && Ball(*fraction).overlaps(leader.value)) return Exact(*fraction);
@@ -55,6 +59,8 @@ std::optional<std::vector<std::vector<Exact>>> null_space(DenseMatrix<Exact> a,
     if (row == size) continue;
     const Size to = pivots.size();
     const Exact pivot = a(row, column);
+    // an Exact that is 0 but is not known to be so divides nothing
+    if (enclosed(pivot).holds_zero()) return std::nullopt;
     for (Size j = 0; j < size; ++j) {
       std::swap(a(row, j), a(to, j));
       const Result<Exact> quotient = Exact::divide(a(to, j), pivot);

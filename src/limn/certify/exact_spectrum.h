@@ -10,6 +10,9 @@
 
 namespace limn::certify {
 
+/// Exact::approx is within a few roundings of its magnitude.
+[[nodiscard]] Ball enclosed(const Exact& value);
+
 /// to += a·b; false where exact arithmetic gives up.
 [[nodiscard]] bool add_product(Exact& to, const Exact& a, const Exact& b);
 

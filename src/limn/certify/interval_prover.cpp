@@ -183,7 +183,7 @@ Status IntervalProver::show_constant(const IntervalBlocks& blocks, const Enclose
     if (!searching_) return undecided("eigenvalues of frequency 0 are not shown to be smaller");
   }
   claim.constant_squarings = -1;
-  const auto status = show_cup(blocks, pair, claim);
+  auto status = show_cup(blocks, pair, claim);
   if (status) return status;
   return undecided("frequency 0 is not shown to be smaller than frequency 1: " +
                    status.error().message);

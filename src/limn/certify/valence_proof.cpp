@@ -115,6 +115,7 @@ class Search {
     if (!pair) return Error{why(pair.error().message)};
     leader_ = *pair;
     if (!leader_.value.is_positive()) return Error{why("the leading eigenvalue is not positive")};
+    if (!is_less(leader_.value, Ball(1))) return Error{why("the scheme is not shown to converge")};
     claim_.squarings =
         squarings_of_others(balls, claim_.frequency, leader_, leader_.value, kMostSquarings);
     for (std::size_t i = 0; i < claim_.squarings.size(); ++i)
@@ -223,6 +224,7 @@ Status check_valence(const Scheme& scheme, const RegularProof& regular, const Ce
   const Result<EnclosedPair> leader = enclose_eigenpair(block, claim.eigenvalue, claim.eigenvector);
   if (!leader) return leader.error();
   if (!leader->value.is_positive()) return Error{"the leading eigenvalue is not positive"};
+  if (!is_less(leader->value, Ball(1))) return Error{"the leading eigenvalue is not below 1"};
   if (Status same = same_numbers(*leader, claim); !same) return same;
   if (squarings_of_others(*balls, claim.frequency, *leader, leader->value, kMostSquarings) !=
           claim.squarings ||
