@@ -173,6 +173,19 @@ std::string runs_text(const std::vector<int>& numbers) {
   return text.empty() ? "none" : text;
 }
 
+std::string c1_answers_text(const std::vector<certify::Answer>& answers, int first) {
+  std::vector<int> proved;
+  std::vector<int> refuted;
+  for (std::size_t i = 0; i < answers.size(); ++i) {
+    const int n = first + static_cast<int>(i);
+    if (answers[i] == certify::Answer::proved) proved.push_back(n);
+    if (answers[i] == certify::Answer::refuted) refuted.push_back(n);
+  }
+  std::string text = runs_text(proved);
+  if (!refuted.empty()) text += "; refuted " + runs_text(refuted);
+  return text;
+}
+
 std::string html_page(const std::string& title, const std::string& body) {
   return fmt::format(
       "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<meta "

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "limn/certify/certificate.h"
 #include "limn/figure/figure.h"
 #include "limn/report/data_table.h"
 
@@ -85,6 +86,10 @@ class PaperPage {
 
 /// Rising numbers, those that follow each other drawn together: "3, 8 … 20"; "none".
 [[nodiscard]] std::string runs_text(const std::vector<int>& numbers);
+
+/// Where C1 is proved, and refuted, at the valences from `first` on: "3 … 7; refuted 8 … 12";
+/// "none".
+[[nodiscard]] std::string c1_answers_text(const std::vector<certify::Answer>& answers, int first);
 
 /// A whole page in the style of them all; `title` is text, `body` HTML.
 [[nodiscard]] std::string html_page(const std::string& title, const std::string& body);

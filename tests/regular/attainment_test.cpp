@@ -11,19 +11,14 @@
 #include "limn/regular/regular_mask.h"
 #include "limn/regular/smoothness/growth_power.h"
 #include "limn/regular/smoothness/transition_operators.h"
+#include "shipped_mask.h"
 #include "tensor_mask.h"
 
 namespace limn {
 namespace {
 
+using test::mask_of;
 using test::tensor;
-
-Mask mask_of(const std::string& name, const std::vector<std::string>& parameters = {}) {
-  Scheme scheme = find_scheme(name).value();
-  const Status set = set_parameters(scheme, parameters);
-  EXPECT_TRUE(set.ok()) << set.error().text();
-  return regular_mask(scheme).value();
-}
 
 HolderBracket holder_of(const Mask& mask, int budget = RegularityOptions().budget) {
   RegularityOptions options;

@@ -1,7 +1,7 @@
 // Solved parameters against closed forms and brute force.
 
 #include "limn/tune/solve.h"
-#include "limn/tune/near_rational.h"
+#include "limn/number/near_rational.h"
 
 #include <gtest/gtest.h>
 

@@ -1,29 +1,13 @@
 #include "limn/certify/all_valences_json.h"
 
+#include "limn/certify/certificate_words.h"
+
 namespace limn::certify {
 namespace {
 
-std::string joined(const std::vector<std::string>& parts) {
-  std::string text;
-  for (const std::string& part : parts)
-    text += (text.empty() ? "" : " ") + (part.empty() ? "-" : part);
-  return text;
-}
-
-std::vector<std::string> separated(const std::string& text) {
-  std::vector<std::string> parts;
-  for (std::size_t begin = 0; begin <= text.size();) {
-    const std::size_t end = std::min(text.find(' ', begin), text.size());
-    const std::string part = text.substr(begin, end - begin);
-    parts.push_back(part == "-" ? std::string() : part);
-    begin = end + 1;
-  }
-  return parts;
-}
-
 Json interval_json(const ValenceInterval& one) {
   Json parts = Json::array();
-  for (const auto& cell : one.parts) parts.push_back(joined(cell));
+  for (const auto& cell : one.parts) parts.push_back(parts_text(cell));
   Json json{{"begin", to_string(one.begin)},
             {"end", to_string(one.end)},
             {"eigenvalue", one.eigenvalue},
@@ -89,7 +73,7 @@ ValenceInterval read_interval(const Json& json, const std::string& place,
   }
   for (const Json& cell : reader.list("parts")) {
     if (!cell.is_string()) reader.fail("'parts' is to be a list of texts");
-    if (cell.is_string()) one.parts.push_back(separated(cell.get<std::string>()));
+    if (cell.is_string()) one.parts.push_back(read_parts(reader, cell.get<std::string>()));
   }
   reader.end();
   if (!fault) fault = reader.fault();
@@ -113,14 +97,6 @@ TurnInterval read_turn(const Json& json, const std::string& place, std::optional
   reader.end();
   if (!fault) fault = reader.fault();
   return one;
-}
-
-Answer read_answer(JsonReader& reader, const char* key) {
-  const std::string text = reader.text(key);
-  for (const Answer one : {Answer::proved, Answer::refuted, Answer::undecided})
-    if (text == to_string(one)) return one;
-  reader.fail(fmt::format("'{}' cannot be '{}'", key, text.substr(0, 40)));
-  return Answer::undecided;
 }
 
 }  // namespace

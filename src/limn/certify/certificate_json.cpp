@@ -1,20 +1,13 @@
 #include "limn/certify/certificate_json.h"
 
 #include "limn/certify/all_valences_json.h"
-#include "limn/certify/json_reader.h"
+#include "limn/certify/certificate_words.h"
 
 namespace limn::certify {
 namespace {
 
 constexpr const char* kFormat = "limn certificate";
 constexpr int kVersion = 1;
-
-Json parts_json(const std::vector<std::string>& parts) {
-  std::string text;
-  for (const std::string& part : parts)
-    text += (text.empty() ? "" : " ") + (part.empty() ? "-" : part);
-  return text;
-}
 
 Json cell_json(LatticeVector cell) { return Json::array({cell[0], cell[1]}); }
 
@@ -54,11 +47,11 @@ Json valence_json(const ValenceClaim& claim) {
   json["inner"] = claim.inner;
   json["ring"] = Json::array();
   for (const CellClaim& cell : claim.ring)
-    json["ring"].push_back({{"cell", cell_json(cell.cell)}, {"parts", parts_json(cell.parts)}});
+    json["ring"].push_back({{"cell", cell_json(cell.cell)}, {"parts", parts_text(cell.parts)}});
   if (claim.fold)
     for (const PartPlace& place : *claim.fold)
       json["fold"].push_back(
-          {{"cell", cell_json(place.cell)}, {"parts", parts_json({place.part})}});
+          {{"cell", cell_json(place.cell)}, {"parts", parts_text({place.part})}});
   return json;
 }
 
@@ -74,19 +67,6 @@ Json regular_json(const RegularClaim& claim) {
   return json;
 }
 
-template <class Enum>
-Enum word(JsonReader& reader, const char* key, std::initializer_list<Enum> all) {
-  const std::string text = reader.text(key);
-  for (const Enum one : all)
-    if (text == to_string(one)) return one;
-  reader.fail(fmt::format("'{}' cannot be '{}'", key, text.substr(0, 40)));
-  return *all.begin();
-}
-
-Answer answer(JsonReader& reader, const char* key) {
-  return word(reader, key, {Answer::undecided, Answer::proved, Answer::refuted});
-}
-
 LatticeVector read_cell(JsonReader& reader) {
   const std::vector<int> cell = reader.wholes("cell");
   if (cell.size() == 2) return {cell[0], cell[1]};
@@ -94,23 +74,9 @@ LatticeVector read_cell(JsonReader& reader) {
   return {};
 }
 
-std::vector<std::string> read_parts(JsonReader& reader) {
-  std::vector<std::string> parts;
-  std::string text = reader.text("parts") + ' ';
-  for (std::size_t begin = 0; begin < text.size();) {
-    const std::size_t end = text.find(' ', begin);
-    std::string part = text.substr(begin, end - begin);
-    if (part.empty() || (part != "-" && part.find_first_not_of("0123456789") != std::string::npos))
-      reader.fail("'parts' is to be words of digits, or '-'");
-    parts.push_back(part == "-" ? std::string() : std::move(part));
-    begin = end + 1;
-  }
-  return parts;
-}
-
 CellClaim read_cell_claim(const Json& json, const std::string& place, std::optional<Error>& fault) {
   JsonReader reader(json, place);
-  CellClaim claim{read_cell(reader), read_parts(reader)};
+  CellClaim claim{read_cell(reader), read_parts(reader, reader.text("parts"))};
   reader.end();
   if (!fault) fault = reader.fault();
   return claim;
@@ -118,9 +84,9 @@ CellClaim read_cell_claim(const Json& json, const std::string& place, std::optio
 
 CurvatureClaim read_curvature(JsonReader& outer) {
   CurvatureClaim claim;
-  claim.answer = word(outer, "curvature",
-                      {CurvatureAnswer::undecided, CurvatureAnswer::bounded,
-                       CurvatureAnswer::unbounded, CurvatureAnswer::flat});
+  claim.answer = read_word(outer, "curvature",
+                           {CurvatureAnswer::undecided, CurvatureAnswer::bounded,
+                            CurvatureAnswer::unbounded, CurvatureAnswer::flat});
   JsonReader reader(outer.get("curvature_proof"), outer.at("curvature_proof"));
   claim.reason = reader.text("reason");
   if (reader.has("larger")) {
@@ -153,7 +119,7 @@ ValenceClaim read_valence(const Json& json, const std::string& place, std::optio
   JsonReader reader(json, place);
   ValenceClaim claim;
   claim.valence = reader.whole("valence");
-  claim.c1 = answer(reader, "c1");
+  claim.c1 = read_answer(reader, "c1");
   claim.reason = reader.text("reason");
   claim.bits = reader.whole("bits");
   claim.curvature = read_curvature(reader);
@@ -196,7 +162,7 @@ TreeClaim read_tree(JsonReader& outer, const char* key) {
 RegularClaim read_regular(JsonReader& outer) {
   JsonReader reader(outer.get("regular"), outer.at("regular"));
   RegularClaim claim;
-  claim.c1 = answer(reader, "c1");
+  claim.c1 = read_answer(reader, "c1");
   claim.reason = reader.text("reason");
   if (claim.c1 == Answer::proved) {
     claim.neighbours = read_tree(reader, "neighbours");

@@ -1,6 +1,5 @@
 #include "limn/certify/curvature_proof.h"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 
@@ -20,14 +19,6 @@ using Size = std::size_t;
 BallMatrix rest_of(const ValenceBalls& balls, const EnclosedPair& leader, int frequency) {
   BallMatrix block = balls.block(frequency);
   return frequency == 1 ? deflated(block, leader) : block;
-}
-
-Eigen::MatrixXd middle(const BallMatrix& a) {
-  Eigen::MatrixXd result(static_cast<Eigen::Index>(a.rows()), static_cast<Eigen::Index>(a.rows()));
-  for (Size i = 0; i < a.rows(); ++i)
-    for (Size j = 0; j < a.rows(); ++j)
-      result(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)) = a(i, j).approx();
-  return result;
 }
 
 ConnectedParts parts_of(const BallMatrix& a) {
@@ -50,16 +41,8 @@ BallMatrix square_of(const BallMatrix& a, const std::vector<Eigen::Index>& rows)
 /// A real eigenvalue near `value` of the square matrix of one part.
 std::optional<Ball> part_eigenvalue(const BallMatrix& a, double value) {
   if (a.rows() == 1) return a(0, 0);
-  const Eigen::EigenSolver<Eigen::MatrixXd> solver(middle(a));
-  Eigen::Index nearest = 0;
-  for (Eigen::Index i = 1; i < solver.eigenvalues().size(); ++i)
-    if (std::abs(solver.eigenvalues()(i) - value) < std::abs(solver.eigenvalues()(nearest) - value))
-      nearest = i;
-  std::vector<double> vector;
-  for (Eigen::Index i = 0; i < solver.eigenvectors().rows(); ++i)
-    vector.push_back(solver.eigenvectors()(i, nearest).real());
-  const Result<EnclosedPair> pair =
-      enclose_eigenpair(a, solver.eigenvalues()(nearest).real(), vector);
+  const ApproxPair near = approx_nearest(a, value);
+  const Result<EnclosedPair> pair = enclose_eigenpair(a, near.value, near.vector);
   return pair ? std::optional(pair->value) : std::nullopt;
 }
 
@@ -72,9 +55,7 @@ std::optional<LargeEigenvalue> find_large(const ValenceBalls& balls, const Enclo
     const BallMatrix rest = rest_of(balls, leader, frequency);
     for (const auto& rows : parts_of(rest).parts) {
       const BallMatrix square = square_of(rest, rows);
-      const Eigen::VectorXcd values =
-          Eigen::EigenSolver<Eigen::MatrixXd>(middle(square)).eigenvalues();
-      for (const std::complex<double>& value : values) {
+      for (const std::complex<double>& value : approx_eigenvalues(square)) {
         if (value.imag() != 0 || !(std::abs(value.real()) > bound.approx())) continue;
         const std::optional<Ball> enclosed = part_eigenvalue(square, value.real());
         if (!enclosed || !is_less(bound, enclosed->magnitude())) continue;
@@ -154,19 +135,8 @@ std::optional<int> jordan_multiplicity(const Scheme& scheme, const ValenceBalls&
 
 /// `a` without the leader, whose eigenvector has become another one by earlier deflations.
 std::optional<BallMatrix> without_leader(const BallMatrix& a, const EnclosedPair& leader) {
-  const Eigen::EigenSolver<Eigen::MatrixXd> solver(middle(a));
-  const auto nearest = [&] {
-    Eigen::Index best = 0;
-    for (Eigen::Index i = 1; i < solver.eigenvalues().size(); ++i)
-      if (std::abs(solver.eigenvalues()(i) - leader.value.approx()) <
-          std::abs(solver.eigenvalues()(best) - leader.value.approx()))
-        best = i;
-    return best;
-  }();
-  std::vector<double> vector;
-  for (Eigen::Index i = 0; i < solver.eigenvectors().rows(); ++i)
-    vector.push_back(solver.eigenvectors()(i, nearest).real());
-  const Result<EnclosedPair> pair = enclose_eigenpair(a, leader.value.approx(), vector);
+  const ApproxPair near = approx_nearest(a, leader.value.approx());
+  const Result<EnclosedPair> pair = enclose_eigenpair(a, leader.value.approx(), near.vector);
   if (!pair || !pair->value.overlaps(leader.value)) return std::nullopt;
   return deflated(a, *pair);
 }

@@ -5,22 +5,14 @@
 
 #include <fmt/core.h>
 
+#include "limn/number/near_rational.h"
+
 namespace limn::certify {
 namespace {
 
 using Size = std::size_t;
 
 constexpr double kTieWork = 3e6;  // for one frequency: some tenths of a second
-
-/// The rational p/q of the least q ≤ largest that is so near.
-std::optional<Rational> near_fraction(double value, int largest, double near) {
-  for (int q = 1; q <= largest; ++q) {
-    const double p = std::nearbyint(value * q);
-    if (std::abs(p / q - value) < near)
-      return Rational(Integer(static_cast<long long>(p)), Integer(q));
-  }
-  return std::nullopt;
-}
 
 }  // namespace
 
@@ -35,7 +27,7 @@ std::optional<Exact> exact_leader(const DenseMatrix<Exact>& block, const Enclose
     // the leader is simple and no other comes near it
     if (alone && enclosed(block(i, i)).overlaps(leader.value)) return block(i, i);
   }
-  const std::optional<Rational> fraction = near_fraction(leader.value.approx(), 10'000, 1e-13);
+  const std::optional<Rational> fraction = near_rational(leader.value.approx(), 1e-13, 10'000);
   if (fraction && Ball(*fraction).overlaps(leader.value)) return Exact(*fraction);
   return std::nullopt;
 }
@@ -87,7 +79,7 @@ std::optional<std::vector<std::vector<Exact>>> null_space(DenseMatrix<Exact> a,
 
 std::string exact_tie(const Scheme& scheme, const ValenceBalls& balls, double value) {
   // double precision knows one that is not simple to few digits
-  const std::optional<Rational> fraction = near_fraction(value, 1000, 1e-7);
+  const std::optional<Rational> fraction = near_rational(value, 1e-7);
   if (!fraction) return {};
   std::size_t count = 0;
   std::string frequencies;

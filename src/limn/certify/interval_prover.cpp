@@ -18,32 +18,6 @@ constexpr double kNear = 1e-9;        // of a claimed eigenvector's residual
 
 Error undecided(const std::string& what) { return Error{what}; }
 
-/// The eigenvalue of largest modulus of the middle, if it is real, and its eigenvector.
-struct Approximation {
-  double value = 0;
-  std::vector<double> vector;
-};
-std::optional<Approximation> approx_leader(const BallMatrix& a) {
-  const auto size = static_cast<Eigen::Index>(a.rows());
-  Eigen::MatrixXd middle(size, size);
-  for (Eigen::Index i = 0; i < size; ++i)
-    for (Eigen::Index j = 0; j < size; ++j)
-      middle(i, j) = a(static_cast<std::size_t>(i), static_cast<std::size_t>(j)).approx();
-  if (size == 0 || !middle.allFinite()) return std::nullopt;
-  const Eigen::EigenSolver<Eigen::MatrixXd> solver(middle);
-  Eigen::Index leader = 0;
-  for (Eigen::Index i = 1; i < size; ++i)
-    if (std::abs(solver.eigenvalues()(i)) > std::abs(solver.eigenvalues()(leader))) leader = i;
-  if (solver.eigenvalues()(leader).imag() != 0) return std::nullopt;
-  Approximation result{solver.eigenvalues()(leader).real(), {}};
-  const Eigen::VectorXd vector = solver.eigenvectors().col(leader).real();
-  Eigen::Index largest = 0;
-  vector.cwiseAbs().maxCoeff(&largest);
-  for (Eigen::Index i = 0; i < size; ++i)
-    result.vector.push_back(i == largest ? 1 : vector(i) / vector(largest));
-  return result;
-}
-
 /// The pair near a claim: an eigenpair of the middle to kNear, its largest entry 1.
 Result<EnclosedPair> claimed_pair(const BallMatrix& a, double value,
                                   const std::vector<double>& vector) {
@@ -142,7 +116,7 @@ std::optional<int> IntervalProver::approx_rival(int n) const {
 
 Status IntervalProver::fill(const BallMatrix& a, double& value, std::vector<double>& vector) const {
   if (!searching_) return Done{};
-  std::optional<Approximation> found = approx_leader(a);
+  std::optional<ApproxPair> found = approx_leader(a);
   if (!found) return undecided("no real eigenvalue leads");
   value = found->value;
   vector = std::move(found->vector);

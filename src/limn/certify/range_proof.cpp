@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "limn/certify/turn_range.h"
+#include "limn/certify/valence_balls.h"
 
 namespace limn::certify {
 namespace {
@@ -35,14 +36,6 @@ std::vector<bool> imaginary_rows(const RealBasis& basis) {
   for (const RealOrbit& orbit : basis.orbits)
     if (orbit.imaginary != orbit.real) result[orbit.imaginary] = true;
   return result;
-}
-
-/// Without the eigenvalue 1 of the constant vector: the first row is taken off the others.
-BallMatrix without_one(const BallMatrix& whole, const RealBasis& basis) {
-  EnclosedPair one{Ball(1), {}, 0};
-  if (basis.has_center) one.vector.emplace_back(1);
-  for (const bool imaginary : imaginary_rows(basis)) one.vector.emplace_back(imaginary ? 0 : 1);
-  return deflated(whole, one);
 }
 
 }  // namespace

@@ -43,6 +43,14 @@ RealBasis real_basis(const SectorPattern& pattern) {
   return basis;
 }
 
+std::vector<int> constant_vector(const RealBasis& basis) {
+  const std::size_t shift = basis.has_center ? 1 : 0;
+  std::vector<int> result(basis.orbits.size() + shift, 1);
+  for (const RealOrbit& orbit : basis.orbits)
+    if (orbit.imaginary != orbit.real) result[orbit.imaginary + shift] = 0;
+  return result;
+}
+
 Result<SectorPattern> exact_pattern(const Scheme& scheme, int n) {
   const RegularNames named = [&](const NamedWeight& name) {
     const Result<Exact> value = scope_of<Exact>(scheme, name, std::nullopt, 0)(name.weight->value);

@@ -38,6 +38,9 @@ struct RealBasis {
   std::vector<std::size_t> first_orbit;  ///< of ring r, at r - 1
 };
 [[nodiscard]] RealBasis real_basis(const SectorPattern& pattern);
+/// The eigenvector of the eigenvalue 1, of frequency 0: 1, but 0 for imaginary parts; the centre
+/// first, where there is one.
+[[nodiscard]] std::vector<int> constant_vector(const RealBasis& basis);
 
 /// The weights of a pattern's names.
 template <class Number>

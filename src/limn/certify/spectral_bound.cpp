@@ -1,6 +1,7 @@
 #include "limn/certify/spectral_bound.h"
 
 #include <Eigen/Dense>
+#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 
@@ -56,19 +57,33 @@ std::vector<Ball> times(const BallMatrix& a, const std::vector<Ball>& x) {
   return result;
 }
 
+Eigen::MatrixXd middle(const BallMatrix& a) {
+  Eigen::MatrixXd result(static_cast<Eigen::Index>(a.rows()), static_cast<Eigen::Index>(a.rows()));
+  for (std::size_t i = 0; i < a.rows(); ++i)
+    for (std::size_t j = 0; j < a.rows(); ++j)
+      result(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)) = a(i, j).approx();
+  return result;
+}
+
+ApproxPair pair_of(const Eigen::EigenSolver<Eigen::MatrixXd>& solver, Eigen::Index number) {
+  ApproxPair pair{solver.eigenvalues()(number).real(), {}};
+  const Eigen::VectorXd vector = solver.eigenvectors().col(number).real();
+  Eigen::Index largest = 0;
+  vector.cwiseAbs().maxCoeff(&largest);
+  pair.vector.reserve(static_cast<std::size_t>(vector.size()));
+  for (Eigen::Index i = 0; i < vector.size(); ++i)
+    pair.vector.push_back(i == largest ? 1 : vector(i) / vector(largest));
+  return pair;
+}
+
 /// An approximate inverse of the midpoints.
 std::optional<BallMatrix> approx_inverse(const BallMatrix& a) {
-  const auto size = static_cast<Eigen::Index>(a.rows());
-  Eigen::MatrixXd middle(size, size);
-  for (Eigen::Index i = 0; i < size; ++i)
-    for (Eigen::Index j = 0; j < size; ++j)
-      middle(i, j) = a(static_cast<std::size_t>(i), static_cast<std::size_t>(j)).approx();
-  const Eigen::MatrixXd inverse = middle.partialPivLu().inverse();
+  const Eigen::MatrixXd inverse = middle(a).partialPivLu().inverse();
   if (!inverse.allFinite()) return std::nullopt;
   BallMatrix result(a.rows(), a.rows());
-  for (Eigen::Index i = 0; i < size; ++i)
-    for (Eigen::Index j = 0; j < size; ++j)
-      result(static_cast<std::size_t>(i), static_cast<std::size_t>(j)) = Ball(inverse(i, j));
+  for (std::size_t i = 0; i < a.rows(); ++i)
+    for (std::size_t j = 0; j < a.rows(); ++j)
+      result(i, j) = Ball(inverse(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)));
   return result;
 }
 
@@ -111,6 +126,28 @@ std::size_t largest_entry(const std::vector<double>& vector) {
 }
 
 }  // namespace
+
+std::optional<ApproxPair> approx_leader(const BallMatrix& a, double most_imaginary) {
+  const Eigen::MatrixXd matrix = middle(a);
+  if (matrix.size() == 0 || !matrix.allFinite()) return std::nullopt;
+  const Eigen::EigenSolver<Eigen::MatrixXd> solver(matrix);
+  Eigen::Index leader = 0;
+  solver.eigenvalues().cwiseAbs().maxCoeff(&leader);
+  if (std::abs(solver.eigenvalues()(leader).imag()) > most_imaginary) return std::nullopt;
+  return pair_of(solver, leader);
+}
+
+ApproxPair approx_nearest(const BallMatrix& a, double value) {
+  const Eigen::EigenSolver<Eigen::MatrixXd> solver(middle(a));
+  Eigen::Index nearest = 0;
+  (solver.eigenvalues().array() - value).abs().minCoeff(&nearest);
+  return pair_of(solver, nearest);
+}
+
+std::vector<std::complex<double>> approx_eigenvalues(const BallMatrix& a) {
+  const Eigen::VectorXcd values = Eigen::EigenSolver<Eigen::MatrixXd>(middle(a)).eigenvalues();
+  return {values.begin(), values.end()};
+}
 
 Result<EnclosedPair> enclose_eigenpair(const BallMatrix& a, double value,
                                        const std::vector<double>& vector) {

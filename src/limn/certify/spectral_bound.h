@@ -1,6 +1,7 @@
 #pragma once
 /// Eigenvalues of matrices of balls: enclosed, or bounded, for every matrix that the balls hold.
 
+#include <complex>
 #include <optional>
 #include <vector>
 
@@ -15,6 +16,20 @@ struct EnclosedPair {
   std::vector<Ball> vector;
   std::size_t pivot = 0;
 };
+
+/// An eigenvalue and its eigenvector in double precision, the largest entry 1.
+struct ApproxPair {
+  double value = 0;
+  std::vector<double> vector;
+};
+/// Of the midpoints: the eigenvalue of largest modulus, where its imaginary part is at most so
+/// large; nothing also where a midpoint is not finite or there is none.
+[[nodiscard]] std::optional<ApproxPair> approx_leader(const BallMatrix& a,
+                                                      double most_imaginary = 0);
+/// Of the midpoints: the real part of the eigenvalue nearest to `value`. Precondition: not empty.
+[[nodiscard]] ApproxPair approx_nearest(const BallMatrix& a, double value);
+/// The eigenvalues of the midpoints.
+[[nodiscard]] std::vector<std::complex<double>> approx_eigenvalues(const BallMatrix& a);
 
 /// The one eigenvalue near `value` that has an eigenvector near `vector`, which is scaled so that
 /// its largest entry is 1. It is real and simple, in every matrix that `a` holds, by Krawczyk's

@@ -38,6 +38,12 @@ class Affordable {
 
 }  // namespace
 
+BallMatrix without_one(const BallMatrix& whole, const RealBasis& basis) {
+  EnclosedPair one{Ball(1), {}, 0};
+  for (const int entry : constant_vector(basis)) one.vector.emplace_back(entry);
+  return deflated(whole, one);
+}
+
 Result<ValenceBalls> ValenceBalls::make(const Scheme& scheme, int n) {
   Result<SectorPattern> pattern = exact_pattern(scheme, n);
   if (!pattern) return pattern.error();
@@ -65,20 +71,10 @@ BallMatrix ValenceBalls::whole_block(int frequency) const {
   return RealBlock<Ball>(pattern_, basis_, values_, at, frequency == 0).make();
 }
 
-std::vector<int> ValenceBalls::constant() const {
-  const std::size_t shift = basis_.has_center ? 1 : 0;
-  std::vector<int> result(basis_.orbits.size() + shift, 1);
-  for (const RealOrbit& orbit : basis_.orbits)
-    if (orbit.imaginary != orbit.real) result[orbit.imaginary + shift] = 0;
-  return result;
-}
-
 BallMatrix ValenceBalls::block(int frequency) const {
   BallMatrix whole = whole_block(frequency);
   if (frequency > 0) return whole;
-  EnclosedPair one{Ball(1), {}, 0};
-  for (const int entry : constant()) one.vector.emplace_back(entry);
-  return deflated(whole, one);
+  return without_one(whole, basis_);
 }
 
 ValenceBalls::WholeVector ValenceBalls::whole_vector(int frequency,
@@ -89,7 +85,7 @@ ValenceBalls::WholeVector ValenceBalls::whole_vector(int frequency,
   for (std::size_t j = 0; j < pair.vector.size(); ++j)
     first.add_product(whole(0, j + 1), pair.vector[j]);
   first /= pair.value - Ball(1);
-  const std::vector<int> ones = constant();
+  const std::vector<int> ones = constant_vector(basis_);
   WholeVector result{Ball(0), {pair.value, {first}, pair.pivot + 1}};
   for (std::size_t j = 0; j < pair.vector.size(); ++j)
     result.pair.vector.push_back(pair.vector[j] + Ball(ones[j + 1]) * first);
@@ -127,7 +123,7 @@ Result<DenseMatrix<Exact>> ValenceBalls::exact_block(const Scheme& scheme, int f
 Result<DenseMatrix<Exact>> ValenceBalls::exact_rest(const Scheme& scheme, int frequency) const {
   Result<DenseMatrix<Exact>> block = exact_block(scheme, frequency);
   if (!block || frequency > 0) return block;
-  const std::vector<int> ones = constant();
+  const std::vector<int> ones = constant_vector(basis_);
   DenseMatrix<Exact> rest(block->rows() - 1, block->rows() - 1);
   for (std::size_t i = 0; i < rest.rows(); ++i)
     for (std::size_t j = 0; j < rest.rows(); ++j) {

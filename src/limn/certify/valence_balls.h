@@ -11,6 +11,10 @@
 
 namespace limn::certify {
 
+/// The whole block of frequency 0 without the eigenvalue 1, of the constant vector: its row 0 is
+/// taken off the others.
+[[nodiscard]] BallMatrix without_one(const BallMatrix& whole, const RealBasis& basis);
+
 class ValenceBalls {
  public:
   /// At a valence n ≥ 3. Fails where a rule is missing or a weight cannot be enclosed.
@@ -36,8 +40,6 @@ class ValenceBalls {
 
  private:
   [[nodiscard]] BallMatrix whole_block(int frequency) const;
-  /// Eigenvector of 1: ones, but 0 for imaginary parts.
-  [[nodiscard]] std::vector<int> constant() const;
 
   int n_ = 0;
   SectorPattern pattern_;

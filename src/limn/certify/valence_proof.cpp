@@ -1,6 +1,5 @@
 #include "limn/certify/valence_proof.h"
 
-#include <Eigen/Eigenvalues>
 #include <cmath>
 
 #include <fmt/core.h>
@@ -12,30 +11,8 @@ namespace limn::certify {
 namespace {
 
 constexpr int kMostSquarings = 40;
-constexpr double kNear = 1e-12;  // of a claimed number to what is enclosed
-
-/// The dominant eigenvalue of the midpoints, if it is real.
-struct Guess {
-  double value = 0;
-  std::vector<double> vector;
-};
-
-std::optional<Guess> guess(const BallMatrix& a) {
-  const auto size = static_cast<Eigen::Index>(a.rows());
-  Eigen::MatrixXd middle(size, size);
-  for (Eigen::Index i = 0; i < size; ++i)
-    for (Eigen::Index j = 0; j < size; ++j)
-      middle(i, j) = a(static_cast<std::size_t>(i), static_cast<std::size_t>(j)).approx();
-  const Eigen::EigenSolver<Eigen::MatrixXd> solver(middle);
-  Eigen::Index largest = 0;
-  for (Eigen::Index i = 1; i < size; ++i)
-    if (std::abs(solver.eigenvalues()(i)) > std::abs(solver.eigenvalues()(largest))) largest = i;
-  if (std::abs(solver.eigenvalues()(largest).imag()) > 1e-9) return std::nullopt;
-  Guess result{solver.eigenvalues()(largest).real(), {}};
-  for (Eigen::Index i = 0; i < size; ++i)
-    result.vector.push_back(solver.eigenvectors()(i, largest).real());
-  return result;
-}
+constexpr double kNear = 1e-12;      // of a claimed number to what is enclosed
+constexpr double kRealBelow = 1e-9;  // imaginary parts that may be rounding
 
 /// The map of a leading eigenvector.
 struct LeadingMap {
@@ -108,10 +85,10 @@ class Search {
         claim_.frequency = spectrum.frequency;
       }
     }
-    const std::optional<Guess> near = guess(balls.block(claim_.frequency));
+    const BallMatrix block = balls.block(claim_.frequency);
+    const std::optional<ApproxPair> near = approx_leader(block, kRealBelow);
     if (!near) return Error{why("the leading eigenvalue is not real")};
-    const Result<EnclosedPair> pair =
-        enclose_eigenpair(balls.block(claim_.frequency), near->value, near->vector);
+    const Result<EnclosedPair> pair = enclose_eigenpair(block, near->value, near->vector);
     if (!pair) return Error{why(pair.error().message)};
     leader_ = *pair;
     if (!leader_.value.is_positive()) return Error{why("the leading eigenvalue is not positive")};

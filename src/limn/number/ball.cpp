@@ -30,7 +30,6 @@ static_assert(sizeof(arb_struct) <= 48 && alignof(arb_struct) <= 8);
 
 BallPrecision::BallPrecision(int bits) : outer_(precision) { precision = bits; }
 BallPrecision::~BallPrecision() { precision = outer_; }
-int BallPrecision::bits() { return precision; }
 
 Ball::Ball() noexcept { arb_init(new (parts_) arb_struct); }
 Ball::Ball(int value) noexcept : Ball() { arb_set_si(Access::of(*this), value); }
@@ -77,16 +76,6 @@ Ball Ball::hull(const Ball& a, const Ball& b) {
   return result;
 }
 
-Result<Ball> Ball::parse(std::string_view text) {
-  constexpr std::size_t kLongest = 100'000;  // characters; arb_load_str reads any number of them
-  Ball result;
-  const std::string copy(text);
-  if (text.size() > kLongest || copy.find_first_not_of("0123456789abcdef- ") != std::string::npos ||
-      arb_load_str(Access::of(result), copy.c_str()) != 0)
-    return Error{"'" + copy.substr(0, 60) + "' is no ball"};
-  return result;
-}
-
 Ball& Ball::operator+=(const Ball& b) {
   arb_add(Access::of(*this), Access::of(*this), Access::of(b), precision);
   return *this;
@@ -117,16 +106,12 @@ Ball Ball::operator-() const {
 }
 
 bool Ball::is_exactly_zero() const { return arb_is_zero(Access::of(*this)) != 0; }
-bool Ball::is_exact() const { return arb_is_exact(Access::of(*this)) != 0; }
 bool Ball::is_finite() const { return arb_is_finite(Access::of(*this)) != 0; }
 bool Ball::holds_zero() const { return arb_contains_zero(Access::of(*this)) != 0; }
 bool Ball::is_positive() const { return arb_is_positive(Access::of(*this)) != 0; }
 bool Ball::is_negative() const { return arb_is_negative(Access::of(*this)) != 0; }
 bool is_less(const Ball& a, const Ball& b) {
   return arb_lt(Ball::Access::of(a), Ball::Access::of(b)) != 0;
-}
-bool Ball::is_inside(const Ball& outer) const {
-  return arb_contains(Access::of(outer), Access::of(*this)) != 0;
 }
 bool Ball::is_strictly_inside(const Ball& outer) const {
   return arb_contains_interior(Access::of(outer), Access::of(*this)) != 0;
@@ -184,13 +169,6 @@ Ball Ball::magnitude() const {
 std::optional<long long> Ball::integer() const {
   if (arb_is_int(Access::of(*this)) == 0 || !(std::abs(approx()) < 1e15)) return std::nullopt;
   return std::llround(approx());
-}
-
-std::string Ball::text() const {
-  char* dumped = arb_dump_str(Access::of(*this));
-  std::string result(dumped);
-  flint_free(dumped);
-  return result;
 }
 
 std::string Ball::to_string(int digits) const {

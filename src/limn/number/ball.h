@@ -10,7 +10,6 @@
 #include <cstddef>
 #include <optional>
 #include <string>
-#include <string_view>
 
 #include "limn/base/error.h"
 #include "limn/base/rational.h"
@@ -27,8 +26,6 @@ class BallPrecision {
   BallPrecision(const BallPrecision&) = delete;
   BallPrecision& operator=(const BallPrecision&) = delete;
   ~BallPrecision();
-  /// What holds on this thread now.
-  [[nodiscard]] static int bits();
 
  private:
   int outer_;
@@ -53,8 +50,6 @@ class Ball {
   [[nodiscard]] static Ball between(double low, double high);
   /// The least ball (to rounding) that holds both.
   [[nodiscard]] static Ball hull(const Ball& a, const Ball& b);
-  /// Inverse of `text`; fails on anything else.
-  [[nodiscard]] static Result<Ball> parse(std::string_view text);
 
   Ball& operator+=(const Ball& b);
   Ball& operator-=(const Ball& b);
@@ -70,16 +65,13 @@ class Ball {
   friend Ball operator/(Ball a, const Ball& b) { return a /= b; }
 
   [[nodiscard]] bool is_exactly_zero() const;  ///< the ball is the number 0
-  [[nodiscard]] bool is_exact() const;         ///< the radius is 0
   [[nodiscard]] bool is_finite() const;
   [[nodiscard]] bool holds_zero() const;
   [[nodiscard]] bool is_positive() const;  ///< all of it
   [[nodiscard]] bool is_negative() const;  ///< all of it
   /// Every number of a is less than every number of b.
   friend bool is_less(const Ball& a, const Ball& b);
-  /// Every number of *this is one of `outer`.
-  [[nodiscard]] bool is_inside(const Ball& outer) const;
-  /// The same, and none is an end of it.
+  /// Every number of *this is one of `outer`, and none is an end of it.
   [[nodiscard]] bool is_strictly_inside(const Ball& outer) const;
   /// Some number is in both.
   [[nodiscard]] bool overlaps(const Ball& other) const;
@@ -95,8 +87,6 @@ class Ball {
   [[nodiscard]] Ball magnitude() const;
   /// A whole number, where the ball is exactly that one.
   [[nodiscard]] std::optional<long long> integer() const;
-  /// Exactly this ball in few characters: midpoint and radius as mantissa and exponent.
-  [[nodiscard]] std::string text() const;
   /// For people: digits that are known, "0.5625 ± 1e-30".
   [[nodiscard]] std::string to_string(int digits = 12) const;
 

@@ -16,7 +16,6 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 BallPrecision::BallPrecision(int) : outer_(0) {}
 BallPrecision::~BallPrecision() = default;
-int BallPrecision::bits() { return 0; }
 
 bool Ball::is_available() { return false; }
 Ball::Ball() noexcept : parts_{} {}
@@ -32,7 +31,6 @@ Ball::~Ball() = default;
 Ball Ball::pi() { return {}; }
 Ball Ball::between(double, double) { return {}; }
 Ball Ball::hull(const Ball&, const Ball&) { return {}; }
-Result<Ball> Ball::parse(std::string_view) { return Error{"limn was built without Arb"}; }
 Ball& Ball::operator+=(const Ball&) { return *this; }
 Ball& Ball::operator-=(const Ball&) { return *this; }
 Ball& Ball::operator*=(const Ball&) { return *this; }
@@ -40,13 +38,11 @@ Ball& Ball::operator/=(const Ball&) { return *this; }
 Ball& Ball::add_product(const Ball&, const Ball&) { return *this; }
 Ball Ball::operator-() const { return {}; }
 bool Ball::is_exactly_zero() const { return false; }
-bool Ball::is_exact() const { return false; }
 bool Ball::is_finite() const { return false; }
 bool Ball::holds_zero() const { return true; }
 bool Ball::is_positive() const { return false; }
 bool Ball::is_negative() const { return false; }
 bool is_less(const Ball&, const Ball&) { return false; }
-bool Ball::is_inside(const Ball&) const { return false; }
 bool Ball::is_strictly_inside(const Ball&) const { return false; }
 bool Ball::overlaps(const Ball&) const { return true; }
 double Ball::approx() const { return std::numeric_limits<double>::quiet_NaN(); }
@@ -57,7 +53,6 @@ double Ball::radius() const { return kInfinity; }
 Ball Ball::widened(double) const { return {}; }
 Ball Ball::magnitude() const { return {}; }
 std::optional<long long> Ball::integer() const { return std::nullopt; }
-std::string Ball::text() const { return "unknown"; }
 std::string Ball::to_string(int) const { return "unknown"; }
 Ball cos(const Ball&) { return {}; }
 Ball sin(const Ball&) { return {}; }

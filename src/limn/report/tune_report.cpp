@@ -3,8 +3,8 @@
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
 
+#include "limn/number/near_rational.h"
 #include "limn/report/eigen/eigen_report.h"
-#include "limn/tune/near_rational.h"
 
 namespace limn {
 namespace {

@@ -1,7 +1,6 @@
 #pragma once
 /// Proofs of C1 for reports that show many schemes.
 
-#include <string>
 #include <vector>
 
 #include "limn/certify/certificate.h"
@@ -14,8 +13,5 @@ namespace limn {
 /// the bound on the work of one valence is reached, which is smaller than the command's. Cost: some
 /// hundredths of a second a valence.
 [[nodiscard]] std::vector<certify::Answer> c1_answers(const Scheme& scheme, int first, int last);
-
-/// "3 … 7; refuted 8 … 12"; "none".
-[[nodiscard]] std::string c1_answers_text(const std::vector<certify::Answer>& answers, int first);
 
 }  // namespace limn

@@ -5,10 +5,10 @@
 
 #include <fmt/core.h>
 
+#include "limn/number/near_rational.h"
 #include "limn/tune/block_curve.h"
 #include "limn/tune/line_search.h"
 #include "limn/tune/margin.h"
-#include "limn/tune/near_rational.h"
 #include "limn/tune/running_components.h"
 
 namespace limn {

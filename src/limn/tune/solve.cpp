@@ -6,8 +6,8 @@
 
 #include <fmt/core.h>
 
+#include "limn/number/near_rational.h"
 #include "limn/tune/margin.h"
-#include "limn/tune/near_rational.h"
 #include "limn/tune/root_search.h"
 
 namespace limn {

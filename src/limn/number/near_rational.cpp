@@ -1,12 +1,11 @@
-#include "limn/tune/near_rational.h"
+#include "limn/number/near_rational.h"
 
 #include <cmath>
 #include <utility>
 
 namespace limn {
 
-std::optional<Rational> near_rational(double x, double tolerance) {
-  constexpr long long kLargestDenominator = 1000;
+std::optional<Rational> near_rational(double x, double tolerance, long long largest) {
   constexpr double kLargestNumber = 1e6;
   if (!(std::abs(x) < kLargestNumber)) return std::nullopt;
   // the convergents p/q of its continued fraction
@@ -16,7 +15,7 @@ std::optional<Rational> near_rational(double x, double tolerance) {
     const auto term = static_cast<long long>(whole);
     last_p = std::exchange(p, term * p + last_p);
     last_q = std::exchange(q, term * q + last_q);
-    if (q > kLargestDenominator) return std::nullopt;
+    if (q > largest) return std::nullopt;
     const double error = x - static_cast<double>(p) / static_cast<double>(q);
     if (std::abs(error) <= tolerance * (1 + std::abs(x))) return Rational(p, q);
     if (!(rest - whole > 1e-12)) return std::nullopt;
