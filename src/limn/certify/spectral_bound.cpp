@@ -89,6 +89,7 @@ std::optional<BallMatrix> approx_inverse(const BallMatrix& a) {
 
 std::vector<Ball> middles(const std::vector<Ball>& z) {
   std::vector<Ball> result;
+  result.reserve(z.size());
   for (const Ball& one : z) result.push_back(one.middle());
   return result;
 }
