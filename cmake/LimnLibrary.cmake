@@ -45,6 +45,7 @@ target_include_directories(limn SYSTEM PRIVATE ${LIMN_TOML_INCLUDE_DIR})
 # Square roots in vectors: they need not set errno.
 set_source_files_properties(${PROJECT_SOURCE_DIR}/src/limn/fast/kernel/patch_step.cpp
   PROPERTIES COMPILE_OPTIONS -fno-math-errno)
+limn_sanitize_folders(limn)
 
 limn_precompile(limn <Eigen/Dense> <fmt/core.h>)
 
