@@ -9,6 +9,7 @@
 #include "limn/base/progress.h"
 #include "limn/figure/space/visibility.h"
 #include "limn/report/compare/compare_report.h"
+#include "limn/report/compare/field.h"
 #include "number_option.h"
 #include "scheme_argument.h"
 #include "time_option.h"
@@ -31,20 +32,28 @@ struct CompareOptions {
   ViewOptions view;
   bool triangulate = false;
   bool differences = false;
+  bool all = false;       ///< the shipped schemes, before those that are named
+  bool markdown = false;  ///< the table of `all`
   bool json = false;
 };
 
 /// What can be refused at once is refused before any work.
 Status check(const CompareOptions& options) {
   if (options.schemes.size() < 2)
-    return Error{"one scheme alone cannot be compared", "name two or more"};
+    return Error{"one scheme alone cannot be compared",
+                 "name two or more, or give --all for all shipped ones"};
+  if (!options.output.path.empty() && options.mesh.empty() && !options.all)
+    return Error{
+        "-o: there is nothing to draw",
+        "give --mesh MESH for limit surfaces over it, or --all for the chart of all schemes"};
   if (!options.mesh.empty())
     if (Status status = check_mesh_path(options.mesh); !status) return status;
   if (options.output.path.empty()) return Done{};
-  if (!figures_available() || !rays_available())
-    return Error{"this limn draws no surfaces", "build it with cairo and Embree"};
+  if (!figures_available() || !(rays_available() || options.all))
+    return Error{options.all ? "this limn draws no figures" : "this limn draws no surfaces",
+                 options.all ? "build it with cairo" : "build it with cairo and Embree"};
   if (Status status = options.output.check(options.json); !status) return status;
-  if (options.schemes.size() - 1 > kMostPairs)
+  if (!options.all && options.schemes.size() - 1 > kMostPairs)
     return Error{fmt::format("-o: {} schemes are too many for one picture", options.schemes.size()),
                  fmt::format("it shows the first beside at most {} others", kMostPairs)};
   return check_outputs({options.output.path});
@@ -77,6 +86,19 @@ Status draw(const CompareOptions& options, const MeshComparison& on_mesh) {
   return options.output.write(compare_figure(on_mesh.surfaces, on_mesh.distances, view));
 }
 
+/// Of what was found, in the form that the options ask for.
+void print(const CompareOptions& options, const Comparison& comparison,
+           const MeshRemarks& remarks) {
+  if (options.json) {
+    nlohmann::ordered_json json = compare_json(comparison);
+    if (comparison.on_mesh) add_remarks(json, remarks);
+    return print_json(json);
+  }
+  options.output.print_report(options.markdown ? field_markdown(comparison)
+                              : options.all    ? field_text(comparison)
+                                               : compare_text(comparison, options.differences));
+}
+
 int compare(const CompareOptions& options) {
   if (Status status = check(options); !status) return report(status.error());
   const Result<Valences> valences = read_valences(options.valence);
@@ -95,7 +117,7 @@ int compare(const CompareOptions& options) {
     if (!on_mesh) return report(on_mesh.error());
     comparison.on_mesh = std::move(*on_mesh);
   }
-  if (!options.output.path.empty()) {
+  if (comparison.on_mesh && !options.output.path.empty()) {
     line.show("drawing " + options.output.path);
     if (Status status = draw(options, *comparison.on_mesh); !status) return report(status.error());
   }
@@ -107,13 +129,10 @@ int compare(const CompareOptions& options) {
   record.regularity.seconds = time_limit(options.seconds);
   for (const auto& [label, scheme] : schemes)
     comparison.schemes.push_back(approx_record(label, scheme, record));
-  if (options.json) {
-    nlohmann::ordered_json json = compare_json(comparison);
-    if (comparison.on_mesh) add_remarks(json, remarks);
-    print_json(json);
-  } else {
-    options.output.print_report(compare_text(comparison, options.differences));
-  }
+  if (options.all && !options.output.path.empty())
+    if (Status status = options.output.write(field_figure(comparison)); !status)
+      return report(status.error());
+  print(options, comparison, remarks);
   return kDone;
 }
 
@@ -129,9 +148,10 @@ void declare_mesh(CLI::App& command, CompareOptions& options) {
       ->capture_default_str()
       ->check(CLI::Range(0, 64))
       ->needs(mesh);
-  options.output
-      .declare(command, "also draw the surfaces, overlaid and coloured by their distance,")
-      ->needs(mesh);
+  options.output.declare(
+      command,
+      "also draw the surfaces over --mesh, overlaid and coloured by their distance, or with "
+      "--all every scheme by smoothness and sampling density,");
   options.view.declare(command);
   command
       .add_flag("--triangulate", options.triangulate,
@@ -146,7 +166,10 @@ void declare_compare(CLI::App& parser, Action& action) {
                                   "schemes side by side: smoothness, eigencomponents, "
                                   "artifacts, and their limit surfaces");
   const auto options = std::make_shared<CompareOptions>();
-  command->add_option("SCHEME", options->schemes, kSchemeArgumentHelp)->required();
+  command->add_option("SCHEME", options->schemes, kSchemeArgumentHelp);
+  CLI::Option* const all = command->add_flag(
+      "--all", options->all, "all shipped schemes, a line each, and those that are named besides");
+  command->add_flag("--markdown", options->markdown, "the table of --all in Markdown")->needs(all);
   command
       ->add_option("--valence", options->valence,
                    "valences of the eigencomponents: edges at a vertex, or corners of a dual "
@@ -166,15 +189,26 @@ void declare_compare(CLI::App& parser, Action& action) {
       ->capture_default_str()
       ->check(CLI::Range(1, 1000000));
   declare_mesh(*command, *options);
+  command->get_option("--mesh")->excludes(all);
   options->common.declare_parameters(*command);
-  command->add_flag("--differences", options->differences,
-                    "only the lines in which the schemes differ");
+  command
+      ->add_flag("--differences", options->differences,
+                 "only the lines in which the schemes differ")
+      ->excludes(all);
   command->add_flag("--json", options->json, "print one JSON object");
   command->footer(
       "Example: limn compare loop butterfly sqrt3\n"
       "         limn compare laplacian-butterfly:b=1/8 laplacian-butterfly:b=3/16 --differences\n"
-      "         limn compare loop laplacian-loop-low --mesh mesh.obj -o overlaid.png");
-  command->callback([&action, options] { action = [options] { return compare(*options); }; });
+      "         limn compare loop laplacian-loop-low --mesh mesh.obj -o overlaid.png\n"
+      "         limn compare --all -o field.pdf");
+  command->callback([&action, options] {
+    if (options->all) {
+      std::vector<std::string> schemes = shipped_schemes();
+      schemes.insert(schemes.end(), options->schemes.begin(), options->schemes.end());
+      options->schemes = std::move(schemes);
+    }
+    action = [options] { return compare(*options); };
+  });
 }
 
 }  // namespace limn::app

@@ -2,6 +2,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
+
 #include "run_command.h"
 
 namespace limn::test {
@@ -85,6 +87,20 @@ TEST(CompareCommand, DrawsTheSurfacesOverlaid) {
   EXPECT_NE(outcome.out.find("loop – laplacian-loop-low: largest"), std::string::npos);
 }
 
+/// All shipped schemes and one's own, a line each.
+TEST(CompareCommand, MapsTheField) {
+  const Folder folder;
+  const Outcome names = folder.limn("schemes --json");
+  const std::size_t shipped = Json::parse(names.out).at("schemes").size();
+  const Outcome outcome =
+      folder.limn("compare --all loop-type:b=2/5 --markdown --time 0.1 --valence 4 -o field.svg");
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_EQ(std::count(outcome.out.begin(), outcome.out.end(), '\n'),
+            static_cast<std::ptrdiff_t>(shipped + 3));
+  EXPECT_NE(outcome.out.find("| loop-type b=2/5 | triangle-dyadic |"), std::string::npos);
+  EXPECT_NE(folder.read("field.svg").find("<svg"), std::string::npos);
+}
+
 TEST(CompareCommand, RefusesBadInput) {
   const Folder folder;
   const auto refused = [&](const std::string& arguments, const std::string& part) {
@@ -101,6 +117,11 @@ TEST(CompareCommand, RefusesBadInput) {
   refused("loop butterfly --mesh none.obj", "none.obj");
   refused("loop butterfly -o a.png", "--mesh");
   refused("loop butterfly -n 2", "--mesh");
+  refused("", "--all");
+  refused("--all --differences", "--differences");
+  refused("--all --mesh " + kBracket, "--mesh");
+  refused("loop butterfly --markdown", "--all");
+  refused("--all -p a=1", "a");
   refused("loop butterfly --mesh " + kBracket + " -o a.txt", ".svg");
   refused("loop butterfly --mesh " + kQuads + " -o a.png", "no two limit surfaces");
   EXPECT_EQ(folder.count(), 0);

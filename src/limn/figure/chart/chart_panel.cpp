@@ -2,9 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <utility>
 
 #include "limn/figure/canvas/colour_map.h"
 #include "limn/figure/chart/axes.h"
+#include "limn/figure/chart/label_places.h"
 
 namespace limn {
 namespace {
@@ -16,6 +19,7 @@ constexpr double kMarkerGrowth = 0.9;  // from one to the next
 constexpr double kMarkerLine = 0.7;
 constexpr int kMarkers = 5;
 constexpr double kLegendSize = 7.5;
+constexpr double kPointLabelSize = 6.5;
 constexpr double kPadding = 0.04;  // of a linear axis, beyond the data
 
 int style_of(const ChartPanel& panel, std::size_t index) {
@@ -33,7 +37,9 @@ Range axis_range(const ChartPanel& panel, bool vertical) {
   const std::optional<double>& low = vertical ? panel.y_low : panel.x_low;
   const std::optional<double>& high = vertical ? panel.y_high : panel.x_high;
   if (!logarithmic) range = drawable(range);
-  if (vertical && !logarithmic) {
+  const bool scattered = std::any_of(panel.series.begin(), panel.series.end(),
+                                     [](const ChartPanel::Series& one) { return !one.line; });
+  if ((vertical || scattered) && !logarithmic) {
     const double padding = kPadding * (range.high - range.low);
     range = {range.low - padding, range.high + padding};
   }
@@ -121,33 +127,74 @@ void draw_legend(Canvas& canvas, const ChartPanel& panel, const Legend& legend, 
     const double x = left + static_cast<double>(k % legend.columns) * (legend.entry + kLegendGap);
     const auto row = static_cast<double>(k / legend.columns);  // NOLINT(bugprone-integer-division)
     const double y = top + (row + 0.5) * kLegendRow;
-    canvas.stroke(Path::segment({x, y}, {x + kSampleWidth, y}), series_colour(style),
-                  line_stroke(style));
+    if (series.line)
+      canvas.stroke(Path::segment({x, y}, {x + kSampleWidth, y}), series_colour(style),
+                    line_stroke(style));
     if (series.markers) draw_marker(canvas, {x + kSampleWidth / 2, y}, style);
     canvas.text({x + kSampleWidth + kSampleGap, y}, series.name,
                 {.size = kLegendSize, .vertical = VerticalAlign::middle});
   }
 }
 
-void draw_series(Canvas& canvas, const ChartPanel::Series& series, int style, const Axis& x_axis,
-                 const Axis& y_axis, const Box& plot) {
+/// The plot's axes and where they lie on the page.
+struct Plot {
+  Axis x, y;
+  Box box;
+
+  /// Where a point is shown; nothing for one that the axes cannot show.
+  [[nodiscard]] std::optional<PagePoint> at(double px, double py) const {
+    const double fx = x.fraction(px), fy = y.fraction(py);
+    if (!std::isfinite(fx) || !std::isfinite(fy)) return std::nullopt;
+    // Far outside the plot, a point need not be exact.
+    const auto shown = [](double fraction) { return std::clamp(fraction, -1e3, 1e3); };
+    return PagePoint{box.x + shown(fx) * box.width, box.bottom() - shown(fy) * box.height};
+  }
+};
+
+void draw_series(Canvas& canvas, const ChartPanel::Series& series, int style, const Plot& plot) {
   std::vector<PagePoint> run;
   const auto flush = [&] {
-    canvas.stroke(Path().polyline(run), series_colour(style), line_stroke(style));
+    if (series.line) canvas.stroke(Path().polyline(run), series_colour(style), line_stroke(style));
     run.clear();
   };
   for (std::size_t i = 0; i < std::min(series.x.size(), series.y.size()); ++i) {
-    // Far outside the plot, a point need not be exact.
-    const auto shown = [](double fraction) { return std::clamp(fraction, -1e3, 1e3); };
-    const double fx = x_axis.fraction(series.x[i]), fy = y_axis.fraction(series.y[i]);
-    if (!std::isfinite(fx) || !std::isfinite(fy)) {
+    const std::optional<PagePoint> at = plot.at(series.x[i], series.y[i]);
+    if (!at) {
       flush();
       continue;
     }
-    run.push_back({plot.x + shown(fx) * plot.width, plot.bottom() - shown(fy) * plot.height});
+    run.push_back(*at);
     if (series.markers) draw_marker(canvas, run.back(), style);
   }
   flush();
+}
+
+/// The labels of all series, each near its point and off all points and lines.
+void draw_point_labels(Canvas& canvas, const ChartPanel& panel, const Plot& plot) {
+  LabelSurroundings around{.within = plot.box};
+  std::vector<LabelWish> wishes;
+  std::vector<std::pair<std::string, Colour>> texts;
+  for (std::size_t s = 0; s < panel.series.size(); ++s) {
+    const ChartPanel::Series& series = panel.series[s];
+    std::optional<PagePoint> before;
+    for (std::size_t i = 0; i < std::min(series.x.size(), series.y.size()); ++i) {
+      const std::optional<PagePoint> at = plot.at(series.x[i], series.y[i]);
+      if (at) around.dots.push_back({*at, kMarker + kMarkers * kMarkerGrowth});
+      if (at && before && series.line) around.lines.push_back({*before, *at});
+      before = at;
+      if (!at || i >= series.labels.size() || series.labels[i].empty()) continue;
+      const double width = text_width(series.labels[i], {.size = kPointLabelSize});
+      wishes.push_back({*at, width, kPointLabelSize});
+      texts.emplace_back(series.labels[i], series_colour(style_of(panel, s)));
+    }
+  }
+  const std::vector<PagePoint> middles = label_places(wishes, around);
+  for (std::size_t i = 0; i < middles.size(); ++i)
+    canvas.text(middles[i], texts[i].first,
+                {.size = kPointLabelSize,
+                 .align = Align::centre,
+                 .vertical = VerticalAlign::middle,
+                 .colour = texts[i].second});
 }
 
 void draw_grid(Canvas& canvas, const Axis& y_axis, const Box& plot) {
@@ -166,28 +213,28 @@ double ChartPanel::height(double width) const {
 }
 
 void ChartPanel::draw(Canvas& canvas, const Box& box) const {
-  const Axis x_axis = axis(*this, false), y_axis = axis(*this, true);
-  Box plot;
-  plot.x = box.x + y_axis.width_as_y();
-  plot.width = std::max(box.right() - kRightMargin - plot.x, 1.0);
   const Legend legend = legend_of(*this, box.width);
-  const double above = title_height(title) + legend.height();
-  plot.y = box.y + above;
-  plot.height = std::max(box.bottom() - x_axis.height_as_x() - plot.y, 1.0);
-  draw_title(canvas, title, plot.x, plot.right(), box.y);
-  const double centred = plot.x + (plot.width - legend.width()) / 2;
+  Plot plot{axis(*this, false), axis(*this, true), {}};
+  Box& inside = plot.box;
+  inside.x = box.x + plot.y.width_as_y();
+  inside.width = std::max(box.right() - kRightMargin - inside.x, 1.0);
+  inside.y = box.y + title_height(title) + legend.height();
+  inside.height = std::max(box.bottom() - plot.x.height_as_x() - inside.y, 1.0);
+  draw_title(canvas, title, inside.x, inside.right(), box.y);
+  const double centred = inside.x + (inside.width - legend.width()) / 2;
   const double left = std::clamp(centred, box.x, std::max(box.x, box.right() - legend.width()));
   draw_legend(canvas, *this, legend, left, box.y + title_height(title));
-  draw_grid(canvas, y_axis, plot);
+  draw_grid(canvas, plot.y, inside);
   // Markers at the border stay whole.
   constexpr double kOver = kMarker + kMarkers * kMarkerGrowth;
   canvas.begin_clip(Path::rectangle(
-      {plot.x - kOver, plot.y - kOver, plot.width + 2 * kOver, plot.height + 2 * kOver}));
+      {inside.x - kOver, inside.y - kOver, inside.width + 2 * kOver, inside.height + 2 * kOver}));
   for (std::size_t i = 0; i < series.size(); ++i)
-    draw_series(canvas, series[i], style_of(*this, i), x_axis, y_axis, plot);
+    draw_series(canvas, series[i], style_of(*this, i), plot);
   canvas.end_clip();
-  x_axis.draw_as_x(canvas, plot.x, plot.right(), plot.bottom());
-  y_axis.draw_as_y(canvas, plot.x, plot.bottom(), plot.y);
+  draw_point_labels(canvas, *this, plot);
+  plot.x.draw_as_x(canvas, inside.x, inside.right(), inside.bottom());
+  plot.y.draw_as_y(canvas, inside.x, inside.bottom(), inside.y);
 }
 
 }  // namespace limn

@@ -18,7 +18,10 @@ struct ChartPanel {
     std::string name = {};  ///< empty: not in the legend
     /// As many; the line breaks where one of them cannot be shown.
     std::vector<double> x = {}, y = {};
-    bool markers = false;           ///< a mark at every point
+    bool markers = false;  ///< a mark at every point
+    bool line = true;      ///< from point to point
+    /// Beside the points, each belonging to one of them, in rich text; missing ones are empty.
+    std::vector<std::string> labels = {};
     std::optional<int> style = {};  ///< for `series_colour` and `series_dash`; default: its place
   };
   std::vector<Series> series = {};

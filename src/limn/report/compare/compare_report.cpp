@@ -53,18 +53,6 @@ int steps_of(const Split& split, int steps) {
   return static_cast<int>(std::lround(steps / growth));
 }
 
-/// What stands for the dashes.
-std::string missing_text(const Comparison& comparison) {
-  std::string text;
-  for (const SchemeRecord& scheme : comparison.schemes)
-    for (const std::string& reason : missing_parts(scheme))
-      text += fmt::format("  {}: {}\n", printable(scheme.label), printable(reason));
-  if (comparison.on_mesh)
-    for (const std::string& reason : comparison.on_mesh->missing)
-      text += "  " + printable(reason) + "\n";
-  return text.empty() ? text : "\nmissing (–)\n" + text;
-}
-
 }  // namespace
 
 Status check_steps(const std::vector<LabelledScheme>& schemes, const Mesh& mesh,
@@ -133,6 +121,17 @@ Warnings gap_warnings(const MeshComparison& comparison,
       warnings.push_back(std::move(warning));
     }
   return warnings;
+}
+
+std::string missing_text(const Comparison& comparison) {
+  std::string text;
+  for (const SchemeRecord& scheme : comparison.schemes)
+    for (const std::string& reason : missing_parts(scheme))
+      text += fmt::format("  {}: {}\n", printable(scheme.label), printable(reason));
+  if (comparison.on_mesh)
+    for (const std::string& reason : comparison.on_mesh->missing)
+      text += "  " + printable(reason) + "\n";
+  return text.empty() ? text : "\nmissing (–)\n" + text;
 }
 
 std::string compare_text(const Comparison& comparison, bool differences) {

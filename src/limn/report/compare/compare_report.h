@@ -66,6 +66,10 @@ struct LabelledScheme {
 /// and what is missing below. `differences`: only lines in which the schemes differ.
 [[nodiscard]] std::string compare_text(const Comparison& comparison, bool differences = false);
 
+/// Why parts of the records are missing, below a line that says what they show as: "–"; empty where
+/// nothing is.
+[[nodiscard]] std::string missing_text(const Comparison& comparison);
+
 /// {"tolerance_percent", "mesh": name or null, "schemes": [record_json's, with "fairness": as in
 /// fairness_json or null where there is a mesh], "distances": [{"a", "b", "largest", "mean",
 /// "relative": largest over the diagonal of the box round both, "at": [point of a, point of b]}],

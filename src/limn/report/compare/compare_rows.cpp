@@ -55,17 +55,25 @@ std::size_t most_smoothness(const Comparison& comparison) {
 
 TableCell integer_cell(int value) { return known(std::to_string(value), value); }
 
-TableSection facts(const Comparison& comparison) {
+TableRow split_row(const Comparison& comparison) {
   TableRow split{"split"};
   for (const SchemeRecord& scheme : comparison.schemes) split.cells.push_back({scheme.split});
-  return {"", {split}};
+  return split;
+}
+
+TableRow interpolating_row(const Comparison& comparison) {
+  return row<bool>(comparison, "interpolating", Better::none, &SchemeRecord::interpolating,
+                   [](bool yes) { return TableCell{yes ? "yes" : "no"}; });
+}
+
+TableRow holder_row(const Comparison& comparison) {
+  return row<Regularity>(comparison, "Hölder exponent", Better::more, &SchemeRecord::regularity,
+                         holder_cell);
 }
 
 TableSection regularity_rows(const Comparison& comparison) {
   TableSection section{"regular lattice", {}};
-  section.rows.push_back(row<bool>(comparison, "interpolating", Better::none,
-                                   &SchemeRecord::interpolating,
-                                   [](bool yes) { return TableCell{yes ? "yes" : "no"}; }));
+  section.rows.push_back(interpolating_row(comparison));
   const auto add = [&](const std::string& name,
                        const std::function<TableCell(const Regularity&)>& cell) {
     section.rows.push_back(
@@ -77,7 +85,7 @@ TableSection regularity_rows(const Comparison& comparison) {
   const std::size_t most = std::max<std::size_t>(most_smoothness(comparison), 3);
   for (std::size_t r = 0; r < most; ++r)
     add("C" + std::to_string(r), [r](const Regularity& one) { return smoothness_cell(one, r); });
-  add("Hölder exponent", holder_cell);
+  section.rows.push_back(holder_row(comparison));
   TableRow curvature{"bounded curvature", Better::more};
   for (const SchemeRecord& scheme : comparison.schemes)
     curvature.cells.push_back(truth_cell(scheme.regular_part.bounded));
@@ -108,17 +116,23 @@ TableCell edges_cell(const DirectionalDensity& density) {
                density.edges_per_wavelength);
 }
 
+TableRow sampling_row(const Comparison& comparison, const std::string& name,
+                      Result<SamplingDensity> SchemeRecord::*part,
+                      DirectionalDensity SamplingDensity::*direction) {
+  return row<SamplingDensity>(
+      comparison, name, Better::less, part,
+      [direction](const SamplingDensity& density) { return edges_cell(density.*direction); });
+}
+
 TableSection sampling_rows(const Comparison& comparison) {
   TableSection section{fmt::format("control edges per wavelength for {:g} %", comparison.tolerance),
                        {}};
   for (const auto& [name, part] : {std::pair{"all artifacts", &SchemeRecord::sampling},
                                    std::pair{"mean energy", &SchemeRecord::mean_sampling}})
-    for (const bool worst : {true, false})
-      section.rows.push_back(row<SamplingDensity>(
-          comparison, fmt::format("{}, {} direction", name, worst ? "worst" : "best"), Better::less,
-          part, [worst](const SamplingDensity& density) {
-            return edges_cell(worst ? density.worst : density.best);
-          }));
+    for (const auto& [which, direction] :
+         {std::pair{"worst", &SamplingDensity::worst}, std::pair{"best", &SamplingDensity::best}})
+      section.rows.push_back(
+          sampling_row(comparison, fmt::format("{}, {} direction", name, which), part, direction));
   return section;
 }
 
@@ -175,23 +189,30 @@ TableCell proof_cell(const SchemeRecord& scheme) {
   return {text, Between{sure, sure + static_cast<double>(undecided.size())}};
 }
 
+TableRow verdict_row(const Comparison& comparison, const std::string& name, Truth Verdict::*part) {
+  TableRow row{name, Better::more};
+  for (const SchemeRecord& scheme : comparison.schemes)
+    row.cells.push_back(verdict_cell(scheme, part));
+  return row;
+}
+
+TableRow proof_row(const Comparison& comparison) {
+  TableRow row{"C1 is proved (limn certify)", Better::more};
+  for (const SchemeRecord& scheme : comparison.schemes) row.cells.push_back(proof_cell(scheme));
+  return row;
+}
+
+TableRow bounded_curvature_row(const Comparison& comparison) {
+  return verdict_row(comparison, "curvature is bounded, if C1", &Verdict::bounded_curvature);
+}
+
 /// Eigenvalues tell convergence, and of C1 what is necessary alone; bounded curvature takes in the
 /// regular surface and presupposes C1.
 TableSection verdict_rows(const Comparison& comparison) {
-  TableSection section{"valences n at which, by the eigenvalues,", {}};
-  for (const auto& [name, part] :
-       {std::pair{"the scheme converges at the vertex", &Verdict::convergent},
-        std::pair{"C1 is not ruled out", &Verdict::c1_necessary},
-        std::pair{"curvature is bounded, if C1", &Verdict::bounded_curvature}}) {
-    TableRow row{name, Better::more};
-    for (const SchemeRecord& scheme : comparison.schemes)
-      row.cells.push_back(verdict_cell(scheme, part));
-    section.rows.push_back(std::move(row));
-  }
-  TableRow row{"C1 is proved (limn certify)", Better::more};
-  for (const SchemeRecord& scheme : comparison.schemes) row.cells.push_back(proof_cell(scheme));
-  section.rows.push_back(std::move(row));
-  return section;
+  return {"valences n at which, by the eigenvalues,",
+          {verdict_row(comparison, "the scheme converges at the vertex", &Verdict::convergent),
+           verdict_row(comparison, "C1 is not ruled out", &Verdict::c1_necessary),
+           bounded_curvature_row(comparison), proof_row(comparison)}};
 }
 
 /// An energy that grows without bound has no value that could be the least.
@@ -261,7 +282,7 @@ std::string numbers_text(const std::vector<int>& numbers) {
 
 std::vector<TableSection> compare_sections(const Comparison& comparison) {
   std::vector<TableSection> sections = {
-      facts(comparison),
+      {"", {split_row(comparison)}},
       regularity_rows(comparison),
       artifact_rows(comparison),
       sampling_rows(comparison),
@@ -271,6 +292,19 @@ std::vector<TableSection> compare_sections(const Comparison& comparison) {
       verdict_rows(comparison)};
   if (comparison.on_mesh) sections.push_back(fairness_rows(*comparison.on_mesh));
   return sections;
+}
+
+std::vector<TableRow> field_rows(const Comparison& comparison) {
+  std::vector<TableRow> rows = {
+      split_row(comparison),
+      interpolating_row(comparison),
+      holder_row(comparison),
+      sampling_row(comparison, fmt::format("edges per wavelength, {:g} %", comparison.tolerance),
+                   &SchemeRecord::sampling, &SamplingDensity::worst),
+      proof_row(comparison),
+      bounded_curvature_row(comparison)};
+  for (TableRow& row : rows) row.better = Better::none;  // no one scheme is the best of the field
+  return rows;
 }
 
 }  // namespace limn

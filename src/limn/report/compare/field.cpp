@@ -1,0 +1,99 @@
+#include "limn/report/compare/field.h"
+
+#include <algorithm>
+#include <map>
+
+#include <fmt/core.h>
+
+#include "limn/base/printable.h"
+#include "limn/mesh/split/split.h"
+#include "limn/report/compare/compare_rows.h"
+
+namespace limn {
+namespace {
+
+std::vector<std::string> names(const std::vector<TableRow>& rows) {
+  std::vector<std::string> names;
+  names.reserve(rows.size());
+  for (const TableRow& row : rows) names.push_back(row.name);
+  return names;
+}
+
+/// What may stand in a cell of a Markdown table.
+std::string escaped(const std::string& text) {
+  std::string result;
+  for (const char c : text) {
+    if (c == '|' || c == '*' || c == '_' || c == '\\') result += '\\';
+    result += c;
+  }
+  return result;
+}
+
+/// Which of the marks a scheme has: lattice of triangles or of quads, approximating or not.
+std::string kind_of(const SchemeRecord& scheme) {
+  const Split* split = find_split(scheme.split);
+  const bool triangles = split != nullptr && split->lattice == Lattice::triangle;
+  const bool interpolating = scheme.interpolating && *scheme.interpolating;
+  return fmt::format("{}, {}", triangles ? "triangles" : "quads",
+                     interpolating ? "interpolating" : "approximating");
+}
+
+}  // namespace
+
+std::string field_text(const Comparison& comparison) {
+  const std::vector<TableRow> rows = field_rows(comparison);
+  TableSection turned;
+  for (std::size_t i = 0; i < comparison.schemes.size(); ++i) {
+    TableRow line{printable(comparison.schemes[i].label)};
+    for (const TableRow& row : rows) line.cells.push_back(row.cells[i]);
+    turned.rows.push_back(std::move(line));
+  }
+  return table_text(names(rows), {turned}, false) + missing_text(comparison);
+}
+
+std::string field_markdown(const Comparison& comparison) {
+  const std::vector<TableRow> rows = field_rows(comparison);
+  std::string text = "| scheme |", rule = "| --- |";
+  for (const TableRow& row : rows) {
+    text += fmt::format(" {} |", escaped(row.name));
+    rule += " --- |";
+  }
+  text += "\n" + rule + "\n";
+  for (std::size_t i = 0; i < comparison.schemes.size(); ++i) {
+    text += fmt::format("| {} |", escaped(printable(comparison.schemes[i].label)));
+    for (const TableRow& row : rows) text += fmt::format(" {} |", escaped(row.cells[i].text));
+    text += "\n";
+  }
+  return text;
+}
+
+Figure field_figure(const Comparison& comparison) {
+  ChartPanel panel{.x_label = fmt::format(
+                       "control edges per wavelength for {:g} % of artifacts, worst direction",
+                       comparison.tolerance),
+                   .y_label = "Hölder exponent on the regular lattice"};
+  std::map<std::string, ChartPanel::Series> kinds;
+  for (const SchemeRecord& scheme : comparison.schemes) {
+    if (!scheme.sampling || !scheme.regularity) continue;
+    ChartPanel::Series& series = kinds[kind_of(scheme)];
+    series.x.push_back(scheme.sampling->worst.edges_per_wavelength);
+    series.y.push_back(scheme.regularity->holder.lower);
+    series.labels.push_back(scheme.label);
+  }
+  for (auto& [name, series] : kinds) {
+    series.name = name;
+    series.markers = true;
+    series.line = false;
+    panel.series.push_back(std::move(series));
+  }
+  Figure figure(1);
+  figure.title("Subdivision schemes: how smooth, and how densely to sample");
+  figure.add(
+      std::move(panel),
+      "Each scheme by the smoothness of its regular surfaces (the lower end of a proved "
+      "bracket) and by the number of control edges that a wave must be long for its artifacts "
+      "to stay below the bound. High and to the left is better.");
+  return figure;
+}
+
+}  // namespace limn
