@@ -101,13 +101,14 @@ Result<ValenceClaim> certify_valence(const Scheme& scheme, const RegularProof& r
   if (options.time.ended()) return undecided(n, "the time ended before it was looked at");
   if (options.progress) options.progress(fmt::format("valence {}", n));
   ProofLimits limits{options.bits, options.most_parts, options.time.stop()};
-  Result<ValenceClaim> claim = search_valence(scheme, regular, signs, n, limits);
-  if (claim && claim->c1 == Answer::undecided) {
+  Result<SearchedValence> found = search_valence(scheme, regular, signs, n, limits);
+  if (found && found->more_bits_may_help && !options.time.ended()) {
     limits.bits *= 2;
-    Result<ValenceClaim> again = search_valence(scheme, regular, signs, n, limits);
-    if (again && again->c1 != Answer::undecided) return again;
+    Result<SearchedValence> again = search_valence(scheme, regular, signs, n, limits);
+    if (again && again->claim.c1 != Answer::undecided) return std::move(again->claim);
   }
-  return claim;
+  if (!found) return found.error();
+  return std::move(found->claim);
 }
 
 /// What is proved of all valences at once, beginning later where valences are left out.

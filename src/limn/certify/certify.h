@@ -13,9 +13,9 @@
 namespace limn::certify {
 
 struct CertifyOptions {
-  int bits = 128;  ///< of the ball arithmetic; doubled once where something stays undecided
+  int bits = 128;  ///< of the ball arithmetic; doubled once where a spectrum stays undecided
   /// Work of one valence: cells of the characteristic map, and products of the regular lattice.
-  int most_parts = 60'000;
+  int most_parts = 200'000;
   int most_products = 200'000;
   /// Also a proof for every valence from 3 on: the valences that it does not cover are then added
   /// to those asked for.

@@ -85,7 +85,10 @@ double CellSigns::error(const std::vector<double>& bound, const std::vector<Ball
 }
 
 CellSigns::CellSigns(const CellMatrices& cells, const Contraction& bounds)
-    : cells_(cells), bounds_(bounds), inverse_scale_(Rational(Integer(1), Integer(cells.scale))) {
+    : cells_(cells),
+      bounds_(bounds),
+      inverse_scale_(Rational(Integer(1), Integer(cells.scale))),
+      quick_(cells, bounds) {
   for (std::size_t d = 0; d < cells.residual.size(); ++d) {
     residual_.emplace_back();
     for (const auto& row : cells.residual[d]) residual_.back().push_back(sparse(row));

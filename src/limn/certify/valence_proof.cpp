@@ -45,7 +45,7 @@ class Search {
     claim_.bits = limits.bits;
   }
 
-  Result<ValenceClaim> run() {
+  Result<SearchedValence> run() {
     const BallPrecision precision(limits_.bits);
     const Result<FrequencyBlocks> blocks = FrequencyAnalysis(scheme_).blocks(claim_.valence);
     if (!blocks) return blocks.error();
@@ -54,14 +54,16 @@ class Search {
     if (!balls) return balls.error();
     if (Status found = find_leader(*balls); !found) {
       const std::string tie = exact_tie(scheme_, *balls, largest_);
-      return undecided(found.error().message + (tie.empty() ? "" : "; a tie: " + tie));
+      return SearchedValence{
+          undecided(found.error().message + (tie.empty() ? "" : "; a tie: " + tie)), tie.empty()};
     }
-    if (Status shown = find_map(*balls); !shown) return undecided(shown.error().message);
+    if (Status shown = find_map(*balls); !shown)
+      return SearchedValence{undecided(shown.error().message), false};
     if (claim_.c1 == Answer::proved)
       claim_.curvature = search_curvature(scheme_, *balls, leader_, regular_.curvature);
     else
       claim_.curvature.reason = "not C1";
-    return claim_;
+    return SearchedValence{claim_, false};
   }
 
  private:
@@ -178,8 +180,8 @@ Status check_map(const ValenceBalls& balls, const RegularProof& regular, const C
 
 }  // namespace
 
-Result<ValenceClaim> search_valence(const Scheme& scheme, const RegularProof& regular,
-                                    const CellSigns& signs, int n, const ProofLimits& limits) {
+Result<SearchedValence> search_valence(const Scheme& scheme, const RegularProof& regular,
+                                       const CellSigns& signs, int n, const ProofLimits& limits) {
   return Search(scheme, regular, signs, n, limits).run();
 }
 
