@@ -4,8 +4,8 @@
 
 #include <fmt/core.h>
 
+#include "limn/certify/regular_rows.h"
 #include "limn/certify/valence_proof.h"
-#include "limn/certify/walk_bounds.h"
 #include "limn/regular/smoothness/second_differences.h"
 #include "limn/scheme/file/scheme_files.h"
 
@@ -35,9 +35,11 @@ Result<Contraction> search_tree(const CellMatrices& cells, const CertifyOptions&
   return last;
 }
 
-Result<RegularProof> search_regular(const Mask& mask, const CertifyOptions& options) {
+Result<RegularProof> search_regular(const Scheme& scheme, const Mask& mask,
+                                    const CertifyOptions& options) {
   Result<CellMatrices> cells = cell_matrices(mask);
   if (!cells) return cells.error();
+  if (Status same = check_regular_rows(scheme, *cells); !same) return same.error();
   const Result<CellMatrices> wide = cell_matrices(mask, CellExtent::neighbours);
   if (!wide) return wide.error();
   Result<Contraction> continuity = search_tree(*wide, options, kLeafNorms.size() - 1);
@@ -72,9 +74,11 @@ Result<Contraction> check_tree(const CellMatrices& cells, const TreeClaim& claim
   return found;
 }
 
-Result<RegularProof> check_regular(const Mask& mask, const RegularClaim& claim) {
+Result<RegularProof> check_regular(const Scheme& scheme, const Mask& mask,
+                                   const RegularClaim& claim) {
   Result<CellMatrices> cells = cell_matrices(mask);
   if (!cells) return cells.error();
+  if (Status same = check_regular_rows(scheme, *cells); !same) return same.error();
   const Result<CellMatrices> wide = cell_matrices(mask, CellExtent::neighbours);
   if (!wide) return wide.error();
   Result<Contraction> continuity = check_tree(*wide, claim.neighbours);
@@ -249,9 +253,7 @@ Result<Certificate> certify(const Scheme& scheme, const std::vector<int>& valenc
   if (options.progress) options.progress("the regular lattice");
   const Result<Mask> mask = regular_mask(scheme);
   if (!mask) return mask.error();
-  const std::optional<std::string> beyond = walk_beyond_bounds(scheme);
-  const Result<RegularProof> regular =
-      beyond ? Result<RegularProof>(Error{*beyond}) : search_regular(*mask, options);
+  const Result<RegularProof> regular = search_regular(scheme, *mask, options);
   if (!regular) {
     certificate.regular.reason = regular.error().message;
     for (const int n : valences)
@@ -297,10 +299,9 @@ Status check_certificate(const Certificate& certificate,
     return Done{};
   }
   if (claimed.c1 != Answer::proved) return Error{"the regular lattice: no such claim is known"};
-  if (const auto beyond = walk_beyond_bounds(*scheme)) return Error{*beyond};
   const Result<Mask> mask = regular_mask(*scheme);
   if (!mask) return mask.error();
-  const Result<RegularProof> shown_regular = check_regular(*mask, claimed);
+  const Result<RegularProof> shown_regular = check_regular(*scheme, *mask, claimed);
   if (!shown_regular) return shown_regular.error();
   const RegularProof& regular = *shown_regular;
   const CellSigns signs(regular.cells, regular.contraction);

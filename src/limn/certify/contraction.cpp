@@ -128,8 +128,8 @@ class Tree {
     Rounded next;
     next.matrix.noalias() = step.matrix * word.matrix;
     const double of_word = norm(word);
-    faults_.push_back(inflated(step.error * of_word + rounding_error(step.matrix.cols()) *
-                                                          norm(step.matrix) * of_word));
+    faults_.push_back(inflated(step.error * of_word +
+                               rounding_error(step.matrix.cols()) * norm(step.matrix) * of_word));
     for (std::size_t i = 0; i < faults_.size(); ++i)
       next.error += faults_[i] * norms_[faults_.size() - 1 - i];
     next.error = inflated(next.error);

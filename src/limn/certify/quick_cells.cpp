@@ -73,8 +73,8 @@ QuickCells::Coordinate QuickCells::part(const Coordinate& map, const Digit& digi
     return DoubleBall(rows(static_cast<Eigen::Index>(i)), inflated(digit.norms[i] * relative));
   };
   Coordinate result;
-  result.origin = map.origin + digit.origin[0] * map.gradient[0] +
-                  digit.origin[1] * map.gradient[1] + entry(0);
+  result.origin =
+      map.origin + digit.origin[0] * map.gradient[0] + digit.origin[1] * map.gradient[1] + entry(0);
   result.gradient = {map.gradient[0] * inverse_scale_ + entry(1),
                      map.gradient[1] * inverse_scale_ + entry(2)};
   result.residual = rows.tail(map.residual.size());

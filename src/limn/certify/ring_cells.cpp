@@ -8,11 +8,6 @@ namespace {
 
 constexpr int kWidestRing = 12;
 
-/// How far from the centre, in edges times the unit: the one-ring (dual: the face) ends at 1 (½).
-int gauge(Lattice lattice, LatticeVector place) {
-  return lattice == Lattice::triangle ? place[0] + place[1] : std::max(place[0], place[1]);
-}
-
 /// Whether all that makes the surface on a cell is regular: no rule that it needs is anchored next
 /// to the centre, and the control points that it weighs lie on one side of it.
 bool is_regular(const CellMatrices& cells, LatticeVector p) {
