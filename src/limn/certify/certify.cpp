@@ -168,7 +168,10 @@ AllClaim claim_of(AllValences proof) {
 Status check_all(const Scheme& scheme, const RegularProof& regular,
                  const Certificate& certificate) {
   const AllClaim& claim = *certificate.all;
-  if (claim.c1 == Answer::undecided) return Done{};
+  if (claim.c1 == Answer::undecided) {
+    if (claim.from == kFirstValence && claim.exceptions.empty()) return Done{};
+    return Error{"all valences: something is said of a claim that is undecided"};
+  }
   if (claim.c1 != Answer::proved || claim.from != kFirstValence || claim.proof.from > kLatestStart)
     return Error{"all valences: no such claim is known"};
   for (int n = claim.from; n < claim.proof.from; ++n)
@@ -276,8 +279,8 @@ Result<Certificate> certify(const Scheme& scheme, const std::vector<int>& valenc
   }
   for (const int n : wanted) {
     Result<ValenceClaim> claim = certify_valence(scheme, *regular, signs, n, options);
-    if (!claim) return claim.error();
-    certificate.valences.push_back(std::move(*claim));
+    if (!claim && !options.leave_out) return claim.error();
+    certificate.valences.push_back(claim ? std::move(*claim) : undecided(n, claim.error().message));
   }
   if (certificate.all && certificate.all->c1 == Answer::proved)
     certificate.all->exceptions =

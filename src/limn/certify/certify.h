@@ -20,6 +20,9 @@ struct CertifyOptions {
   /// Also a proof for every valence from 3 on: the valences that it does not cover are then added
   /// to those asked for.
   bool all = false;
+  /// Valences at which the scheme cannot be evaluated, as without a rule there, are undecided
+  /// instead of a failure.
+  bool leave_out = false;
   TimeBudget time;                                   ///< when it ends, what is left is undecided
   std::function<void(const std::string&)> progress;  ///< called with what is done next, if given
   /// Claims that are taken over unseen, from a certificate of the same scheme that was checked.
