@@ -4,8 +4,8 @@
 
 #include <fmt/core.h>
 
+#include "limn/certify/regular_rows.h"
 #include "limn/certify/valence_proof.h"
-#include "limn/certify/walk_bounds.h"
 #include "limn/regular/smoothness/second_differences.h"
 #include "limn/scheme/file/scheme_files.h"
 
@@ -35,9 +35,11 @@ Result<Contraction> search_tree(const CellMatrices& cells, const CertifyOptions&
   return last;
 }
 
-Result<RegularProof> search_regular(const Mask& mask, const CertifyOptions& options) {
+Result<RegularProof> search_regular(const Scheme& scheme, const Mask& mask,
+                                    const CertifyOptions& options) {
   Result<CellMatrices> cells = cell_matrices(mask);
   if (!cells) return cells.error();
+  if (Status same = check_regular_rows(scheme, *cells); !same) return same.error();
   const Result<CellMatrices> wide = cell_matrices(mask, CellExtent::neighbours);
   if (!wide) return wide.error();
   Result<Contraction> continuity = search_tree(*wide, options, kLeafNorms.size() - 1);
@@ -72,9 +74,11 @@ Result<Contraction> check_tree(const CellMatrices& cells, const TreeClaim& claim
   return found;
 }
 
-Result<RegularProof> check_regular(const Mask& mask, const RegularClaim& claim) {
+Result<RegularProof> check_regular(const Scheme& scheme, const Mask& mask,
+                                   const RegularClaim& claim) {
   Result<CellMatrices> cells = cell_matrices(mask);
   if (!cells) return cells.error();
+  if (Status same = check_regular_rows(scheme, *cells); !same) return same.error();
   const Result<CellMatrices> wide = cell_matrices(mask, CellExtent::neighbours);
   if (!wide) return wide.error();
   Result<Contraction> continuity = check_tree(*wide, claim.neighbours);
@@ -101,13 +105,14 @@ Result<ValenceClaim> certify_valence(const Scheme& scheme, const RegularProof& r
   if (options.time.ended()) return undecided(n, "the time ended before it was looked at");
   if (options.progress) options.progress(fmt::format("valence {}", n));
   ProofLimits limits{options.bits, options.most_parts, options.time.stop()};
-  Result<ValenceClaim> claim = search_valence(scheme, regular, signs, n, limits);
-  if (claim && claim->c1 == Answer::undecided) {
+  Result<SearchedValence> found = search_valence(scheme, regular, signs, n, limits);
+  if (found && found->more_bits_may_help && !options.time.ended()) {
     limits.bits *= 2;
-    Result<ValenceClaim> again = search_valence(scheme, regular, signs, n, limits);
-    if (again && again->c1 != Answer::undecided) return again;
+    Result<SearchedValence> again = search_valence(scheme, regular, signs, n, limits);
+    if (again && again->claim.c1 != Answer::undecided) return std::move(again->claim);
   }
-  return claim;
+  if (!found) return found.error();
+  return std::move(found->claim);
 }
 
 /// What is proved of all valences at once, beginning later where valences are left out.
@@ -163,7 +168,10 @@ AllClaim claim_of(AllValences proof) {
 Status check_all(const Scheme& scheme, const RegularProof& regular,
                  const Certificate& certificate) {
   const AllClaim& claim = *certificate.all;
-  if (claim.c1 == Answer::undecided) return Done{};
+  if (claim.c1 == Answer::undecided) {
+    if (claim.from == kFirstValence && claim.exceptions.empty()) return Done{};
+    return Error{"all valences: something is said of a claim that is undecided"};
+  }
   if (claim.c1 != Answer::proved || claim.from != kFirstValence || claim.proof.from > kLatestStart)
     return Error{"all valences: no such claim is known"};
   for (int n = claim.from; n < claim.proof.from; ++n)
@@ -248,9 +256,7 @@ Result<Certificate> certify(const Scheme& scheme, const std::vector<int>& valenc
   if (options.progress) options.progress("the regular lattice");
   const Result<Mask> mask = regular_mask(scheme);
   if (!mask) return mask.error();
-  const std::optional<std::string> beyond = walk_beyond_bounds(scheme);
-  const Result<RegularProof> regular =
-      beyond ? Result<RegularProof>(Error{*beyond}) : search_regular(*mask, options);
+  const Result<RegularProof> regular = search_regular(scheme, *mask, options);
   if (!regular) {
     certificate.regular.reason = regular.error().message;
     for (const int n : valences)
@@ -273,8 +279,8 @@ Result<Certificate> certify(const Scheme& scheme, const std::vector<int>& valenc
   }
   for (const int n : wanted) {
     Result<ValenceClaim> claim = certify_valence(scheme, *regular, signs, n, options);
-    if (!claim) return claim.error();
-    certificate.valences.push_back(std::move(*claim));
+    if (!claim && !options.leave_out) return claim.error();
+    certificate.valences.push_back(claim ? std::move(*claim) : undecided(n, claim.error().message));
   }
   if (certificate.all && certificate.all->c1 == Answer::proved)
     certificate.all->exceptions =
@@ -296,10 +302,9 @@ Status check_certificate(const Certificate& certificate,
     return Done{};
   }
   if (claimed.c1 != Answer::proved) return Error{"the regular lattice: no such claim is known"};
-  if (const auto beyond = walk_beyond_bounds(*scheme)) return Error{*beyond};
   const Result<Mask> mask = regular_mask(*scheme);
   if (!mask) return mask.error();
-  const Result<RegularProof> shown_regular = check_regular(*mask, claimed);
+  const Result<RegularProof> shown_regular = check_regular(*scheme, *mask, claimed);
   if (!shown_regular) return shown_regular.error();
   const RegularProof& regular = *shown_regular;
   const CellSigns signs(regular.cells, regular.contraction);

@@ -13,13 +13,16 @@
 namespace limn::certify {
 
 struct CertifyOptions {
-  int bits = 128;  ///< of the ball arithmetic; doubled once where something stays undecided
+  int bits = 128;  ///< of the ball arithmetic; doubled once where a spectrum stays undecided
   /// Work of one valence: cells of the characteristic map, and products of the regular lattice.
-  int most_parts = 60'000;
+  int most_parts = 200'000;
   int most_products = 200'000;
   /// Also a proof for every valence from 3 on: the valences that it does not cover are then added
   /// to those asked for.
   bool all = false;
+  /// Valences at which the scheme cannot be evaluated, as without a rule there, are undecided
+  /// instead of a failure.
+  bool leave_out = false;
   TimeBudget time;                                   ///< when it ends, what is left is undecided
   std::function<void(const std::string&)> progress;  ///< called with what is done next, if given
   /// Claims that are taken over unseen, from a certificate of the same scheme that was checked.

@@ -10,7 +10,8 @@
 namespace limn::certify {
 namespace {
 
-constexpr std::size_t kLongestWord = 40;
+constexpr std::size_t kLongestWord = 400;
+constexpr std::size_t kMostShortWords = 5000;  // whose norms bound how errors grow
 
 /// A matrix and a bound of the ∞-norm of its error.
 struct Rounded {
@@ -59,6 +60,7 @@ class Tree {
     root_ = {
         Eigen::MatrixXd::Identity(static_cast<Eigen::Index>(size), static_cast<Eigen::Index>(size)),
         0};
+    bound_norms();
   }
 
   Result<Contraction> grow() {
@@ -95,6 +97,45 @@ class Tree {
     return {{zero, zero, zero}, zero, {}};
   }
 
+  /// Bounds of the norms of all products of so many steps: of few steps by looking at all of them,
+  /// of more by those.
+  void bound_norms() {
+    norms_ = {1};
+    std::vector<Rounded> words{root_};
+    while (words.size() * steps_.size() <= kMostShortWords) {
+      std::vector<Rounded> longer;
+      double largest = 0;
+      for (const Rounded& word : words)
+        for (const Rounded& step : steps_) {
+          longer.push_back(product(step, word));
+          largest = std::max(largest, norm(longer.back()));
+        }
+      norms_.push_back(largest);
+      words = std::move(longer);
+    }
+    const std::size_t known = norms_.size();
+    while (norms_.size() <= kLongestWord) {
+      double least = std::numeric_limits<double>::infinity();
+      for (std::size_t k = 1; k < known; ++k)
+        least = std::min(least, inflated(norms_[k] * norms_[norms_.size() - k]));
+      norms_.push_back(least);
+    }
+  }
+
+  /// One more step after a word; `faults_` are the errors that each step of the word made anew,
+  /// which later steps carry on. Precondition: the word is that of the path.
+  Rounded next_word(const Rounded& step, const Rounded& word) {
+    Rounded next;
+    next.matrix.noalias() = step.matrix * word.matrix;
+    const double of_word = norm(word);
+    faults_.push_back(inflated(step.error * of_word +
+                               rounding_error(step.matrix.cols()) * norm(step.matrix) * of_word));
+    for (std::size_t i = 0; i < faults_.size(); ++i)
+      next.error += faults_[i] * norms_[faults_.size() - 1 - i];
+    next.error = inflated(next.error);
+    return next;
+  }
+
   Sums below(const Rounded& word, std::size_t length) {
     Sums here = nothing();
     Sums further = nothing();
@@ -104,7 +145,7 @@ class Tree {
         here.change[i] = here.change[i].cwiseMax(change[i]);
         here.norm[i] = std::max(here.norm[i], change[i].sum());
       }
-      const Rounded next = product(steps_[d], word);
+      const Rounded next = next_word(steps_[d], word);
       count(length + 1);
       if (!fault_.empty()) break;
       Sums after = nothing();
@@ -112,6 +153,7 @@ class Tree {
         after.leaf = next.matrix.cwiseAbs().colwise().maxCoeff().array() + next.error;
       else
         after = below(next, length + 1);
+      faults_.pop_back();
       for (std::size_t i = 0; i < change.size(); ++i) {
         further.change[i] = further.change[i].cwiseMax(after.change[i]);
         further.norm[i] = std::max(further.norm[i], after.norm[i]);
@@ -153,6 +195,8 @@ class Tree {
   const Stop& stop_;
   std::vector<Rounded> steps_, gradients_, values_;
   Rounded root_;
+  std::vector<double> norms_;   // by the number of steps
+  std::vector<double> faults_;  // of the path's steps
   Contraction found_;
   std::string fault_;
 };

@@ -30,7 +30,7 @@ struct Contraction {
 
 /// With leaves of norms ≤ leaf_norm, in (0, 1): the smaller, the larger the tree and the better the
 /// bounds. Fails where the tree would have more than `most_products` products or words of more than
-/// 40 digits, and where `stop` asks for an end. In double precision with errors bounded. Cost:
+/// 400 digits, and where `stop` asks for an end. In double precision with errors bounded. Cost:
 /// products × points³.
 [[nodiscard]] Result<Contraction> enclose_contraction(const CellMatrices& cells, double leaf_norm,
                                                       int most_products, const Stop& stop = {});

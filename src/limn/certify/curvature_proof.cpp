@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <fmt/core.h>
 
@@ -48,8 +49,11 @@ std::optional<Ball> part_eigenvalue(const BallMatrix& a, double value) {
 
 Ball squared(const EnclosedPair& leader) { return leader.value * leader.value; }
 
-/// An eigenvalue that is larger than λ², if one can be shown.
-std::optional<LargeEigenvalue> find_large(const ValenceBalls& balls, const EnclosedPair& leader) {
+/// An eigenvalue that is larger than λ², if one can be shown; `ineffective` becomes one whose
+/// surface is not shown to be other than 0.
+std::optional<LargeEigenvalue> find_large(const ValenceBalls& balls, const EnclosedPair& leader,
+                                          const Effective& effective,
+                                          std::optional<LargeEigenvalue>& ineffective) {
   const Ball bound = squared(leader);
   for (int frequency = 0; frequency <= balls.valence() / 2; ++frequency) {
     const BallMatrix rest = rest_of(balls, leader, frequency);
@@ -59,7 +63,9 @@ std::optional<LargeEigenvalue> find_large(const ValenceBalls& balls, const Enclo
         if (value.imag() != 0 || !(std::abs(value.real()) > bound.approx())) continue;
         const std::optional<Ball> enclosed = part_eigenvalue(square, value.real());
         if (!enclosed || !is_less(bound, enclosed->magnitude())) continue;
-        return LargeEigenvalue{frequency, {rows.begin(), rows.end()}, enclosed->approx()};
+        const LargeEigenvalue found{frequency, {rows.begin(), rows.end()}, enclosed->approx()};
+        if (effective.is_shown(frequency, found.value)) return found;
+        ineffective = found;
       }
     }
   }
@@ -67,7 +73,7 @@ std::optional<LargeEigenvalue> find_large(const ValenceBalls& balls, const Enclo
 }
 
 Status check_large(const ValenceBalls& balls, const EnclosedPair& leader,
-                   const LargeEigenvalue& claim) {
+                   const Effective& effective, const LargeEigenvalue& claim) {
   if (claim.frequency < 0 || claim.frequency > balls.valence() / 2)
     return Error{"a larger eigenvalue of a frequency that the valence has not"};
   const BallMatrix rest = rest_of(balls, leader, claim.frequency);
@@ -80,6 +86,8 @@ Status check_large(const ValenceBalls& balls, const EnclosedPair& leader,
     return Error{"an eigenvalue larger than the tangent's square is not shown"};
   if (!(std::abs(value->approx() - claim.value) <= 1e-12 * std::abs(claim.value)))
     return Error{"the larger eigenvalue is another one"};
+  if (!effective.is_shown(claim.frequency, claim.value))
+    return Error{"the larger eigenvalue's surface is not shown to be other than 0"};
   return Done{};
 }
 
@@ -112,10 +120,28 @@ std::optional<std::vector<std::vector<Exact>>> square_vectors(const Scheme& sche
   return exact ? null_space(exact->block, exact->square) : std::nullopt;
 }
 
+/// Whether one of the vectors a·w, w in the null space of a², is effective.
+bool any_effective(const DenseMatrix<Exact>& a, const std::vector<std::vector<Exact>>& vectors,
+                   const Ball& value, int frequency, const Effective& effective) {
+  return std::any_of(vectors.begin(), vectors.end(), [&](const std::vector<Exact>& w) {
+    EnclosedPair pair{value, {}, 0};
+    bool zero = true;
+    for (Size i = 0; i < a.rows(); ++i) {
+      Exact sum;
+      for (Size j = 0; j < a.rows(); ++j)
+        if (!add_product(sum, a(i, j), w[j])) return false;
+      zero = zero && sum.is_zero();
+      pair.vector.push_back(enclosed(sum));
+    }
+    return !zero && effective.is_shown(frequency, pair);
+  });
+}
+
 /// The multiplicity of λ² in the square of block - λ², where it is larger than in the block: then
-/// λ² has a Jordan block.
+/// λ² has a Jordan block. Nothing where its eigenvector is not shown to be effective.
 std::optional<int> jordan_multiplicity(const Scheme& scheme, const ValenceBalls& balls,
-                                       const EnclosedPair& leader, int frequency) {
+                                       const EnclosedPair& leader, const Effective& effective,
+                                       int frequency) {
   const ExactBudget budget(kExactWork);
   const auto exact = exact_square(scheme, balls, leader, frequency);
   if (!exact) return std::nullopt;
@@ -130,6 +156,7 @@ std::optional<int> jordan_multiplicity(const Scheme& scheme, const ValenceBalls&
   const auto once = null_space(shifted, Exact(0));
   const auto twice = null_space(squared_block, Exact(0));
   if (!once || !twice || twice->size() <= once->size()) return std::nullopt;
+  if (!any_effective(shifted, *twice, squared(leader), frequency, effective)) return std::nullopt;
   return static_cast<int>(twice->size());
 }
 
@@ -194,8 +221,20 @@ std::optional<int> squarings_beside(const Scheme& scheme, const ValenceBalls& ba
 
 }  // namespace
 
+bool holds_what_it_needs(const CurvatureClaim& claim) {
+  const bool all = !claim.squarings.empty() || !claim.equal.empty();
+  switch (claim.answer) {
+    case CurvatureAnswer::undecided: return !all && !claim.large && !claim.jordan;
+    case CurvatureAnswer::unbounded: return !all && !(claim.large && claim.jordan);
+    case CurvatureAnswer::bounded:
+    case CurvatureAnswer::flat: break;
+  }
+  return !claim.large && !claim.jordan;
+}
+
 CurvatureClaim search_curvature(const Scheme& scheme, const ValenceBalls& balls,
-                                const EnclosedPair& leader, const RegularPart& regular) {
+                                const EnclosedPair& leader, const RegularPart& regular,
+                                const Effective& effective) {
   CurvatureClaim claim;
   if (regular.bounded == Truth::no) {
     claim.answer = CurvatureAnswer::unbounded;
@@ -203,11 +242,20 @@ CurvatureClaim search_curvature(const Scheme& scheme, const ValenceBalls& balls,
         "the regular surface round the vertex has unbounded curvature: " + regular.reason;
     return claim;
   }
-  if (const auto large = find_large(balls, leader)) {
+  std::optional<LargeEigenvalue> ineffective;
+  if (const auto large = find_large(balls, leader, effective, ineffective)) {
     claim.answer = CurvatureAnswer::unbounded;
     claim.large = large;
     claim.reason = fmt::format("{:.6g} of frequency {} exceeds tangent² = {:.6g}", large->value,
                                large->frequency, squared(leader).approx());
+    return claim;
+  }
+  if (ineffective) {
+    claim.reason = fmt::format(
+        "{:.6g} of frequency {} exceeds tangent² = {:.6g}, but its surface is not shown to be "
+        "other "
+        "than 0",
+        ineffective->value, ineffective->frequency, squared(leader).approx());
     return claim;
   }
   for (int frequency = 0; frequency <= balls.valence() / 2; ++frequency) {
@@ -221,7 +269,7 @@ CurvatureClaim search_curvature(const Scheme& scheme, const ValenceBalls& balls,
     if (!squarings) {
       claim.equal.clear();
       claim.squarings.clear();
-      if (const auto jordan = jordan_multiplicity(scheme, balls, leader, frequency)) {
+      if (const auto jordan = jordan_multiplicity(scheme, balls, leader, effective, frequency)) {
         claim.answer = CurvatureAnswer::unbounded;
         claim.jordan = {frequency, *jordan};
         claim.reason = fmt::format("tangent² = {:.6g} has a Jordan block in frequency {}",
@@ -253,14 +301,18 @@ CurvatureClaim search_curvature(const Scheme& scheme, const ValenceBalls& balls,
 }
 
 Status check_curvature(const Scheme& scheme, const ValenceBalls& balls, const EnclosedPair& leader,
-                       const RegularPart& regular, const CurvatureClaim& claim) {
+                       const RegularPart& regular, const Effective& effective,
+                       const CurvatureClaim& claim) {
+  if (!holds_what_it_needs(claim))
+    return Error{"curvature: what is shown is not of what is claimed"};
   if (claim.answer == CurvatureAnswer::undecided) return Done{};
   if (claim.answer == CurvatureAnswer::unbounded) {
-    if (claim.large) return check_large(balls, leader, *claim.large);
+    if (claim.large) return check_large(balls, leader, effective, *claim.large);
     if (claim.jordan) {
       const SquareEigenvalue& jordan = *claim.jordan;
       if (jordan.frequency >= 0 && jordan.frequency <= balls.valence() / 2 &&
-          jordan_multiplicity(scheme, balls, leader, jordan.frequency) == jordan.multiplicity)
+          jordan_multiplicity(scheme, balls, leader, effective, jordan.frequency) ==
+              jordan.multiplicity)
         return Done{};
       return Error{"a Jordan block of tangent² is not shown"};
     }
@@ -274,8 +326,10 @@ Status check_curvature(const Scheme& scheme, const ValenceBalls& balls, const En
   if (static_cast<int>(claim.squarings.size()) != balls.valence() / 2 + 1)
     return Error{"curvature: not one number of squarings for each frequency"};
   std::vector<int> multiplicities(claim.squarings.size());
+  int last = -1;
   for (const SquareEigenvalue& one : claim.equal) {
-    if (one.frequency < 0 || one.frequency > balls.valence() / 2 || one.multiplicity < 1)
+    if (one.frequency <= std::exchange(last, one.frequency) ||
+        one.frequency > balls.valence() / 2 || one.multiplicity < 1)
       return Error{"curvature: no such multiplicity of tangent²"};
     multiplicities[static_cast<Size>(one.frequency)] = one.multiplicity;
   }

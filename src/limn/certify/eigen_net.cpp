@@ -7,14 +7,11 @@ namespace {
 
 constexpr int kDeepest = 40;
 
-/// The ring of a control point in sector 0, and its number within the sector.
-std::pair<int, int> ring_and_place(const CellMatrices& cells, LatticeVector j) {
-  const auto [x, y] = j;
-  if (cells.lattice == Lattice::triangle) return {x + y, y};
-  const int ring = std::max(x, y);
-  const int place = x == ring ? y : 2 * ring - x;
-  // dual: counted from the spoke, while orbits are from the corner
-  return cells.dual ? std::pair{ring + 1, place - ring} : std::pair{ring, place};
+/// The refined value at label k of the refined star's sector 0, as the mask numbers it.
+LatticeVector label_of(const CellMatrices& cells, LatticeVector k) {
+  LatticeVector fine = cells.labels.apply(k);
+  for (int& coordinate : fine) coordinate /= cells.label_divisor;
+  return fine;
 }
 
 NetPoint turned(const NetPoint& p, const Turn<Ball>& by) {
@@ -28,6 +25,39 @@ Turn<Ball> outwards(const CellMatrices& cells, const Ball& eigenvalue, const Pha
 }
 
 }  // namespace
+
+std::pair<int, int> ring_and_place(const CellMatrices& cells, LatticeVector j) {
+  const auto [x, y] = j;
+  if (cells.lattice == Lattice::triangle) return {x + y, y};
+  const int ring = std::max(x, y);
+  // the rings of cropped stars (mesh/lattice.h): a square's corner is in the next ring
+  if (cells.turns && x == y) return {ring + 1, ring + 1};
+  const int place = x == ring ? y : 2 * ring - x;
+  // dual: counted from the spoke, while orbits are from the corner
+  return cells.dual ? std::pair{ring + 1, place - ring} : std::pair{ring, place};
+}
+
+std::vector<std::pair<LatticeVector, Rational>> sources_of(const CellMatrices& cells,
+                                                           LatticeVector k) {
+  std::vector<std::pair<LatticeVector, Rational>> result;
+  const LatticeVector fine = label_of(cells, k);
+  for (const auto& [offset, weight] : cells.one_mask)
+    if (const auto j = cells.dilation.divide({fine[0] - offset[0], fine[1] - offset[1]}))
+      result.emplace_back(*j, weight);
+  return result;
+}
+
+bool is_near_center(const CellMatrices& cells, LatticeVector k) {
+  if (cells.dual) return std::max(k[0], k[1]) < 1;  // at (k + ½)/2
+  const LatticeVector at = cells.dilation.apply_adjugate(label_of(cells, k));
+  const int sign = cells.dilation.determinant() < 0 ? -1 : 1;
+  const auto found = turned_into_sector(cells.lattice, {sign * at[0], sign * at[1]});
+  return !found || gauge(cells.lattice, found->place) < cells.dilation.growth();
+}
+
+int gauge(Lattice lattice, LatticeVector place) {
+  return lattice == Lattice::triangle ? place[0] + place[1] : std::max(place[0], place[1]);
+}
 
 std::optional<SectorPlace> turned_into_sector(Lattice lattice, LatticeVector place) {
   const bool triangle = lattice == Lattice::triangle;
@@ -90,13 +120,10 @@ NetPoint EigenNet::from_amplitude(std::size_t number) const {
 }
 
 Result<NetPoint> EigenNet::extended(LatticeVector k, int depth) {
+  if (is_near_center(cells_, k)) return Error{"a control point next to the centre is missing"};
   NetPoint sum;
-  LatticeVector fine = cells_.labels.apply(k);
-  for (int& coordinate : fine) coordinate /= cells_.label_divisor;
-  for (const auto& [offset, weight] : cells_.one_mask) {
-    const auto j = cells_.dilation.divide({fine[0] - offset[0], fine[1] - offset[1]});
-    if (!j) continue;
-    Result<NetPoint> source = at(*j, depth);
+  for (const auto& [j, weight] : sources_of(cells_, k)) {
+    Result<NetPoint> source = at(j, depth);
     if (!source) return source;
     const Ball by(weight);
     sum.u.add_product(by, source->u);

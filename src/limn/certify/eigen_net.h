@@ -22,6 +22,19 @@ struct SectorPlace {
 /// `place`, in any unit, turned into a sector it lies in; nothing farther round than one sector.
 [[nodiscard]] std::optional<SectorPlace> turned_into_sector(Lattice lattice, LatticeVector place);
 
+/// The ring of a control point in sector 0, and its number within the sector (may be negative:
+/// before the first of the orbits).
+[[nodiscard]] std::pair<int, int> ring_and_place(const CellMatrices& cells, LatticeVector j);
+
+/// What one step's value at label k of the refined star's sector 0 weighs on the lattice, by the
+/// mask.
+[[nodiscard]] std::vector<std::pair<LatticeVector, Rational>> sources_of(const CellMatrices& cells,
+                                                                         LatticeVector k);
+/// Whether that value lies less than an edge (dual: half an edge) from the centre.
+[[nodiscard]] bool is_near_center(const CellMatrices& cells, LatticeVector k);
+/// How far a place is from the centre: the one-ring (dual: the face) ends at 1 (½) edges.
+[[nodiscard]] int gauge(Lattice lattice, LatticeVector place);
+
 struct NetPoint {
   Ball u, v;
 };

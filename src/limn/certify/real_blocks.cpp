@@ -9,6 +9,14 @@ namespace {
 
 int modulo(int a, int m) { return ((a % m) + m) % m; }
 
+/// All weights of regular rules that are not 0.
+RegularNames names_of(const Scheme& scheme) {
+  return [&scheme](const NamedWeight& name) {
+    const Result<Exact> value = scope_of<Exact>(scheme, name, std::nullopt, 0)(name.weight->value);
+    return !value || !value->is_zero();
+  };
+}
+
 }  // namespace
 
 std::size_t RealBasis::orbit(int ring, int place) const {
@@ -52,15 +60,17 @@ std::vector<int> constant_vector(const RealBasis& basis) {
 }
 
 Result<SectorPattern> exact_pattern(const Scheme& scheme, int n) {
-  const RegularNames named = [&](const NamedWeight& name) {
-    const Result<Exact> value = scope_of<Exact>(scheme, name, std::nullopt, 0)(name.weight->value);
-    return !value || !value->is_zero();
-  };
   const Result<CenterCases> cases = center_cases(scheme, n);
   if (!cases) return cases.error();
-  const Result<int> rings = control_rings(scheme, *cases, named);
+  const Result<int> rings = control_rings(scheme, *cases, names_of(scheme));
   if (!rings) return rings.error();
-  return sector_pattern(scheme, *cases, *rings, named);
+  return sector_pattern(scheme, *cases, *rings, names_of(scheme));
+}
+
+Result<SectorPattern> exact_pattern(const Scheme& scheme, int n, int rings) {
+  const Result<CenterCases> cases = center_cases(scheme, n);
+  if (!cases) return cases.error();
+  return sector_pattern(scheme, *cases, rings, names_of(scheme));
 }
 
 }  // namespace limn::certify

@@ -88,6 +88,8 @@ Result<NamedValues<Number>> named_values(const Scheme& scheme, const SectorPatte
 /// The pattern with the weights of all rules as names, so that nothing in it is rounded. Which
 /// rules apply is that of valence n.
 [[nodiscard]] Result<SectorPattern> exact_pattern(const Scheme& scheme, int n);
+/// The same of so many rings.
+[[nodiscard]] Result<SectorPattern> exact_pattern(const Scheme& scheme, int n, int rings);
 
 /// A turn of the plane by an angle α, in coordinates (p, q/σ): p' = cos α p - σ sin α (q/σ),
 /// q'/σ = (sin α/σ) p + cos α (q/σ). σ is 1 but where it makes a limit exist.

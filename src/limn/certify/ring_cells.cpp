@@ -8,11 +8,6 @@ namespace {
 
 constexpr int kWidestRing = 12;
 
-/// How far from the centre, in edges times the unit: the one-ring (dual: the face) ends at 1 (½).
-int gauge(Lattice lattice, LatticeVector place) {
-  return lattice == Lattice::triangle ? place[0] + place[1] : std::max(place[0], place[1]);
-}
-
 /// Whether all that makes the surface on a cell is regular: no rule that it needs is anchored next
 /// to the centre, and the control points that it weighs lie on one side of it.
 bool is_regular(const CellMatrices& cells, LatticeVector p) {
@@ -85,7 +80,10 @@ double CellSigns::error(const std::vector<double>& bound, const std::vector<Ball
 }
 
 CellSigns::CellSigns(const CellMatrices& cells, const Contraction& bounds)
-    : cells_(cells), bounds_(bounds), inverse_scale_(Rational(Integer(1), Integer(cells.scale))) {
+    : cells_(cells),
+      bounds_(bounds),
+      inverse_scale_(Rational(Integer(1), Integer(cells.scale))),
+      quick_(cells, bounds) {
   for (std::size_t d = 0; d < cells.residual.size(); ++d) {
     residual_.emplace_back();
     for (const auto& row : cells.residual[d]) residual_.back().push_back(sparse(row));

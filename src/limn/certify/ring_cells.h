@@ -10,6 +10,7 @@
 
 #include "limn/certify/contraction.h"
 #include "limn/certify/eigen_net.h"
+#include "limn/certify/quick_cells.h"
 
 namespace limn::certify {
 
@@ -20,17 +21,6 @@ struct RingCells {
   std::vector<LatticeVector> cells;
 };
 [[nodiscard]] Result<RingCells> ring_cells(const CellMatrices& cells);
-
-/// The map on a cell or a part of it: values of u and v as CellMatrices keeps them.
-class CellMap {
- public:
-  struct Coordinate {
-    Ball origin;                   ///< c(0)
-    std::array<Ball, 2> gradient;  ///< g
-    std::vector<Ball> residual;    ///< r over its sizes
-  };
-  Coordinate u, v;
-};
 
 /// Signs of the Jacobian on cells of the map of one net.
 class CellSigns {
@@ -44,6 +34,8 @@ class CellSigns {
   [[nodiscard]] Ball jacobian(const CellMap& map) const;
   /// Encloses the values on the cell.
   [[nodiscard]] NetPoint values(const CellMap& map) const;
+  /// The same in double precision.
+  [[nodiscard]] const QuickCells& quick() const { return quick_; }
 
  private:
   struct Entry {
@@ -65,6 +57,7 @@ class CellSigns {
   std::vector<std::array<Ball, 2>> origin_;  // of a part, in its cell
   std::vector<Ball> inverse_sizes_;
   Ball inverse_scale_;
+  QuickCells quick_;
 };
 
 }  // namespace limn::certify

@@ -28,7 +28,7 @@ class RingProof {
     std::string reason;  ///< undecided: where
   };
   /// Cuts cells until the goal is shown on all parts, at most `most_parts` of them and kDeepest
-  /// times.
+  /// times; where the surface is little more than C1, parts near lattice points are cut often.
   [[nodiscard]] Result<Found> search(int most_parts, const Stop& stop);
 
   /// Fails where these parts do not fill the ring or do not show the goal.
@@ -36,15 +36,26 @@ class RingProof {
   /// Fails where the Jacobian is not positive on the first and negative on the second.
   [[nodiscard]] Status check_fold(const std::array<PartPlace, 2>& fold, int inner);
 
-  static constexpr std::size_t kDeepest = 10;
+  static constexpr std::size_t kDeepest = 100;
 
  private:
   struct Direction {
     Ball u, v;
   };
+  /// What enclosures tell of a part: the Jacobian's sign, 0 unknown, and whether the goal is shown.
+  struct Told {
+    int sign = 0;
+    bool shown = false;
+  };
   [[nodiscard]] Status look(int inner);
-  [[nodiscard]] bool shows(const CellMap& map, Ball* jacobian) const;
-  [[nodiscard]] Result<CellMap> map_of(const PartPlace& place);
+  [[nodiscard]] Told told_by(const QuickCells::Map& map) const;
+  [[nodiscard]] Told told_by(const CellMap& map) const;
+  /// By double precision, and by balls where its rounding may be what does not tell; `map` is then
+  /// made anew from these.
+  [[nodiscard]] Result<Told> tell(QuickCells::Map& map, LatticeVector cell,
+                                  const std::string& word);
+  [[nodiscard]] Status check_parts(const CellClaim& claim);
+  [[nodiscard]] Result<CellMap> map_of(LatticeVector cell, const std::string& word);
 
   const CellMatrices& cells_;
   const CellSigns& signs_;
@@ -52,6 +63,7 @@ class RingProof {
   const Phase<Ball>& phase_;
   RingGoal goal_;
   Direction direction_;  // in the middle of half a sector; its sign makes the map's positive
+  DoubleBall direction_u_, direction_v_;
 };
 
 }  // namespace limn::certify

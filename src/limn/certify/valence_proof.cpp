@@ -14,20 +14,6 @@ constexpr int kMostSquarings = 40;
 constexpr double kNear = 1e-12;      // of a claimed number to what is enclosed
 constexpr double kRealBelow = 1e-9;  // imaginary parts that may be rounding
 
-/// The map of a leading eigenvector.
-struct LeadingMap {
-  LeadingMap(const ValenceBalls& balls, const CellMatrices& cells, int frequency,
-             const EnclosedPair& leader)
-      : whole(balls.whole_vector(frequency, leader)),
-        phase(balls.phase(frequency)),
-        net(cells, balls.basis(), whole.pair, phase, whole.center) {}
-  LeadingMap(const LeadingMap&) = delete;
-
-  ValenceBalls::WholeVector whole;
-  Phase<Ball> phase;
-  EigenNet net;
-};
-
 /// What must be shown of the map of a frequency; nothing where none is known to decide.
 std::optional<RingGoal> goal_of(int frequency, int n) {
   if (frequency == 1) return RingGoal::regular;
@@ -45,7 +31,7 @@ class Search {
     claim_.bits = limits.bits;
   }
 
-  Result<ValenceClaim> run() {
+  Result<SearchedValence> run() {
     const BallPrecision precision(limits_.bits);
     const Result<FrequencyBlocks> blocks = FrequencyAnalysis(scheme_).blocks(claim_.valence);
     if (!blocks) return blocks.error();
@@ -54,14 +40,17 @@ class Search {
     if (!balls) return balls.error();
     if (Status found = find_leader(*balls); !found) {
       const std::string tie = exact_tie(scheme_, *balls, largest_);
-      return undecided(found.error().message + (tie.empty() ? "" : "; a tie: " + tie));
+      return SearchedValence{
+          undecided(found.error().message + (tie.empty() ? "" : "; a tie: " + tie)), tie.empty()};
     }
-    if (Status shown = find_map(*balls); !shown) return undecided(shown.error().message);
+    if (Status shown = find_map(*balls); !shown)
+      return SearchedValence{undecided(shown.error().message), false};
     if (claim_.c1 == Answer::proved)
-      claim_.curvature = search_curvature(scheme_, *balls, leader_, regular_.curvature);
+      claim_.curvature = search_curvature(scheme_, *balls, leader_, regular_.curvature,
+                                          Effective(*balls, regular_.cells, signs_));
     else
       claim_.curvature.reason = "not C1";
-    return claim_;
+    return SearchedValence{claim_, false};
   }
 
  private:
@@ -122,7 +111,7 @@ class Search {
           fmt::format("{:.6g} of frequency {} = n/2 leads: no theorem that is used here "
                       "speaks of a map that has one coordinate and both signs",
                       claim_.eigenvalue, claim_.frequency)};
-    LeadingMap map(balls, regular_.cells, claim_.frequency, leader_);
+    EigenMap map(balls, regular_.cells, claim_.frequency, leader_);
     RingProof proof(regular_.cells, signs_, map.net, map.phase, *goal);
     Result<RingProof::Found> found = proof.search(limits_.most_parts, limits_.stop);
     if (!found) return found.error();
@@ -170,7 +159,7 @@ Status check_map(const ValenceBalls& balls, const RegularProof& regular, const C
       (!proved && *goal == RingGoal::regular && !claim.fold) ||
       (claim.fold && (*goal != RingGoal::regular || !claim.ring.empty())))
     return Error{"what is shown does not prove what is claimed"};
-  LeadingMap map(balls, regular.cells, claim.frequency, leader);
+  EigenMap map(balls, regular.cells, claim.frequency, leader);
   RingProof proof(regular.cells, signs, map.net, map.phase, *goal);
   return claim.fold ? proof.check_fold(*claim.fold, claim.inner)
                     : proof.check(claim.inner, claim.ring);
@@ -178,8 +167,8 @@ Status check_map(const ValenceBalls& balls, const RegularProof& regular, const C
 
 }  // namespace
 
-Result<ValenceClaim> search_valence(const Scheme& scheme, const RegularProof& regular,
-                                    const CellSigns& signs, int n, const ProofLimits& limits) {
+Result<SearchedValence> search_valence(const Scheme& scheme, const RegularProof& regular,
+                                       const CellSigns& signs, int n, const ProofLimits& limits) {
   return Search(scheme, regular, signs, n, limits).run();
 }
 
@@ -187,7 +176,8 @@ Status check_valence(const Scheme& scheme, const RegularProof& regular, const Ce
                      const ValenceClaim& claim) {
   if (claim.valence < 3) return Error{"a valence below 3"};
   if (claim.c1 == Answer::undecided) {
-    if (claim.curvature.answer != CurvatureAnswer::undecided)
+    if (claim.curvature.answer != CurvatureAnswer::undecided ||
+        !holds_what_it_needs(claim.curvature))
       return Error{"curvature is claimed where C1 is not"};
     return Done{};
   }
@@ -209,8 +199,9 @@ Status check_valence(const Scheme& scheme, const RegularProof& regular, const Ce
     return Error{"other eigenvalues are not shown to be smaller by these squarings"};
   if (Status shown = check_map(*balls, regular, signs, *leader, claim); !shown) return shown;
   if (claim.c1 == Answer::proved)
-    return check_curvature(scheme, *balls, *leader, regular.curvature, claim.curvature);
-  if (claim.curvature.answer != CurvatureAnswer::undecided)
+    return check_curvature(scheme, *balls, *leader, regular.curvature,
+                           Effective(*balls, regular.cells, signs), claim.curvature);
+  if (claim.curvature.answer != CurvatureAnswer::undecided || !holds_what_it_needs(claim.curvature))
     return Error{"curvature is claimed where C1 is refuted"};
   return Done{};
 }

@@ -27,15 +27,23 @@ struct RegularProof {
 
 struct ProofLimits {
   int bits = 128;
-  int most_parts = 60'000;  ///< of cells, for one valence
+  int most_parts = 200'000;  ///< of cells, for one valence
   Stop stop;
+};
+
+struct SearchedValence {
+  ValenceClaim claim;
+  /// Undecided for want of precision: not by a tie that is exact, nor by the map, whose enclosures
+  /// are wide by other things than rounding.
+  bool more_bits_may_help = false;
 };
 
 /// At n ≥ 3. `regular`, `signs`: of the scheme at its present parameters. Fails where the scheme
 /// cannot be evaluated at n.
-[[nodiscard]] Result<ValenceClaim> search_valence(const Scheme& scheme, const RegularProof& regular,
-                                                  const CellSigns& signs, int n,
-                                                  const ProofLimits& limits);
+[[nodiscard]] Result<SearchedValence> search_valence(const Scheme& scheme,
+                                                     const RegularProof& regular,
+                                                     const CellSigns& signs, int n,
+                                                     const ProofLimits& limits);
 
 /// Fails, with the reason, where the claim is not shown. What is undecided claims nothing.
 [[nodiscard]] Status check_valence(const Scheme& scheme, const RegularProof& regular,

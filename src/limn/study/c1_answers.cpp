@@ -7,7 +7,7 @@
 namespace limn {
 namespace {
 
-constexpr int kMostParts = 8000;
+constexpr int kMostParts = 20'000;
 
 }  // namespace
 
@@ -17,14 +17,9 @@ std::vector<certify::Answer> c1_answers(const Scheme& scheme, int first, int las
   std::vector<certify::Answer> answers(valences.size(), certify::Answer::undecided);
   certify::CertifyOptions options;
   options.most_parts = kMostParts;
-  if (const auto all = certify::certify(scheme, valences, options)) {
+  options.leave_out = true;
+  if (const auto all = certify::certify(scheme, valences, options))
     for (std::size_t i = 0; i < answers.size(); ++i) answers[i] = all->valences[i].c1;
-    return answers;
-  }
-  // one by one where a rule is missing at some
-  for (std::size_t i = 0; i < valences.size(); ++i)
-    if (const auto one = certify::certify(scheme, {valences[i]}, options))
-      answers[i] = one->valences.front().c1;
   return answers;
 }
 
