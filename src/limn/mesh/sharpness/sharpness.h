@@ -1,7 +1,7 @@
 #pragma once
 /// Sharpness: what keeps a smooth surface from being smooth along some edges and at some vertices
-/// [DeRose, Kass, Truong: Subdivision surfaces in character animation, 1998; the details are those
-/// of OpenSubdiv, whose documentation is the reference].
+/// [DeRoseKassTruong1998]. The details are those of OpenSubdiv, whose documentation is the
+/// reference.
 ///
 /// An edge or vertex has a sharpness s ≥ 0. In a step with s ≥ 1 the mesh is refined as though it
 /// were cut along its sharp edges, and joined again: a crease is a boundary that is seen from
