@@ -114,9 +114,11 @@ void warn_of_gaps(const RefineOptions& options, const LimitGaps& gaps, MeshRemar
 void warn_of_lost_tags(const RefineOptions& options, const SharpnessTags& tags,
                        ControlMesh& control) {
   if (tags.creases.empty() && tags.corners.empty()) return;
-  Error warning(fmt::format("left out: {} edges and {} vertices that are still sharp, which {} "
-                            "files cannot hold",
-                            tags.creases.size(), tags.corners.size(), options.output.extension()),
+  const std::size_t edges = tags.creases.size(), vertices = tags.corners.size();
+  Error warning(fmt::format("left out: what is still sharp, {} edge{} and {} {}, which {} files "
+                            "cannot hold",
+                            edges, edges == 1 ? "" : "s", vertices,
+                            vertices == 1 ? "vertex" : "vertices", options.output.extension()),
                 "write obj, which can");
   warning.file = options.output.path;
   add_warnings(control.remarks, {warning});

