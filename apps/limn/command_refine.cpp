@@ -17,6 +17,7 @@
 #include "limn/surface/refined_file.h"
 #include "limn/surface/surface_estimate.h"
 #include "mesh_output.h"
+#include "sharpness_options.h"
 
 namespace limn::app {
 namespace {
@@ -35,6 +36,7 @@ struct RefineOptions {
   bool triangulate = false;
   bool json = false;
   std::string engine = "quick";
+  SharpnessOptions sharpness;
 };
 
 void print_result(const RefineOptions& options, const Scheme& scheme, const RefinedFile& file,
@@ -43,6 +45,9 @@ void print_result(const RefineOptions& options, const Scheme& scheme, const Refi
     nlohmann::ordered_json json{{"vertices", file.vertices}, {"faces", file.faces},
                                 {"levels", options.levels},  {"seconds", file.refinement_seconds},
                                 {"scheme", scheme.name},     {"output", options.output.path}};
+    if (!file.sharp.empty())
+      json["sharp"] = {{"edges", file.sharp.creases.size()},
+                       {"vertices", file.sharp.corners.size()}};
     if (file.gaps.any()) json["missing"] = gaps_json(file.gaps);
     add_remarks(json, remarks);
     print_json(json);
@@ -105,13 +110,28 @@ void warn_of_gaps(const RefineOptions& options, const LimitGaps& gaps, MeshRemar
   add_warnings(remarks, gaps_text(gaps, places));
 }
 
+/// A warning of what a format cannot hold.
+void warn_of_lost_tags(const RefineOptions& options, const SharpnessTags& tags,
+                       ControlMesh& control) {
+  if (tags.creases.empty() && tags.corners.empty()) return;
+  const std::size_t edges = tags.creases.size(), vertices = tags.corners.size();
+  Error warning(fmt::format("left out: what is still sharp, {} edge{} and {} {}, which {} files "
+                            "cannot hold",
+                            edges, edges == 1 ? "" : "s", vertices,
+                            vertices == 1 ? "vertex" : "vertices", options.output.extension()),
+                "write obj, which can");
+  warning.file = options.output.path;
+  add_warnings(control.remarks, {warning});
+}
+
 /// The whole mesh in memory first, and then written.
 Result<RefinedFile> refine_then_write(const RefineOptions& options, const Scheme& scheme,
-                                      ControlMesh& control, ProgressLine& line) {
+                                      ControlMesh& control, const SurfaceOptions& wanted,
+                                      ProgressLine& line) {
   if (Status status = announce(options, scheme, control.mesh, false, line); !status)
     return status.error();
-  Result<RefinedSurface> surface = refine_surface(
-      scheme, std::move(control.mesh), std::move(control.points), wanted_of(options, line));
+  Result<RefinedSurface> surface =
+      refine_surface(scheme, std::move(control.mesh), std::move(control.points), wanted);
   if (!surface) return surface.error();
   line.show("writing " + options.output.path);
   set_step("writing " + options.output.path);
@@ -121,6 +141,8 @@ Result<RefinedFile> refine_then_write(const RefineOptions& options, const Scheme
   if (options.limit) surface->polygons.positions = std::move(surface->limit);
   WriteOptions extras;
   extras.normals = std::move(surface->normals);
+  extras.tags = surface->sharp;
+  if (!holds_tags(options.output.extension())) warn_of_lost_tags(options, extras.tags, control);
   if (Status status = options.output.write(surface->polygons, extras); !status)
     return status.error();
   if (surface->regular_part.bounded == Truth::no)
@@ -133,6 +155,7 @@ Result<RefinedFile> refine_then_write(const RefineOptions& options, const Scheme
                    0,
                    0}});
   RefinedFile file;
+  file.sharp = std::move(surface->sharp);
   file.vertices = surface->polygons.positions.size();
   file.faces = static_cast<std::size_t>(surface->polygons.face_count());
   file.gaps = std::move(surface->gaps);
@@ -143,7 +166,10 @@ Result<RefinedFile> refine_then_write(const RefineOptions& options, const Scheme
 /// Refines into the output, while it is written where that can be.
 Result<RefinedFile> refine_into_output(const RefineOptions& options, const Scheme& scheme,
                                        ControlMesh& control, ProgressLine& line) {
-  const SurfaceOptions wanted = wanted_of(options, line);
+  SurfaceOptions wanted = wanted_of(options, line);
+  Result<Sharpness> sharpness = options.sharpness.of(control);
+  if (!sharpness) return sharpness.error();
+  wanted.sharpness = *std::move(sharpness);
   const std::string& path = options.output.path;
   if (may_write_refined(scheme, wanted, path, options.output.extension())) {
     if (Status status = announce(options, scheme, control.mesh, true, line); !status)
@@ -153,7 +179,7 @@ Result<RefinedFile> refine_into_output(const RefineOptions& options, const Schem
     if (!file) return file.error();
     if (*file) return **std::move(file);
   }
-  return refine_then_write(options, scheme, control, line);
+  return refine_then_write(options, scheme, control, wanted, line);
 }
 
 /// A refined mesh in place of its control mesh cannot be taken back.
@@ -178,7 +204,8 @@ int refine_mesh(const RefineOptions& options) {
     return report(status.error());
   const Result<Scheme> scheme = options.scheme.load();
   if (!scheme) return report(scheme.error());
-  Result<ControlMesh> control = load_control_mesh(options.mesh, options.triangulate);
+  Result<ControlMesh> control =
+      load_control_mesh(options.mesh, options.triangulate, options.sharpness.use());
   if (!control) return report(control.error());
 
   ProgressLine line;
@@ -227,6 +254,7 @@ void declare_refine(CLI::App& parser, Action& action) {
                    "rounding, its vertices and faces in another order")
       ->capture_default_str()
       ->check(CLI::IsMember({"quick", "plain"}));
+  options->sharpness.declare(*command);
   command->add_flag("--json", options->json, "print one JSON object");
   command->footer(
       "Example: limn refine mesh.obj -s catmull-clark -n 4 -o fine.ply\n"

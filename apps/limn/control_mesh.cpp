@@ -33,9 +33,10 @@ Status check_mesh_path(const std::string& path) {
   return check_readable(path);
 }
 
-Result<ControlMesh> load_control_mesh(const std::string& path, bool triangulate) {
+Result<ControlMesh> load_control_mesh(const std::string& path, bool triangulate, TagUse use) {
   Result<MeshFile> file = read_named(path);
   if (!file) return file.error();
+  if (use == TagUse::leave_out) file->leave_out_tags();
   Warnings& warnings = file->warnings;
   const MeshSource source = file->source;
   Polygons uncut;
@@ -59,7 +60,9 @@ Result<ControlMesh> load_control_mesh(const std::string& path, bool triangulate)
   if (!mesh) return mesh.error();
   return ControlMesh{std::move(*mesh),
                      std::move(file->polygons.positions),
-                     {std::move(warnings), std::move(file->left_out)}};
+                     {std::move(warnings), std::move(file->left_out)},
+                     std::move(file->source),
+                     std::move(file->tags)};
 }
 
 void add_warnings(MeshRemarks& remarks, const Warnings& warnings) {

@@ -21,7 +21,13 @@ struct ControlMesh {
   Mesh mesh;
   std::vector<Point3> points;
   MeshRemarks remarks;
+  MeshSource source;
+  SharpnessTags tags;  ///< where the caller has asked for them
 };
+
+/// Whether a command knows what to do with sharp edges and corners; the others leave them out, and
+/// say so.
+enum class TagUse { leave_out, keep };
 
 /// What the help of an option says of MESH.
 inline constexpr const char* kMeshArgumentHelp =
@@ -40,6 +46,7 @@ void add_remarks(nlohmann::ordered_json& json, const MeshRemarks& remarks);
 /// Reads a mesh file or standard input, cuts its polygons into triangles if asked to, and builds
 /// the mesh. Warnings and notes go to standard error; errors speak in the numbers and lines of the
 /// file.
-[[nodiscard]] Result<ControlMesh> load_control_mesh(const std::string& path, bool triangulate);
+[[nodiscard]] Result<ControlMesh> load_control_mesh(const std::string& path, bool triangulate,
+                                                    TagUse use = TagUse::leave_out);
 
 }  // namespace limn::app

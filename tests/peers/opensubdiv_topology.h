@@ -48,9 +48,11 @@ inline bool osd_has(Method method) {
   return method == Method::loop || method == Method::catmull_clark;
 }
 
-/// Boundaries are "edge only": cubic B-spline curves, corners rounded like the rest.
+/// Boundaries are "edge only", unless the tags say else: cubic B-spline curves, corners rounded
+/// like the rest.
 inline std::unique_ptr<OpenSubdiv::Far::TopologyRefiner> osd_topology(Method method,
-                                                                      const Polygons& control) {
+                                                                      const Polygons& control,
+                                                                      const PeerTags& tags = {}) {
   namespace far = OpenSubdiv::Far;
   namespace sdc = OpenSubdiv::Sdc;
   std::vector<int> degrees;
@@ -60,8 +62,19 @@ inline std::unique_ptr<OpenSubdiv::Far::TopologyRefiner> osd_topology(Method met
   descriptor.numFaces = control.face_count();
   descriptor.numVertsPerFace = degrees.data();
   descriptor.vertIndicesPerFace = control.corners.data();
+  descriptor.numCreases = static_cast<int>(tags.edges.size());
+  descriptor.creaseVertexIndexPairs = tags.edges.empty() ? nullptr : tags.edges.front().data();
+  descriptor.creaseWeights = tags.edge_sharpness.data();
+  descriptor.numCorners = static_cast<int>(tags.corners.size());
+  descriptor.cornerVertexIndices = tags.corners.data();
+  descriptor.cornerWeights = tags.corner_sharpness.data();
+  descriptor.numHoles = static_cast<int>(tags.holes.size());
+  descriptor.holeIndices = tags.holes.data();
   sdc::Options options;
-  options.SetVtxBoundaryInterpolation(sdc::Options::VTX_BOUNDARY_EDGE_ONLY);
+  options.SetVtxBoundaryInterpolation(
+      static_cast<sdc::Options::VtxBoundaryInterpolation>(tags.boundary));
+  if (tags.chaikin) options.SetCreasingMethod(sdc::Options::CREASE_CHAIKIN);
+  if (tags.smooth_triangles) options.SetTriangleSubdivision(sdc::Options::TRI_SUB_SMOOTH);
   using Factory = far::TopologyRefinerFactory<far::TopologyDescriptor>;
   const sdc::SchemeType scheme = method == Method::loop ? sdc::SCHEME_LOOP : sdc::SCHEME_CATMARK;
   std::unique_ptr<far::TopologyRefiner> refiner(

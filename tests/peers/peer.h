@@ -3,8 +3,10 @@
 /// of theirs, made from a control mesh of ours, that refines itself. Nothing of theirs shows in
 /// this header; each library has one source file, peer_NAME.cpp.
 
+#include <array>
 #include <cstddef>
 #include <memory>
+#include <vector>
 
 #include "limn/mesh/polygons.h"
 
@@ -14,6 +16,17 @@ enum class Method { loop, catmull_clark, sqrt3, doo_sabin, modified_butterfly };
 
 /// The numbers that hold the positions.
 enum class Precision { single_float, double_float };
+
+/// What is sharp in a control mesh, in OpenSubdiv's terms.
+struct PeerTags {
+  std::vector<std::array<Index, 2>> edges;  ///< by their ends
+  std::vector<float> edge_sharpness;        ///< of each
+  std::vector<Index> corners;               ///< vertices
+  std::vector<float> corner_sharpness;      ///< of each
+  std::vector<Index> holes;                 ///< faces
+  int boundary = 1;                         ///< 0 none, 1 edge only, 2 edge and corner
+  bool chaikin = false, smooth_triangles = false;
+};
 
 class Peer {
  public:
@@ -46,5 +59,8 @@ class Peer {
                                                   Precision precision = Precision::double_float);
 [[nodiscard]] std::unique_ptr<Peer> opensubdiv_peer(Method method, const Polygons& control,
                                                     Precision precision = Precision::double_float);
+/// With sharpness; its polygons are those that are no holes, with all vertices.
+[[nodiscard]] std::unique_ptr<Peer> opensubdiv_peer(Method method, const Polygons& control,
+                                                    const PeerTags& tags);
 
 }  // namespace limn::peers

@@ -16,8 +16,9 @@ namespace far = OpenSubdiv::Far;
 template <class Real>
 class OpenSubdivPeer final : public Peer {
  public:
-  OpenSubdivPeer(Method method, const Polygons& control)
-      : refiner_(osd_topology(method, control)), points_(osd_points<Real>(control.positions)) {}
+  OpenSubdivPeer(Method method, const Polygons& control, const PeerTags& tags = {})
+      : refiner_(osd_topology(method, control, tags)),
+        points_(osd_points<Real>(control.positions)) {}
 
   void refine(int levels) override {
     far::TopologyRefiner::UniformOptions uniform(levels);
@@ -59,6 +60,7 @@ class OpenSubdivPeer final : public Peer {
     result.positions = points_of(points_);
     const far::TopologyLevel& level = refiner_->GetLevel(refiner_->GetMaxLevel());
     for (int f = 0; f < level.GetNumFaces(); ++f) {
+      if (level.IsFaceHole(f)) continue;
       const far::ConstIndexArray corners = level.GetFaceVertices(f);
       for (int i = 0; i < corners.size(); ++i) result.corners.push_back(corners[i]);
       result.face_begin.push_back(static_cast<Index>(result.corners.size()));
@@ -79,6 +81,12 @@ std::unique_ptr<Peer> opensubdiv_peer(Method method, const Polygons& control, Pr
   if (precision == Precision::double_float)
     return std::make_unique<OpenSubdivPeer<double>>(method, control);
   return std::make_unique<OpenSubdivPeer<float>>(method, control);
+}
+
+std::unique_ptr<Peer> opensubdiv_peer(Method method, const Polygons& control,
+                                      const PeerTags& tags) {
+  if (!osd_has(method)) return nullptr;
+  return std::make_unique<OpenSubdivPeer<double>>(method, control, tags);
 }
 
 }  // namespace limn::peers

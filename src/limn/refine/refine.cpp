@@ -3,6 +3,6 @@
 namespace limn {
 
 template Result<Refined<Point3>> refine<Point3, double>(const Scheme&, Mesh, std::vector<Point3>,
-                                                        int, const RefineProgress&);
+                                                        int, const RefineProgress&, Sharpness);
 
 }  // namespace limn

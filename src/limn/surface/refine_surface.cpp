@@ -1,6 +1,8 @@
 #include "limn/surface/refine_surface.h"
 
+#include <algorithm>
 #include <chrono>
+#include <utility>
 
 #include <fmt/core.h>
 
@@ -21,7 +23,8 @@ class Work {
         control_(std::move(control)),
         points_(std::move(points)),
         options_(options),
-        quick_(options.engine == SurfaceOptions::Engine::quick && has_fast_layout(*scheme.split)) {}
+        quick_(options.engine == SurfaceOptions::Engine::quick && has_fast_layout(*scheme.split) &&
+               !options.has_sharpness()) {}
 
   Result<RefinedSurface> run() {
     start_ = std::chrono::steady_clock::now();
@@ -33,9 +36,13 @@ class Work {
     Result<Refined<Point3>> refined = refined_mesh();
     if (!refined) return refined.error();
     if (!mesh_is_needed()) return std::move(surface_);  // polygons are all
+    if (options_.of_limit() && refined->sharpness.any()) return still_sharp(refined->sharpness);
     if (options_.of_limit())
       if (Status status = find_limit(*refined); !status) return status.error();
     surface_.polygons = refined->mesh.polygons(std::move(refined->values));
+    const std::vector<bool> holes = std::exchange(refined->sharpness.holes, {});
+    if (refined->sharpness.any()) surface_.sharp = tags_of(refined->mesh, refined->sharpness);
+    if (std::find(holes.begin(), holes.end(), true) != holes.end()) leave_out_holes(holes);
     if (options_.connectivity) surface_.mesh = std::move(refined->mesh);
     return std::move(surface_);
   }
@@ -52,6 +59,44 @@ class Work {
 
   void say(const std::string& what) const {
     if (options_.progress) options_.progress(what);
+  }
+
+  /// What the limit is on creases is not known here.
+  [[nodiscard]] Error still_sharp(const Sharpness& left) const {
+    return {
+        fmt::format("after {} levels edges or vertices of the mesh are still sharp, where limit "
+                    "points, normals and curvatures are not known",
+                    options_.levels),
+        left.fades() ? "refine by more levels than what is sharp has"
+                     : "leave out what is wanted of the limit, or the tags"};
+  }
+
+  /// The vertices that only holes have are gone, from all that is by vertex.
+  void leave_out_holes(const std::vector<bool>& holes) {
+    std::vector<Index> kept, number(surface_.polygons.positions.size(), kNone);
+    surface_.polygons = without_holes(surface_.polygons, holes, kept);
+    for (std::size_t i = 0; i < kept.size(); ++i) number[kept[i]] = static_cast<Index>(i);
+    const auto keep = [&](auto& values) {
+      if (values.empty()) return;
+      for (std::size_t i = 0; i < kept.size(); ++i) values[i] = values[kept[i]];
+      values.resize(kept.size());
+    };
+    const auto renumber = [&](auto& list, const auto& vertex_of) {
+      for (auto& one : list) vertex_of(one) = number[vertex_of(one)];
+      std::erase_if(list, [&](auto& one) { return vertex_of(one) == kNone; });
+    };
+    keep(surface_.limit);
+    keep(surface_.normals);
+    keep(surface_.curvatures);
+    const auto itself = [](Index& v) -> Index& { return v; };
+    renumber(surface_.gaps.normals, itself);
+    for (LimitGaps::Curvatures& gaps : surface_.gaps.curvatures) renumber(gaps.vertices, itself);
+    renumber(surface_.gaps.limits, [](LimitPoints::Refused& gap) -> Index& { return gap.vertex; });
+    renumber(surface_.sharp.corners,
+             [](SharpnessTags::Corner& corner) -> Index& { return corner.vertex; });
+    for (const std::size_t end : {0U, 1U})
+      renumber(surface_.sharp.creases,
+               [&](SharpnessTags::Crease& crease) -> Index& { return crease.vertices[end]; });
   }
 
   /// Refinement and limit in one; false where the limit has no quick way.
@@ -92,12 +137,13 @@ class Work {
       if (Result<Mesh> mesh = Mesh::build(*fine))
         return Refined<Point3>{*std::move(mesh), std::move(fine->positions)};
     }
-    Result<Refined<Point3>> plain =
-        refine(scheme_, std::move(control_), std::move(points_), options_.levels,
-               [&](int done, int levels, const Mesh& fine) {
-                 say(fmt::format("refining: {} of {} levels, {} vertices", done, levels,
-                                 fine.vertex_count()));
-               });
+    Result<Refined<Point3>> plain = refine(
+        scheme_, std::move(control_), std::move(points_), options_.levels,
+        [&](int done, int levels, const Mesh& fine) {
+          say(fmt::format("refining: {} of {} levels, {} vertices", done, levels,
+                          fine.vertex_count()));
+        },
+        options_.sharpness);
     stop_clock();
     return plain;
   }

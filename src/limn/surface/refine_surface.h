@@ -10,6 +10,7 @@
 
 #include "limn/limit/limit_points.h"
 #include "limn/mesh/mesh.h"
+#include "limn/mesh/sharpness/tags.h"
 #include "limn/scheme/scheme.h"
 #include "limn/surface/limit_gaps.h"
 
@@ -26,6 +27,9 @@ struct SurfaceOptions {
   /// False: a limit that cannot be had is an error.
   bool partial = false;
   bool connectivity = false;  ///< RefinedSurface::mesh, too
+  /// Of the control mesh. Where an edge or vertex is sharp, or a face a hole, the plain engine
+  /// refines it, whatever `engine` says.
+  Sharpness sharpness = {};
   /// quick: the quick engine (fast/fast_refiner.h) where it can, else the plain one; plain: the
   /// plain one. The same surface to rounding, its vertices and faces in another order.
   enum class Engine { quick, plain };
@@ -35,12 +39,17 @@ struct SurfaceOptions {
 
   /// Whether anything is wanted of the limit surface.
   [[nodiscard]] bool of_limit() const { return limit || normals || curvatures; }
+  /// Whether there is anything in `sharpness`.
+  [[nodiscard]] bool has_sharpness() const { return sharpness.any() || sharpness.has_holes(); }
 };
 
 /// What `refine_surface` makes.
 struct RefinedSurface {
-  Polygons polygons;         ///< the refined mesh, with the points where refinement puts them
-  std::optional<Mesh> mesh;  ///< its connectivity, where that is wanted
+  /// The refined mesh, with the points where refinement puts them; without the faces of holes, and
+  /// without vertices that have no other faces.
+  Polygons polygons;
+  std::optional<Mesh> mesh;  ///< its connectivity, where that is wanted; with the faces of holes
+  SharpnessTags sharp;       ///< what of it is still sharp, by the numbers of `polygons`
   /// Where the vertices are on the limit surface: one for each, or empty where not wanted.
   std::vector<Point3> limit;
   /// The limit surface's, of length 1; zero where there is none. One for each vertex, or empty.
@@ -55,8 +64,10 @@ struct RefinedSurface {
 
 /// In double precision. Fails, with an error that says so, where the scheme needs triangles and the
 /// mesh has others, where a rule is missing that the mesh needs (boundary rules, valences), where
-/// 2^31 half-edges or the memory that there is are exceeded, and where the limit cannot be had
-/// (but see `partial`). Cost: some nanoseconds a refined vertex by the quick engine, about a
+/// 2^31 half-edges or the memory that there is are exceeded, where the scheme cannot take the
+/// sharpness (check_takes_sharpness, refine/crease_step.h), where something of the limit is wanted
+/// and something is still sharp after the steps, and where the limit cannot be had (but see
+/// `partial`). Cost: some nanoseconds a refined vertex by the quick engine, about a
 /// hundred by the plain one; curvatures some microseconds.
 [[nodiscard]] Result<RefinedSurface> refine_surface(const Scheme& scheme, Mesh control,
                                                     std::vector<Point3> points,

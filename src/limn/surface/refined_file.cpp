@@ -186,7 +186,8 @@ class PieceWriter {
 bool may_write_refined(const Scheme& scheme, const SurfaceOptions& options, const std::string& path,
                        const std::string& extension) {
   return options.engine == SurfaceOptions::Engine::quick && has_fast_layout(*scheme.split) &&
-         !options.curvatures && !options.connectivity && takes_mesh_pieces(path, extension);
+         !options.curvatures && !options.connectivity && !options.has_sharpness() &&
+         takes_mesh_pieces(path, extension);
 }
 
 Result<std::optional<RefinedFile>> write_refined(const Scheme& scheme, const Mesh& control,

@@ -13,12 +13,13 @@ namespace limn {
 /// What was written.
 struct RefinedFile {
   std::size_t vertices = 0, faces = 0;
+  SharpnessTags sharp;            ///< what is still sharp, by the numbers of its vertices
   LimitGaps gaps;                 ///< what is missing, and at which vertices
   double refinement_seconds = 0;  ///< without writing: of the last step, its share of the time
 };
 
 /// Whether `write_refined` may be able to, as far as can be told at once: the quick engine, no
-/// curvatures, no connectivity, and a file that takes pieces (mesh_pieces.h).
+/// curvatures, no connectivity, no sharpness, and a file that takes pieces (mesh_pieces.h).
 [[nodiscard]] bool may_write_refined(const Scheme& scheme, const SurfaceOptions& options,
                                      const std::string& path, const std::string& extension);
 

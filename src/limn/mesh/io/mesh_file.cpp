@@ -163,6 +163,7 @@ std::string hint_by_content(std::string_view content, const Format& format,
 
 Result<Polygons> mesh_of(Result<MeshFile> file, Warnings* warnings) {
   if (!file) return file.error();
+  file->leave_out_tags();
   if (warnings != nullptr) {
     for (Warnings list : {std::move(file->warnings), file->notes()})
       std::move(list.begin(), list.end(), std::back_inserter(*warnings));
@@ -228,6 +229,16 @@ Warnings MeshFile::notes() const {
   }
   return notes;
 }
+
+void MeshFile::leave_out_tags() {
+  if (tags.statements > 0)
+    left_out.push_back({"sharp edges and corners, and other tags of OpenSubdiv ('t')",
+                        static_cast<std::size_t>(tags.statements), "lines", tags.line,
+                        tags.column});
+  tags = {};
+}
+
+bool holds_tags(std::string_view extension) { return io::is_extension(extension, "obj"); }
 
 Result<MeshFile> parse_mesh_file(std::string_view content, std::string_view extension,
                                  const std::string& name) {

@@ -18,6 +18,7 @@
 #include "limn/base/error.h"
 #include "limn/mesh/mesh_source.h"
 #include "limn/mesh/polygons.h"
+#include "limn/mesh/sharpness/tags.h"
 
 namespace limn {
 
@@ -36,6 +37,10 @@ struct MeshFile {
   MeshSource source;              ///< for messages about the mesh
   Warnings warnings;              ///< faults of the file that did not keep it from being read
   std::vector<LeftOut> left_out;  ///< in the order in which they were met
+  SharpnessTags tags;             ///< what is sharp: of OBJ, the tags ('t') of OpenSubdiv
+
+  /// Forgets the tags, for whoever has no use for them; `left_out` says so.
+  void leave_out_tags();
 
   /// `left_out` in words, with file and line: one remark for each kind.
   [[nodiscard]] Warnings notes() const;
@@ -61,7 +66,7 @@ struct MeshFile {
 /// its head, else O(size).
 [[nodiscard]] Result<std::string> format_of_content(std::string_view content);
 
-/// The mesh alone; `warnings` gets the warnings, then the notes, one for each kind.
+/// The mesh alone, without tags; `warnings` gets the warnings, then the notes, one for each kind.
 [[nodiscard]] Result<Polygons> read_mesh(const std::string& path, Warnings* warnings = nullptr);
 /// The same from memory; `extension` and `path` as for `parse_mesh_file`.
 [[nodiscard]] Result<Polygons> parse_mesh(std::string_view content, std::string_view extension,
@@ -71,7 +76,12 @@ struct MeshFile {
 struct WriteOptions {
   /// Limit or vertex normals, one per vertex, or empty: written where the format has them.
   std::vector<Point3> normals;
+  /// What is sharp, by numbers of vertices and faces: written where the format has it (holds_tags).
+  SharpnessTags tags;
 };
+
+/// Whether files with this extension hold sharpness: obj.
+[[nodiscard]] bool holds_tags(std::string_view extension);
 
 /// Writes a mesh, whole or not at all (`write_file`). Fails where the format cannot hold a
 /// coordinate: the error names the vertex, the value and a remedy, and no file where the value is

@@ -1,4 +1,4 @@
-/// Wavefront OBJ: `v` and `f` are read, all else is left out.
+/// Wavefront OBJ: `v`, `f` and the tags `t` are read, all else is left out.
 
 #include <algorithm>
 #include <cstdint>
@@ -6,6 +6,7 @@
 
 #include "limn/mesh/io/blocks.h"
 #include "limn/mesh/io/formats.h"
+#include "limn/mesh/io/obj_tags.h"
 #include "limn/mesh/io/text_writer.h"
 
 namespace limn::io {
@@ -33,7 +34,6 @@ constexpr Kind kLeftOut[] = {
     {"s", "smoothing groups ('s')"},
     {"usemtl", "materials of faces ('usemtl')"},
     {"mtllib", "names of material files ('mtllib')"},
-    {"t", "sharp edges and corners, and other tags of OpenSubdiv ('t')"},
 };
 
 class ObjReader {
@@ -42,10 +42,12 @@ class ObjReader {
       : in_(content, file.source.file, {.comments = true, .continuation = true}),
         remarks_(file),
         mesh_(file.polygons),
-        source_(file.source) {}
+        source_(file.source),
+        tags_(file.tags) {}
 
   Status read() {
     source_.first = 1;
+    tags_.file = source_.file;
     while (in_.next_content() && !is_padding(in_.rest())) {
       if (!statement()) return in_.error();
       in_.skip_line(is_obj_keyword);
@@ -59,6 +61,7 @@ class ObjReader {
     const std::string_view keyword = in_.take_word();
     if (keyword == "v") return vertex();
     if (keyword == "f") return face();
+    if (keyword == "t") return tag();
     return other(keyword);
   }
 
@@ -157,6 +160,15 @@ class ObjReader {
                    count_of(mesh_.positions.size(), "vertex", "vertices") + " before this line");
   }
 
+  bool tag() {
+    const Place place = in_.last_place();
+    std::string unknown;
+    if (!read_obj_tag(in_, tags_, unknown)) return false;
+    if (!unknown.empty())
+      remarks_.left_out(place, "tags " + in_quotes(unknown) + " ('t')", "lines");
+    return true;
+  }
+
   bool other(std::string_view keyword) {
     for (const char c : keyword) {
       if (static_cast<unsigned char>(c) > 0x20 && static_cast<unsigned char>(c) != 0x7f) continue;
@@ -187,6 +199,7 @@ class ObjReader {
   Remarks remarks_;
   Polygons& mesh_;
   MeshSource& source_;
+  SharpnessTags& tags_;
   std::int64_t last_vertex_ = -1;  ///< the largest index seen
   Place last_vertex_place_;
 };
@@ -227,6 +240,7 @@ void format_obj(const Polygons& mesh, const WriteOptions& options, const Sink& s
       out += '\n';
     }
   });
+  if (const std::string tags = obj_tag_lines(options.tags); !tags.empty()) sink(tags);
 }
 
 }  // namespace limn::io

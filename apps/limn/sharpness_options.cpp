@@ -1,0 +1,79 @@
+#include "sharpness_options.h"
+
+#include <fmt/core.h>
+
+#include "limn/surface/tags_file.h"
+
+namespace limn::app {
+namespace {
+
+template <class Value>
+std::vector<std::string> words(const std::vector<std::pair<std::string, Value>>& known) {
+  std::vector<std::string> result;
+  for (const auto& [word, value] : known) result.push_back(word);
+  return result;
+}
+
+/// Precondition: it is one of them.
+template <class Value>
+Value value_of(const std::string& name, const std::vector<std::pair<std::string, Value>>& known) {
+  for (const auto& [word, value] : known)
+    if (word == name) return value;
+  return known.front().second;
+}
+
+}  // namespace
+
+void SharpnessOptions::declare(CLI::App& command) {
+  command
+      .add_option(
+          "--tags", tags_file,
+          "sharp edges, corners and holes from FILE (.toml), by the numbers of MESH, beside "
+          "what an .obj file's own tags ('t') say")
+      ->type_name("FILE");
+  command.add_flag("--no-tags", no_tags, "leave the tags of MESH itself out");
+  command
+      .add_option("--crease-angle", crease_angle,
+                  "edges whose faces' normals differ by more than DEG degrees are infinitely sharp")
+      ->type_name("DEG")
+      ->check(CLI::Range(0.0, 180.0));
+  command
+      .add_option(
+          "--boundary", boundary,
+          "edgeOnly: the boundary is a curve; edgeAndCorner: with corners where a vertex "
+          "has one face; none: faces at it are left out (default: edgeOnly, or as tags say)")
+      ->check(CLI::IsMember(words(boundary_modes())));
+  command
+      .add_option("--creases", creases,
+                  "how sharpness fades, uniform or chaikin (default: uniform, or as tags say)")
+      ->check(CLI::IsMember(words(crease_methods())));
+}
+
+Result<Sharpness> SharpnessOptions::of(ControlMesh& control) const {
+  Sharpness sharpness;
+  BoundaryMode mode = BoundaryMode::edge_only;
+  const auto add = [&](const SharpnessTags& tags) -> Status {
+    if (tags.boundary) mode = *tags.boundary;
+    if (tags.smooth_triangles.value_or(false)) {
+      Error warning("smooth triangles are refined like others");
+      warning.file = tags.file;
+      warning.line = tags.line;
+      add_warnings(control.remarks, {warning});
+    }
+    return apply_tags(control.mesh, control.source, tags, sharpness);
+  };
+  if (Status status = add(control.tags); !status) return status.error();
+  if (!tags_file.empty()) {
+    const Result<SharpnessTags> tags = read_tags_file(tags_file, control.source.first);
+    if (!tags) return tags.error();
+    if (Status status = add(*tags); !status) return status.error();
+  }
+  if (crease_angle >= 0)
+    (void)sharpen_by_angle(control.mesh, control.points, crease_angle, sharpness);
+  if (!creases.empty()) sharpness.method = value_of(creases, crease_methods());
+  if (!boundary.empty()) mode = value_of(boundary, boundary_modes());
+  apply_boundary_mode(control.mesh, mode, sharpness);
+  return sharpness;
+}
+
+}  // namespace limn::app

@@ -1,0 +1,146 @@
+#include "limn/mesh/sharpness/tags.h"
+
+#include <algorithm>
+
+#include <fmt/core.h>
+
+namespace limn {
+namespace {
+
+std::size_t at(Index i) { return static_cast<std::size_t>(i); }
+
+/// The edges between two vertices: more than one where a mesh has such. Cost O(valence).
+std::vector<Index> edges_between(const Mesh& mesh, Index a, Index b) {
+  std::vector<Index> edges;
+  const Index first = mesh.halfedge_of_vertex(a);
+  for (Index h = first; h != kNone;) {
+    if (mesh.target(h) == b) edges.push_back(mesh.edge(h));
+    const Index last = mesh.prev(h);
+    if (mesh.twin(last) == kNone && mesh.origin(last) == b) edges.push_back(mesh.edge(last));
+    h = mesh.rotate(h);
+    if (h == first) break;
+  }
+  return edges;
+}
+
+class Applying {
+ public:
+  Applying(const Mesh& mesh, const MeshSource& source, const SharpnessTags& tags, Sharpness& out)
+      : mesh_(mesh), source_(source), tags_(tags), out_(out) {}
+
+  Status run() {
+    for (const SharpnessTags::Crease& crease : tags_.creases)
+      if (Status status = apply(crease); !status) return status;
+    for (const SharpnessTags::Corner& corner : tags_.corners)
+      if (Status status = apply(corner); !status) return status;
+    if (Status status = apply_holes(); !status) return status;
+    if (tags_.method) out_.method = *tags_.method;
+    return Done{};
+  }
+
+ private:
+  [[nodiscard]] Error fault(int line, std::string message, std::string hint = {}) const {
+    return {std::move(message), std::move(hint), tags_.file, line, 0};
+  }
+
+  Status check(Index number, Index count, const char* what, int line) const {
+    if (number >= 0 && number < count) return Done{};
+    return fault(line,
+                 fmt::format("{} {} is out of range: the mesh has {}", what,
+                             static_cast<long long>(number) + tags_.first, count),
+                 tags_.first == 0 ? "these numbers begin with 0" : "");
+  }
+
+  Status apply(const SharpnessTags::Crease& crease) {
+    for (const Index v : crease.vertices)
+      if (Status status = check(v, mesh_.vertex_count(), "vertex", crease.line); !status)
+        return status;
+    for (std::size_t i = 0; i + 1 < crease.vertices.size(); ++i) {
+      const Index a = crease.vertices[i], b = crease.vertices[i + 1];
+      const std::vector<Index> edges = edges_between(mesh_, a, b);
+      if (edges.empty())
+        return fault(crease.line,
+                     fmt::format("no edge joins the vertices {} and {} of a crease",
+                                 a + tags_.first, b + tags_.first),
+                     tags_.first == 0 ? "these numbers begin with 0" : "");
+      out_.edges.resize(at(mesh_.edge_count()), 0);
+      for (const Index e : edges)
+        out_.edges[at(e)] =
+            crease.sharpness.size() == 1 ? crease.sharpness[0] : crease.sharpness[i];
+    }
+    return Done{};
+  }
+
+  Status apply(const SharpnessTags::Corner& corner) {
+    if (Status status = check(corner.vertex, mesh_.vertex_count(), "vertex", corner.line); !status)
+      return status;
+    out_.vertices.resize(at(mesh_.vertex_count()), 0);
+    out_.vertices[at(corner.vertex)] = corner.sharpness;
+    return Done{};
+  }
+
+  /// A face of the file may be several of the mesh, or none.
+  Status apply_holes() {
+    if (tags_.holes.empty()) return Done{};
+    Index of_file = 0;
+    for (Index f = 0; f < mesh_.face_count(); ++f)
+      of_file = std::max(of_file, source_.file_face(f) + 1);
+    std::vector<bool> holes(at(of_file), false);
+    for (const SharpnessTags::Hole& hole : tags_.holes) {
+      if (Status status = check(hole.face, of_file, "face", hole.line); !status) return status;
+      holes[at(hole.face)] = true;
+    }
+    out_.holes.resize(at(mesh_.face_count()), false);
+    for (Index f = 0; f < mesh_.face_count(); ++f)
+      if (holes[at(source_.file_face(f))]) out_.holes[at(f)] = true;
+    return Done{};
+  }
+
+  const Mesh& mesh_;
+  const MeshSource& source_;
+  const SharpnessTags& tags_;
+  Sharpness& out_;
+};
+
+}  // namespace
+
+bool SharpnessTags::empty() const {
+  return creases.empty() && corners.empty() && holes.empty() && !boundary && !method &&
+         !smooth_triangles;
+}
+
+Status apply_tags(const Mesh& mesh, const MeshSource& source, const SharpnessTags& tags,
+                  Sharpness& sharpness) {
+  return Applying(mesh, source, tags, sharpness).run();
+}
+
+SharpnessTags tags_of(const Mesh& mesh, const Sharpness& sharpness) {
+  SharpnessTags tags;
+  for (Index e = 0; e < static_cast<Index>(sharpness.edges.size()); ++e) {
+    if (!(sharpness.edges[at(e)] > 0) || mesh.is_boundary_edge(e)) continue;
+    const Index h = mesh.halfedge_of_edge(e);
+    tags.creases.push_back({{mesh.origin(h), mesh.target(h)}, {sharpness.edges[at(e)]}, 0});
+  }
+  for (Index v = 0; v < static_cast<Index>(sharpness.vertices.size()); ++v)
+    if (sharpness.vertices[at(v)] > 0) tags.corners.push_back({v, sharpness.vertices[at(v)], 0});
+  for (std::size_t f = 0; f < sharpness.holes.size(); ++f)
+    if (sharpness.holes[f]) tags.holes.push_back({static_cast<Index>(f), 0});
+  if (sharpness.method != CreaseMethod::uniform) tags.method = sharpness.method;
+  return tags;
+}
+
+const std::vector<std::pair<std::string, BoundaryMode>>& boundary_modes() {
+  static const std::vector<std::pair<std::string, BoundaryMode>> modes{
+      {"none", BoundaryMode::none},
+      {"edgeOnly", BoundaryMode::edge_only},
+      {"edgeAndCorner", BoundaryMode::edge_and_corner}};
+  return modes;
+}
+
+const std::vector<std::pair<std::string, CreaseMethod>>& crease_methods() {
+  static const std::vector<std::pair<std::string, CreaseMethod>> methods{
+      {"uniform", CreaseMethod::uniform}, {"chaikin", CreaseMethod::chaikin}};
+  return methods;
+}
+
+}  // namespace limn

@@ -1,0 +1,33 @@
+#pragma once
+/// Sharpness in a file of its own, for mesh formats that hold none:
+///
+///     boundary  = "edgeAndCorner"     # or none, edgeOnly
+///     creases   = "chaikin"           # or uniform
+///     triangles = "smooth"            # or catmullClark
+///
+///     [[crease]]
+///     vertices  = [1, 2, 3]           # a chain of edges, by the mesh file's numbers
+///     sharpness = 2.5                 # or "infinite", or a list: one for each edge
+///
+///     [[corner]]
+///     vertices  = [4, 7]
+///     sharpness = "infinite"          # or a list: one for each vertex
+///
+///     [[hole]]
+///     faces     = [5]
+
+#include <string>
+
+#include "limn/mesh/sharpness/tags.h"
+
+namespace limn {
+
+/// Reads such a file. `first` is the number that the mesh file gives its first vertex and face: 1
+/// in OBJ, else 0. Every fault (TOML syntax, unknown key, wrong type, a number below `first`, a
+/// sharpness below 0, a list of another length) is an error with file, line and column.
+[[nodiscard]] Result<SharpnessTags> read_tags_file(const std::string& path, Index first);
+/// The same of a text; `path` is for messages.
+[[nodiscard]] Result<SharpnessTags> parse_tags(std::string_view text, const std::string& path,
+                                               Index first);
+
+}  // namespace limn

@@ -1,0 +1,151 @@
+// `limn refine` of meshes with sharp edges, corners and holes.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "command/run_command.h"
+#include "limn/mesh/io/mesh_file.h"
+
+namespace limn::test {
+namespace {
+
+const std::string kCube =
+    "v -1 -1 -1\nv 1 -1 -1\nv -1 1 -1\nv 1 1 -1\nv -1 -1 1\nv 1 -1 1\nv -1 1 1\nv 1 1 1\n"
+    "f 1 3 4 2\nf 5 6 8 7\nf 1 2 6 5\nf 3 7 8 4\nf 1 5 7 3\nf 2 4 8 6\n";
+const std::string kSquares =
+    "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 2 0 0\nv 2 1 0\nf 1 2 3 4\nf 2 5 6 3\n";
+
+MeshFile read(const Folder& folder, const std::string& name) {
+  return parse_mesh_file(folder.read(name), name.substr(name.rfind('.') + 1), name).value();
+}
+
+void expect_done(const Outcome& outcome) { EXPECT_EQ(outcome.code, 0) << outcome.err; }
+
+TEST(Sharpness, OfObjTagsIsRefinedAndWhatIsLeftIsWritten) {
+  const Folder folder;
+  folder.write("cube.obj", kCube + "t crease 2/1/0 0 1 4.0\nt corner 1/1/0 3 10\n");
+  expect_done(folder.limn("refine cube.obj -s catmull-clark -n 2 -o fine.obj"));
+  const MeshFile fine = read(folder, "fine.obj");
+  ASSERT_EQ(fine.tags.creases.size(), 4U);  // the edge in four parts
+  for (const SharpnessTags::Crease& crease : fine.tags.creases) {
+    EXPECT_EQ(crease.sharpness, std::vector<double>{2});
+    for (const Index v : crease.vertices) {
+      const Point3 p = fine.polygons.positions[static_cast<std::size_t>(v)];
+      EXPECT_NEAR(p.y, p.z, 1e-15);  // the edge is straight, and the mesh symmetric
+    }
+  }
+  ASSERT_EQ(fine.tags.corners.size(), 1U);
+  const auto corner = static_cast<std::size_t>(fine.tags.corners[0].vertex);
+  EXPECT_EQ(fine.polygons.positions[corner], (Point3{1, 1, -1}));
+  // two steps by two and one by four are the same
+  expect_done(folder.limn("refine fine.obj -s catmull-clark -n 2 -o twice.obj"));
+  expect_done(folder.limn("refine cube.obj -s catmull-clark -n 4 -o once.obj"));
+  const Polygons once = read(folder, "once.obj").polygons,
+                 twice = read(folder, "twice.obj").polygons;
+  ASSERT_EQ(once.positions.size(), twice.positions.size());
+  for (const Point3& p : once.positions)  // its edges have other numbers than the file's
+    EXPECT_TRUE(std::any_of(twice.positions.begin(), twice.positions.end(),
+                            [&](const Point3& q) { return dot(p - q, p - q) < 1e-28; }));
+}
+
+TEST(Sharpness, ThatAFormatCannotHoldIsWarnedOf) {
+  const Folder folder;
+  folder.write("cube.obj", kCube + "t crease 2/1/0 0 1 3\n");
+  const Outcome outcome = folder.limn("refine cube.obj -s catmull-clark -n 2 -o fine.ply");
+  expect_done(outcome);
+  EXPECT_NE(
+      outcome.err.find("left out: what is still sharp, 4 edges and 0 vertices, which ply files "
+                       "cannot hold (write obj, which can)"),
+      std::string::npos)
+      << outcome.err;
+  EXPECT_EQ(folder.limn("refine cube.obj -s catmull-clark -n 3 -o fine.ply").err, "");
+}
+
+TEST(Sharpness, IsLeftOutOnRequestAndByCommandsWithoutIt) {
+  const Folder folder;
+  folder.write("tags.obj", kCube + "t crease 2/1/0 0 1 3\n");
+  folder.write("cube.obj", kCube);
+  const Outcome outcome = folder.limn("refine tags.obj --no-tags -s catmull-clark -n 2 -o a.obj");
+  expect_done(outcome);
+  EXPECT_NE(outcome.err.find("left out: sharp edges and corners"), std::string::npos);
+  expect_done(folder.limn("refine cube.obj -s catmull-clark -n 2 -o b.obj"));
+  EXPECT_EQ(folder.read("a.obj"), folder.read("b.obj"));
+}
+
+TEST(Sharpness, ByAngleKeepsACube) {
+  const Folder folder;
+  folder.write("cube.obj", kCube);
+  expect_done(folder.limn("refine cube.obj --crease-angle 60 -s catmull-clark -n 3 -o fine.obj"));
+  const MeshFile fine = read(folder, "fine.obj");
+  for (const Point3& p : fine.polygons.positions)
+    EXPECT_NEAR(std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)}), 1, 1e-15);
+  EXPECT_EQ(fine.tags.creases.size(), 12U * 8);
+}
+
+TEST(Sharpness, OfATagsFileCountsAsTheMeshFileDoes) {
+  const Folder folder;
+  folder.write("cube.obj", kCube);
+  folder.write("tags.obj", kCube + "t crease 3/1/0 0 1 3 10\nt corner 1/1/0 7 2.5\n");
+  folder.write("tags.toml",
+               "[[crease]]\nvertices = [1, 2, 4]\nsharpness = \"infinite\"\n"
+               "[[corner]]\nvertices = [8]\nsharpness = 2.5\n");
+  expect_done(folder.limn("refine cube.obj --tags tags.toml -s catmull-clark -n 3 -o a.obj"));
+  expect_done(folder.limn("refine tags.obj -s catmull-clark -n 3 -o b.obj"));
+  EXPECT_EQ(folder.read("a.obj"), folder.read("b.obj"));
+  folder.write("bad.toml", "[[crease]]\nvertices = [1, 8]\nsharpness = 1\n");
+  expect_refused(folder.limn("refine cube.obj --tags bad.toml -s catmull-clark -o c.obj"),
+                 "bad.toml:1: no edge joins the vertices 1 and 8 of a crease");
+  expect_refused(folder.limn("refine cube.obj --tags none.toml -s catmull-clark -o c.obj"),
+                 "none.toml");
+}
+
+TEST(Sharpness, OfTheBoundaryIsThatOfTheOptionOrTheTags) {
+  const Folder folder;
+  folder.write("plain.obj", kSquares);
+  folder.write("tags.obj", kSquares + "t interpolateboundary 1/0/0 1\n");
+  const auto has_corner = [&](const std::string& arguments) {
+    expect_done(folder.limn("refine " + arguments + " -s catmull-clark -n 2 -o fine.obj"));
+    const std::vector<Point3> points = read(folder, "fine.obj").polygons.positions;
+    return std::find(points.begin(), points.end(), Point3{0, 0, 0}) != points.end();
+  };
+  EXPECT_FALSE(has_corner("plain.obj"));
+  EXPECT_TRUE(has_corner("tags.obj"));
+  EXPECT_FALSE(has_corner("tags.obj --boundary edgeOnly"));
+  EXPECT_TRUE(has_corner("plain.obj --boundary edgeAndCorner"));
+}
+
+TEST(Sharpness, HolesAreNotWritten) {
+  const Folder folder;
+  folder.write("squares.obj", kSquares + "t hole 1/0/0 1\n");
+  const Outcome outcome =
+      folder.limn("refine squares.obj -s catmull-clark -n 1 -o fine.obj --json");
+  expect_done(outcome);
+  const auto json = nlohmann::json::parse(outcome.out);
+  EXPECT_EQ(json["faces"], 4);
+  EXPECT_EQ(json["vertices"], 9);
+  EXPECT_EQ(read(folder, "fine.obj").polygons.face_count(), 4);
+}
+
+TEST(Sharpness, IsRefusedWhereASchemeCannotTakeIt) {
+  const Folder folder;
+  folder.write("cube.obj", kCube + "t crease 2/1/0 0 1 3\n");
+  expect_refused(
+      folder.limn("refine cube.obj -s doo-sabin -o fine.obj"),
+      "doo-sabin takes no sharp edges or vertices: its split, quad-dual, has no boundary "
+      "that stays in place");
+  expect_refused(folder.limn("refine cube.obj -s four-eight -o fine.obj"),
+                 "four-eight takes infinite sharpness only");
+  expect_refused(folder.limn("refine cube.obj -s catmull-clark -n 2 --limit -o fine.obj"),
+                 "after 2 levels edges or vertices of the mesh are still sharp");
+  expect_done(folder.limn("refine cube.obj -s catmull-clark -n 3 --limit -o fine.obj"));
+  folder.write("bad.obj", kCube + "t crease 2/1/0 0 7 3\n");
+  expect_refused(folder.limn("refine bad.obj -s catmull-clark -o fine.obj"),
+                 "bad.obj:15: no edge joins the vertices 0 and 7 of a crease");
+}
+
+}  // namespace
+}  // namespace limn::test

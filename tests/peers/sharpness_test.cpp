@@ -1,0 +1,151 @@
+// Creases, corners, boundaries and holes against OpenSubdiv, on random meshes with random tags.
+//
+// OpenSubdiv keeps sharpness as floats, which is exact for infinite and for integer sharpness. Its
+// weights are those of doubles all the same.
+
+#include <random>
+
+#include "limn/mesh/sharpness/sharpness.h"
+#include "peer_test.h"
+
+namespace limn::peers {
+namespace {
+
+constexpr int kLevels = 4;
+constexpr Index kLargeMesh = 60;  // faces; one level less
+
+/// How sharp what is sharp shall be.
+enum class Kind { infinite, whole, fractional };
+
+float random_sharpness(Kind kind, std::mt19937& random) {
+  std::uniform_int_distribution<int> integer(1, 4);
+  std::uniform_real_distribution<float> real(0.05F, 4.5F);
+  if (kind == Kind::infinite) return 10;
+  return kind == Kind::whole ? static_cast<float>(integer(random)) : real(random);
+}
+
+/// Tags of some of the edges, vertices and faces of a mesh.
+PeerTags random_tags(const Mesh& mesh, Kind kind, double share, unsigned seed) {
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> unit(0, 1);
+  PeerTags tags;
+  for (Index e = 0; e < mesh.edge_count(); ++e) {
+    if (unit(random) > share) continue;
+    const Index h = mesh.halfedge_of_edge(e);
+    tags.edges.push_back({mesh.origin(h), mesh.target(h)});
+    tags.edge_sharpness.push_back(random_sharpness(kind, random));
+  }
+  for (Index v = 0; v < mesh.vertex_count(); ++v) {
+    if (unit(random) > share / 3) continue;
+    tags.corners.push_back(v);
+    tags.corner_sharpness.push_back(random_sharpness(kind, random));
+  }
+  return tags;
+}
+
+Sharpness sharpness_of(const Mesh& mesh, const PeerTags& tags) {
+  Sharpness result;
+  result.edges.assign(static_cast<std::size_t>(mesh.edge_count()), 0);
+  result.vertices.assign(static_cast<std::size_t>(mesh.vertex_count()), 0);
+  std::size_t next = 0;  // tags stand in the order of edges
+  for (Index e = 0; e < mesh.edge_count() && next < tags.edges.size(); ++e) {
+    const Index h = mesh.halfedge_of_edge(e);
+    if (tags.edges[next] != std::array{mesh.origin(h), mesh.target(h)}) continue;
+    result.edges[static_cast<std::size_t>(e)] = static_cast<double>(tags.edge_sharpness[next++]);
+  }
+  EXPECT_EQ(next, tags.edges.size());
+  for (std::size_t i = 0; i < tags.corners.size(); ++i)
+    result.vertices[static_cast<std::size_t>(tags.corners[i])] =
+        static_cast<double>(tags.corner_sharpness[i]);
+  if (!tags.holes.empty()) result.holes.assign(static_cast<std::size_t>(mesh.face_count()), false);
+  for (const Index f : tags.holes) result.holes[static_cast<std::size_t>(f)] = true;
+  if (tags.chaikin) result.method = CreaseMethod::chaikin;
+  constexpr std::array modes{BoundaryMode::none, BoundaryMode::edge_only,
+                             BoundaryMode::edge_and_corner};
+  apply_boundary_mode(mesh, modes.at(static_cast<std::size_t>(tags.boundary)), result);
+  return result;
+}
+
+/// With all vertices, and the faces that are no holes, as the peer has them.
+Polygons refined_with(const Scheme& scheme, const Polygons& control, const PeerTags& tags,
+                      int levels) {
+  const Mesh mesh = Mesh::build(control).value();
+  const auto fine =
+      refine(scheme, mesh, control.positions, levels, {}, sharpness_of(mesh, tags)).value();
+  const Polygons all = fine.mesh.polygons(fine.values);
+  if (!fine.sharpness.has_holes()) return all;
+  Polygons result;
+  result.positions = all.positions;
+  for (Index f = 0; f < all.face_count(); ++f) {
+    if (fine.sharpness.holes[static_cast<std::size_t>(f)]) continue;
+    for (Index c = all.face_begin[static_cast<std::size_t>(f)];
+         c < all.face_begin[static_cast<std::size_t>(f) + 1]; ++c)
+      result.corners.push_back(all.corners[static_cast<std::size_t>(c)]);
+    result.face_begin.push_back(static_cast<Index>(result.corners.size()));
+  }
+  return result;
+}
+
+std::string difference_with(Method method, const Polygons& control, const PeerTags& tags, int level,
+                            double tolerance) {
+  const Scheme scheme = find_scheme(method == Method::loop ? "loop" : "catmull-clark").value();
+  const std::unique_ptr<Peer> peer = opensubdiv_peer(method, control, tags);
+  peer->refine(level);
+  return difference(refined_with(scheme, control, tags, level), peer->polygons(), tolerance);
+}
+
+std::vector<ControlMesh> meshes_for(Method method) {
+  std::vector<ControlMesh> all = method == Method::loop ? closed_triangles() : closed_polygons();
+  for (ControlMesh& mesh : method == Method::loop ? open_triangles() : open_polygons())
+    all.push_back(std::move(mesh));
+  std::erase_if(all, [](const ControlMesh& mesh) { return mesh.polygons.face_count() > 200; });
+  return all;
+}
+
+class Sharp : public ::testing::TestWithParam<Method> {
+ protected:
+  void compare(Kind kind, double tolerance,
+               const std::function<void(const Mesh&, PeerTags&, unsigned)>& change = {}) const {
+    unsigned seed = 7;
+    for (const ControlMesh& control : meshes_for(GetParam())) {
+      const Mesh mesh = Mesh::build(control.polygons).value();
+      for (const double share : {0.1, 0.5}) {
+        PeerTags tags = random_tags(mesh, kind, share, ++seed);
+        if (change) change(mesh, tags, seed);
+        const int levels = mesh.face_count() > kLargeMesh ? kLevels - 1 : kLevels;
+        for (int level = 1; level <= levels; ++level)
+          EXPECT_EQ(difference_with(GetParam(), control.polygons, tags, level, tolerance), "")
+              << control.name << ", share " << share << ", level " << level;
+      }
+    }
+  }
+};
+
+TEST_P(Sharp, InfiniteCreasesAndCorners) { compare(Kind::infinite, 1e-12); }
+TEST_P(Sharp, IntegerSharpness) { compare(Kind::whole, 1e-12); }
+TEST_P(Sharp, FractionalSharpness) { compare(Kind::fractional, 1e-6); }
+TEST_P(Sharp, Chaikin) {
+  compare(Kind::fractional, 1e-6,
+          [](const Mesh&, PeerTags& tags, unsigned) { tags.chaikin = true; });
+}
+TEST_P(Sharp, SharpCornersOfTheBoundary) {
+  compare(Kind::whole, 1e-12, [](const Mesh&, PeerTags& tags, unsigned) { tags.boundary = 2; });
+}
+TEST_P(Sharp, NoBoundary) {
+  compare(Kind::infinite, 1e-12, [](const Mesh&, PeerTags& tags, unsigned) { tags.boundary = 0; });
+}
+TEST_P(Sharp, Holes) {
+  compare(Kind::whole, 1e-12, [](const Mesh& mesh, PeerTags& tags, unsigned seed) {
+    std::mt19937 random(seed);
+    for (Index f = 1; f < mesh.face_count(); ++f)
+      if (random() % 4 == 0) tags.holes.push_back(f);
+  });
+}
+
+INSTANTIATE_TEST_SUITE_P(OpenSubdiv, Sharp, ::testing::Values(Method::loop, Method::catmull_clark),
+                         [](const auto& one) {
+                           return one.param == Method::loop ? "Loop" : "CatmullClark";
+                         });
+
+}  // namespace
+}  // namespace limn::peers
