@@ -29,7 +29,7 @@ struct CompareOptions {
   int steps = 4;
   FigureOutput output;
   ViewOptions view;
-  bool triangulate = false;
+  MeshPreparation preparation;
   bool differences = false;
   bool json = false;
 };
@@ -53,7 +53,7 @@ Status check(const CompareOptions& options) {
 Result<MeshComparison> compare_surfaces(const CompareOptions& options,
                                         const std::vector<LabelledScheme>& schemes,
                                         ProgressLine& line, MeshRemarks& remarks) {
-  Result<ControlMesh> control = load_control_mesh(options.mesh, options.triangulate);
+  Result<ControlMesh> control = load_control_mesh(options.mesh, options.preparation);
   if (!control) return control.error();
   MeshOptions mesh_options;
   mesh_options.steps = options.steps;
@@ -133,10 +133,7 @@ void declare_mesh(CLI::App& command, CompareOptions& options) {
       .declare(command, "also draw the surfaces, overlaid and coloured by their distance,")
       ->needs(mesh);
   options.view.declare(command);
-  command
-      .add_flag("--triangulate", options.triangulate,
-                "cut polygons into triangles first, concave ones too")
-      ->needs(mesh);
+  for (CLI::Option* const option : options.preparation.declare(command)) option->needs(mesh);
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "peer.h"
+#include "sharp_peer.h"
 
 namespace limn::peers {
 
@@ -49,8 +50,8 @@ inline bool osd_has(Method method) {
 }
 
 /// Boundaries are "edge only": cubic B-spline curves, corners rounded like the rest.
-inline std::unique_ptr<OpenSubdiv::Far::TopologyRefiner> osd_topology(Method method,
-                                                                      const Polygons& control) {
+inline std::unique_ptr<OpenSubdiv::Far::TopologyRefiner> osd_topology(
+    Method method, const Polygons& control, const SharpParts& sharp = {}) {
   namespace far = OpenSubdiv::Far;
   namespace sdc = OpenSubdiv::Sdc;
   std::vector<int> degrees;
@@ -60,6 +61,15 @@ inline std::unique_ptr<OpenSubdiv::Far::TopologyRefiner> osd_topology(Method met
   descriptor.numFaces = control.face_count();
   descriptor.numVertsPerFace = degrees.data();
   descriptor.vertIndicesPerFace = control.corners.data();
+  const float infinite = sdc::Crease::SHARPNESS_INFINITE;
+  const std::vector<float> corner_weights(sharp.vertices.size(), infinite);
+  const std::vector<float> crease_weights(sharp.edges.size(), infinite);
+  descriptor.numCorners = static_cast<int>(sharp.vertices.size());
+  descriptor.cornerVertexIndices = sharp.vertices.data();
+  descriptor.cornerWeights = corner_weights.data();
+  descriptor.numCreases = static_cast<int>(sharp.edges.size());
+  descriptor.creaseVertexIndexPairs = sharp.edges.empty() ? nullptr : sharp.edges.front().data();
+  descriptor.creaseWeights = crease_weights.data();
   sdc::Options options;
   options.SetVtxBoundaryInterpolation(sdc::Options::VTX_BOUNDARY_EDGE_ONLY);
   using Factory = far::TopologyRefinerFactory<far::TopologyDescriptor>;

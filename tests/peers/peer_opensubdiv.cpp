@@ -16,8 +16,9 @@ namespace far = OpenSubdiv::Far;
 template <class Real>
 class OpenSubdivPeer final : public Peer {
  public:
-  OpenSubdivPeer(Method method, const Polygons& control)
-      : refiner_(osd_topology(method, control)), points_(osd_points<Real>(control.positions)) {}
+  OpenSubdivPeer(Method method, const Polygons& control, const SharpParts& sharp = {})
+      : refiner_(osd_topology(method, control, sharp)),
+        points_(osd_points<Real>(control.positions)) {}
 
   void refine(int levels) override {
     far::TopologyRefiner::UniformOptions uniform(levels);
@@ -79,6 +80,12 @@ std::unique_ptr<Peer> opensubdiv_peer(Method method, const Polygons& control, Pr
   if (precision == Precision::double_float)
     return std::make_unique<OpenSubdivPeer<double>>(method, control);
   return std::make_unique<OpenSubdivPeer<float>>(method, control);
+}
+
+std::unique_ptr<Peer> sharp_opensubdiv_peer(Method method, const Polygons& control,
+                                            const SharpParts& sharp) {
+  if (!osd_has(method)) return nullptr;
+  return std::make_unique<OpenSubdivPeer<double>>(method, control, sharp);
 }
 
 }  // namespace limn::peers
