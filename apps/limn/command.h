@@ -34,6 +34,7 @@ using Declare = void (*)(CLI::App& parser, Action& action);
 void declare_schemes(CLI::App& parser, Action& action);
 void declare_show(CLI::App& parser, Action& action);
 void declare_refine(CLI::App& parser, Action& action);
+void declare_check(CLI::App& parser, Action& action);
 void declare_draw(CLI::App& parser, Action& action);
 void declare_artifacts(CLI::App& parser, Action& action);
 void declare_eigen(CLI::App& parser, Action& action);

@@ -30,7 +30,7 @@ struct CompareOptions {
   int steps = 4;
   FigureOutput output;
   ViewOptions view;
-  bool triangulate = false;
+  MeshPreparation preparation;
   bool differences = false;
   bool all = false;       ///< the shipped schemes, before those that are named
   bool markdown = false;  ///< the table of `all`
@@ -62,7 +62,7 @@ Status check(const CompareOptions& options) {
 Result<MeshComparison> compare_surfaces(const CompareOptions& options,
                                         const std::vector<LabelledScheme>& schemes,
                                         ProgressLine& line, MeshRemarks& remarks) {
-  Result<ControlMesh> control = load_control_mesh(options.mesh, options.triangulate);
+  Result<ControlMesh> control = load_control_mesh(options.mesh, options.preparation);
   if (!control) return control.error();
   MeshOptions mesh_options;
   mesh_options.steps = options.steps;
@@ -153,10 +153,7 @@ void declare_mesh(CLI::App& command, CompareOptions& options) {
       "also draw the surfaces over --mesh, overlaid and coloured by their distance, or with "
       "--all every scheme by smoothness and sampling density,");
   options.view.declare(command);
-  command
-      .add_flag("--triangulate", options.triangulate,
-                "cut polygons into triangles first, concave ones too")
-      ->needs(mesh);
+  for (CLI::Option* const option : options.preparation.declare(command)) option->needs(mesh);
 }
 
 }  // namespace

@@ -29,7 +29,7 @@ struct DrawOptions {
   int lights = 32;
   bool net = false;
   ViewOptions view;
-  bool triangulate = false;
+  MeshPreparation preparation;
   bool json = false;
 };
 
@@ -41,7 +41,7 @@ struct Drawing {
 };
 
 Result<Drawing> drawing_of(const DrawOptions& options, const Scheme& scheme) {
-  Result<ControlMesh> control = load_control_mesh(options.mesh, options.triangulate);
+  Result<ControlMesh> control = load_control_mesh(options.mesh, options.preparation);
   if (!control) return control.error();
   LimitGaps gaps;
   if (Status status = check_drawable(scheme, control->mesh, options.levels); !status)
@@ -139,8 +139,7 @@ void declare_draw(CLI::App& parser, Action& action) {
   options->output.declare(*command, "draw")->required();
   options->scheme.declare_parameters(*command);
   declare_look(*command, *options);
-  command->add_flag("--triangulate", options->triangulate,
-                    "cut polygons into triangles first, concave ones too");
+  options->preparation.declare(*command);
   command->add_flag("--json", options->json, "print one JSON object");
   command->footer(
       "Example: limn draw mesh.obj -s loop -o surface.png\n"

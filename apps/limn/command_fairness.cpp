@@ -24,7 +24,7 @@ struct FairnessCommand {
   int levels = 0;
   std::string chart;
   std::string spectrum;  // a file, or how many frequencies to print
-  bool triangulate = false;
+  MeshPreparation preparation;
   bool json = false;
 };
 
@@ -124,7 +124,7 @@ int print_fairness(const FairnessCommand& options) {
   const Result<std::vector<NamedScheme>> schemes =
       scheme_arguments(options.schemes, options.common.parameters);
   if (!schemes) return report(schemes.error());
-  Result<ControlMesh> control = load_control_mesh(options.mesh, options.triangulate);
+  Result<ControlMesh> control = load_control_mesh(options.mesh, options.preparation);
   if (!control) return report(control.error());
   const Result<std::vector<FairnessRecord>> records = measure(options, *schemes, *control);
   if (!records) return report(records.error());
@@ -179,8 +179,7 @@ void declare_fairness(CLI::App& parser, Action& action) {
                       "FILE ({})",
                       kFigureFiles))
       ->type_name("K|FILE");
-  command->add_flag("--triangulate", options->triangulate,
-                    "cut polygons into triangles first, concave ones too");
+  options->preparation.declare(*command);
   command->add_flag("--json", options->json, "print one JSON object");
   command->footer(
       "Example: limn fairness mesh.obj -s loop -s optimal -s laplacian-butterfly:b=1/8\n"

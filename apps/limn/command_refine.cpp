@@ -33,7 +33,7 @@ struct RefineOptions {
   bool normals = false;
   std::string curvatures;
   bool overwrite = false;
-  bool triangulate = false;
+  MeshPreparation preparation;
   bool json = false;
   std::string engine = "quick";
   SharpnessOptions sharpness;
@@ -167,7 +167,7 @@ Result<RefinedFile> refine_then_write(const RefineOptions& options, const Scheme
 Result<RefinedFile> refine_into_output(const RefineOptions& options, const Scheme& scheme,
                                        ControlMesh& control, ProgressLine& line) {
   SurfaceOptions wanted = wanted_of(options, line);
-  Result<Sharpness> sharpness = options.sharpness.of(control);
+  Result<Sharpness> sharpness = options.sharpness.of(control, scheme, wanted.of_limit());
   if (!sharpness) return sharpness.error();
   wanted.sharpness = *std::move(sharpness);
   const std::string& path = options.output.path;
@@ -182,21 +182,12 @@ Result<RefinedFile> refine_into_output(const RefineOptions& options, const Schem
   return refine_then_write(options, scheme, control, wanted, line);
 }
 
-/// A refined mesh in place of its control mesh cannot be taken back.
-Status check_keeps_input(const RefineOptions& options) {
-  const std::string& out = options.output.path;
-  if (options.overwrite || options.mesh == kStandardStream || is_standard_output(out) ||
-      !is_same_output(options.mesh, out))
-    return Done{};
-  return Error{fmt::format("the output {} is the control mesh itself", printable(out)),
-               "give it another name, or replace the control mesh by --overwrite"};
-}
-
 int refine_mesh(const RefineOptions& options) {
   // what can be refused at once is refused before any work
   if (Status status = check_mesh_path(options.mesh); !status) return report(status.error());
   if (Status status = options.output.check(options.json); !status) return report(status.error());
-  if (Status status = check_keeps_input(options); !status) return report(status.error());
+  if (Status status = options.output.check_keeps(options.mesh, options.overwrite); !status)
+    return report(status.error());
   if (!options.curvatures.empty() && !is_table_path(options.curvatures))
     return report({fmt::format("--curvatures: '{}' is no table", options.curvatures),
                    "it ends in .csv or .json"});
@@ -205,7 +196,7 @@ int refine_mesh(const RefineOptions& options) {
   const Result<Scheme> scheme = options.scheme.load();
   if (!scheme) return report(scheme.error());
   Result<ControlMesh> control =
-      load_control_mesh(options.mesh, options.triangulate, options.sharpness.use());
+      load_control_mesh(options.mesh, options.preparation, options.sharpness.use());
   if (!control) return report(control.error());
 
   ProgressLine line;
@@ -231,7 +222,7 @@ void declare_refine(CLI::App& parser, Action& action) {
   command->add_option("-n,--levels", options->levels, "refinement steps")
       ->capture_default_str()
       ->check(CLI::Range(0, 64));
-  options->output.declare(*command);
+  options->output.declare(*command, "write the refined mesh")->required();
   options->scheme.declare_parameters(*command);
   command->add_flag("--limit", options->limit, "move the refined vertices to the limit surface");
   command->add_flag(
@@ -246,8 +237,7 @@ void declare_refine(CLI::App& parser, Action& action) {
       ->type_name("FILE");
   command->add_flag("--overwrite", options->overwrite,
                     "the output may be MESH itself, which is replaced");
-  command->add_flag("--triangulate", options->triangulate,
-                    "cut polygons into triangles first, concave ones too");
+  options->preparation.declare(*command);
   command
       ->add_option("--engine", options->engine,
                    "quick: grids on the control faces; plain: step by step. The same surface to "

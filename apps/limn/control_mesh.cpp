@@ -1,6 +1,8 @@
 #include "control_mesh.h"
 
 #include <cstdio>
+
+#include <fmt/core.h>
 #include <nlohmann/json.hpp>
 #include <utility>
 
@@ -9,16 +11,22 @@
 #include "limn/mesh/io/mesh_file.h"
 #include "limn/mesh/mesh_faults.h"
 #include "limn/mesh/polygon/triangulate.h"
+#include "limn/mesh/repair/survey.h"
 
 namespace limn::app {
 namespace {
 
-Result<MeshFile> read_named(const std::string& path) {
-  set_step("reading " + path);
-  if (path != kStandardStream) return read_mesh_file(path);
-  const Result<std::string> content = take_standard_input();
-  if (!content) return content.error();
-  return parse_mesh_file(*content, "", "standard input");
+/// That the mesh looks unwelded.
+void warn_of_open_seams(const Mesh& mesh, MeshFile& file) {
+  const OpenSeams seams = open_seams(mesh, file.polygons.positions);
+  if (seams.edges == 0) return;
+  file.warnings.push_back(
+      {fmt::format("the mesh looks unwelded: {} lie where others do, and joining them would close "
+                   "{} of its boundary edges in pairs",
+                   seams.vertices == 1 ? "1 vertex of its boundary"
+                                       : fmt::format("{} vertices of its boundary", seams.vertices),
+                   2 * seams.edges),
+       "--weld joins them", file.source.file, 0, 0});
 }
 
 void report_notes(const Warnings& notes) {
@@ -33,36 +41,87 @@ Status check_mesh_path(const std::string& path) {
   return check_readable(path);
 }
 
-Result<ControlMesh> load_control_mesh(const std::string& path, bool triangulate, TagUse use) {
-  Result<MeshFile> file = read_named(path);
-  if (!file) return file.error();
-  if (use == TagUse::leave_out) file->leave_out_tags();
-  Warnings& warnings = file->warnings;
-  const MeshSource source = file->source;
-  Polygons uncut;
-  if (triangulate) {
-    Result<Triangulation> cut = limn::triangulate(file->polygons);
+namespace {
+
+/// What a cut holds sharp, for ever.
+SharpnessTags sharp_cuts(const Repaired& repaired) {
+  SharpnessTags tags;
+  for (const Index v : repaired.sharp_vertices) tags.corners.push_back({v, kInfinitelySharp});
+  for (const auto& [a, b] : repaired.sharp_edges)
+    tags.creases.push_back({{a, b}, {kInfinitelySharp}});
+  return tags;
+}
+
+}  // namespace
+
+Result<MeshFile> read_mesh_argument(const std::string& path, const ReadOptions& options) {
+  set_step("reading " + path);
+  if (path != kStandardStream) return read_mesh_file(path, options);
+  const Result<std::string> content = take_standard_input();
+  if (!content) return content.error();
+  return parse_mesh_file(*content, "", "standard input", options);
+}
+
+Result<Prepared> prepare(MeshFile& file, const MeshPreparation& preparation) {
+  Prepared prepared;
+  if (const RepairOptions asked = preparation.repair(); asked.any()) {
+    Result<Repaired> repaired = repair(file.polygons, asked);
+    if (!repaired) {
+      repaired.error().file = file.source.file;
+      return repaired.error();
+    }
+    file.source = source_of(*repaired, file.source);
+    file.polygons = std::move(repaired->polygons);
+    prepared = {std::move(repaired->done), sharp_cuts(*repaired)};
+  }
+  if (preparation.triangulate) {
+    Result<Triangulation> cut = limn::triangulate(file.polygons);
     if (!cut) {
-      cut.error().file = path;
+      cut.error().file = file.source.file;
       return cut.error();
     }
-    for (Error& warning : warnings_of(*cut, source)) warnings.push_back(std::move(warning));
-    file->source = source_of(*cut, source);
-    uncut = std::exchange(file->polygons, std::move(cut->polygons));
+    for (Error& warning : warnings_of(*cut, file.source))
+      file.warnings.push_back(std::move(warning));
+    file.source = source_of(*cut, file.source);
+    file.polygons = std::move(cut->polygons);
   }
-  Result<Mesh> mesh = build_mesh(file->polygons, file->source, &warnings);
+  Warnings notes;
+  for (const RepairStep& step : prepared.done)
+    notes.push_back({"repaired: " + step.text, "", file.source.file, 0, 0});
+  report_notes(notes);
+  return prepared;
+}
+
+void report_remarks(const MeshFile& file) {
+  report_warnings(file.warnings);
+  report_notes(file.notes());
+}
+
+Result<ControlMesh> load_control_mesh(const std::string& path, const MeshPreparation& preparation,
+                                      TagUse use) {
+  Result<MeshFile> file = read_mesh_argument(path);
+  if (!file) return file.error();
+  if (use == TagUse::leave_out) file->leave_out_tags();
+  MeshFile uncut;
+  if (preparation.triangulate) uncut = *file;
+  Result<Prepared> prepared = prepare(*file, preparation);
+  if (!prepared) return prepared.error();
+  Result<Mesh> mesh = build_mesh(file->polygons, file->source, &file->warnings);
   // A fault of the polygons is named once, not for each triangle of them.
-  if (!mesh && triangulate) {
-    if (Result<Mesh> polygons = build_mesh(uncut, source); !polygons) mesh = std::move(polygons);
+  if (!mesh && preparation.triangulate && !preparation.repair().any()) {
+    if (Result<Mesh> polygons = build_mesh(uncut.polygons, uncut.source); !polygons)
+      mesh = std::move(polygons);
   }
-  report_warnings(warnings);
-  report_notes(file->notes());
+  if (mesh && !preparation.repair().weld) warn_of_open_seams(*mesh, *file);
+  report_remarks(*file);
   if (!mesh) return mesh.error();
-  return ControlMesh{std::move(*mesh),
-                     std::move(file->polygons.positions),
-                     {std::move(warnings), std::move(file->left_out)},
-                     std::move(file->source),
-                     std::move(file->tags)};
+  return ControlMesh{
+      std::move(*mesh),
+      std::move(file->polygons.positions),
+      {std::move(file->warnings), std::move(file->left_out), std::move(prepared->done)},
+      std::move(file->source),
+      std::move(file->tags),
+      std::move(prepared->cut_tags)};
 }
 
 void add_warnings(MeshRemarks& remarks, const Warnings& warnings) {
@@ -82,6 +141,9 @@ void add_remarks(nlohmann::ordered_json& json, const MeshRemarks& remarks) {
     json["left_out"].push_back(
         {{"what", kind.what}, {"count", kind.count}, {"unit", kind.unit}, {"line", kind.line}});
   }
+  json["repaired"] = nlohmann::ordered_json::array();
+  for (const RepairStep& step : remarks.repaired)
+    json["repaired"].push_back({{"what", step.what}, {"count", step.count}, {"text", step.text}});
 }
 
 }  // namespace limn::app

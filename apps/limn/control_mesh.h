@@ -8,13 +8,16 @@
 #include "limn/base/error.h"
 #include "limn/mesh/io/mesh_file.h"
 #include "limn/mesh/mesh.h"
+#include "limn/mesh/repair/repair.h"
+#include "mesh_preparation.h"
 
 namespace limn::app {
 
 /// What a mesh file gives reason to say.
 struct MeshRemarks {
-  Warnings warnings;              ///< of the file, of the mesh, and of what is made of it
-  std::vector<LeftOut> left_out;  ///< content of the file that limn does not keep
+  Warnings warnings;                      ///< of the file, of the mesh, and of what is made of it
+  std::vector<LeftOut> left_out;          ///< content of the file that limn does not keep
+  std::vector<RepairStep> repaired = {};  ///< what was done to the mesh, as asked
 };
 
 struct ControlMesh {
@@ -22,7 +25,8 @@ struct ControlMesh {
   std::vector<Point3> points;
   MeshRemarks remarks;
   MeshSource source;
-  SharpnessTags tags;  ///< where the caller has asked for them
+  SharpnessTags tags;      ///< of the file, where the caller has asked for them
+  SharpnessTags cut_tags;  ///< see Prepared
 };
 
 /// Whether a command knows what to do with sharp edges and corners; the others leave them out, and
@@ -39,14 +43,32 @@ inline constexpr const char* kMeshArgumentHelp =
 /// Warns on standard error, and keeps the warnings for `add_remarks`.
 void add_warnings(MeshRemarks& remarks, const Warnings& warnings);
 
-/// Adds "warnings", a list of message and line (and file, where no line is known), and "left_out",
-/// a list of what, count, unit and line; line 0: none is known.
+/// Adds "warnings", a list of message and line (and file, where no line is known), "left_out", a
+/// list of what, count, unit and line, and "repaired", a list of what, count and text; line 0: none
+/// is known.
 void add_remarks(nlohmann::ordered_json& json, const MeshRemarks& remarks);
 
-/// Reads a mesh file or standard input, cuts its polygons into triangles if asked to, and builds
-/// the mesh. Warnings and notes go to standard error; errors speak in the numbers and lines of the
-/// file.
-[[nodiscard]] Result<ControlMesh> load_control_mesh(const std::string& path, bool triangulate,
+/// Reads a mesh file or standard input.
+[[nodiscard]] Result<MeshFile> read_mesh_argument(const std::string& path,
+                                                  const ReadOptions& options = {});
+
+/// What was done to a mesh before it is used.
+struct Prepared {
+  std::vector<RepairStep> done;  ///< by repair
+  SharpnessTags cut_tags;        ///< what it cut and holds sharp, by numbers of the mesh
+};
+
+/// Repairs a mesh and cuts its polygons into triangles, as asked, and says so in `warnings` and on
+/// standard error.
+[[nodiscard]] Result<Prepared> prepare(MeshFile& file, const MeshPreparation& preparation);
+
+/// What reading gave reason to say, on standard error.
+void report_remarks(const MeshFile& file);
+
+/// Reads a mesh file or standard input, prepares it as asked, and builds the mesh. Warnings and
+/// notes go to standard error; errors speak in the numbers and lines of the file.
+[[nodiscard]] Result<ControlMesh> load_control_mesh(const std::string& path,
+                                                    const MeshPreparation& preparation,
                                                     TagUse use = TagUse::leave_out);
 
 }  // namespace limn::app

@@ -4,22 +4,34 @@
 #include <cctype>
 #include <cstdio>
 
+#include <fmt/core.h>
+
 #include "limn/base/files/file.h"
+#include "limn/base/printable.h"
 
 namespace limn::app {
 
-void MeshOutput::declare(CLI::App& command) {
-  command
-      .add_option("-o,--output", path,
-                  "write the refined mesh to FILE (.obj, .off, .ply, .stl or .glb; - is standard "
-                  "output)")
-      ->type_name("FILE")
-      ->required();
+CLI::Option* MeshOutput::declare(CLI::App& command, const std::string& written) {
+  CLI::Option* const output =
+      command
+          .add_option("-o,--output", path,
+                      written + " to FILE (.obj, .off, .ply, .stl or .glb; - is standard output)")
+          ->type_name("FILE");
   command
       .add_option("--format", format,
                   "obj, off, ply, stl or glb, whatever the output is called (default: its "
                   "extension, or obj on standard output)")
-      ->type_name("FORMAT");
+      ->type_name("FORMAT")
+      ->needs(output);
+  return output;
+}
+
+Status MeshOutput::check_keeps(const std::string& mesh, bool overwrite) const {
+  if (overwrite || mesh == kStandardStream || is_standard_output(path) ||
+      !is_same_output(mesh, path))
+    return Done{};
+  return Error{fmt::format("the output {} is the control mesh itself", printable(path)),
+               "give it another name, or replace the control mesh by --overwrite"};
 }
 
 bool MeshOutput::is_printed() const { return is_standard_output(path); }

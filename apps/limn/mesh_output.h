@@ -13,8 +13,11 @@ struct MeshOutput {
   std::string path;
   std::string format;  ///< an extension; empty: that of `path`, or OBJ on standard output
 
-  /// -o and --format.
-  void declare(CLI::App& command);
+  /// -o and --format; `written`: "write the refined mesh". Returns -o.
+  CLI::Option* declare(CLI::App& command, const std::string& written);
+
+  /// That it is not the mesh itself, which could not be had back, but where `overwrite` allows it.
+  [[nodiscard]] Status check_keeps(const std::string& mesh, bool overwrite) const;
 
   /// Whether the mesh itself is what standard output gets, so that a report must go elsewhere.
   [[nodiscard]] bool is_printed() const;

@@ -2,6 +2,7 @@
 
 #include <fmt/core.h>
 
+#include "limn/refine/crease_step.h"
 #include "limn/surface/tags_file.h"
 
 namespace limn::app {
@@ -49,8 +50,28 @@ void SharpnessOptions::declare(CLI::App& command) {
       ->check(CLI::IsMember(words(crease_methods())));
 }
 
-Result<Sharpness> SharpnessOptions::of(ControlMesh& control) const {
+namespace {
+
+/// What keeps a cut mesh's copies together [DeRoseKassTruong1998; OpenSubdiv].
+void add_cuts(ControlMesh& control, const Scheme& scheme, bool of_limit, Sharpness& sharpness) {
+  if (control.cut_tags.empty()) return;
+  Status takes = apply_tags(control.mesh, {}, control.cut_tags, sharpness);
+  if (takes.ok()) takes = check_takes_sharpness(scheme, sharpness);
+  if (takes.ok() && of_limit) takes = Error{"limits beside what is sharp are not known"};
+  if (takes.ok()) return;
+  add_warnings(
+      control.remarks,
+      {{fmt::format("vertices that were cut are not held in place: {}", takes.error().message),
+        "sheets that met in one vertex may part there"}});
+  sharpness = {};
+}
+
+}  // namespace
+
+Result<Sharpness> SharpnessOptions::of(ControlMesh& control, const Scheme& scheme,
+                                       bool of_limit) const {
   Sharpness sharpness;
+  add_cuts(control, scheme, of_limit, sharpness);
   BoundaryMode mode = BoundaryMode::edge_only;
   const auto add = [&](const SharpnessTags& tags) -> Status {
     if (tags.boundary) mode = *tags.boundary;

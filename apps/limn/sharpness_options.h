@@ -5,6 +5,7 @@
 #include <string>
 
 #include "control_mesh.h"
+#include "limn/scheme/scheme.h"
 
 namespace limn::app {
 
@@ -19,8 +20,10 @@ struct SharpnessOptions {
   /// Whether the mesh file's own tags count.
   [[nodiscard]] TagUse use() const { return no_tags ? TagUse::leave_out : TagUse::keep; }
   /// All of it together: what is stated later counts, in the order mesh file, --tags,
-  /// --crease-angle; options count more than files.
-  [[nodiscard]] Result<Sharpness> of(ControlMesh& control) const;
+  /// --crease-angle; options count more than files. What a cut mesh holds sharp comes first, where
+  /// the scheme takes it and nothing of the limit is wanted; else a warning says that it is smooth.
+  [[nodiscard]] Result<Sharpness> of(ControlMesh& control, const Scheme& scheme,
+                                     bool of_limit) const;
 };
 
 }  // namespace limn::app

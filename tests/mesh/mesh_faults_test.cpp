@@ -37,8 +37,8 @@ std::string points(int count) {
 TEST(MeshFaults, ARepeatedFaceIsCalledRepeated) {
   const Error once = said(points(3) + "f 1 2 3\nf 1 2 3\n");
   EXPECT_EQ(once.text(),
-            "m.obj:5: face 2 is face 1 once more (remove the repeated faces; vertices, faces and "
-            "corners count from 1, as in the file)");
+            "m.obj:5: face 2 is face 1 once more (remove the repeated faces: --repair does; "
+            "vertices, faces and corners count from 1, as in the file)");
   EXPECT_EQ(said(points(3) + "f 1 2 3\nf 3 1 2\n").message, "face 2 is face 1 once more");
   // Turned over it is a closed surface of two faces; on a larger surface it is a copy.
   EXPECT_EQ(said(points(3) + "f 1 2 3\nf 3 2 1\n").message, "");
@@ -70,7 +70,7 @@ TEST(MeshFaults, SpeaksInTheNumbersAndLinesOfTheFile) {
       flipped.message,
       "3 faults keep the mesh from being a surface:\n"
       "  3 edges are run through in the same direction by both their faces: reverse the corners "
-      "of face 4 (line 8)\n"
+      "of face 4 (line 8): --orient does\n"
       "    faces 1 (line 5) and 4 (line 8) both run from vertex 1 to vertex 3: one of them is "
       "flipped\n"
       "    faces 2 (line 6) and 4 (line 8) both run from vertex 4 to vertex 1: one of them is "
@@ -81,6 +81,7 @@ TEST(MeshFaults, SpeaksInTheNumbersAndLinesOfTheFile) {
   EXPECT_NE(moebius.message.find("one-sided"), std::string::npos);
   EXPECT_NE(moebius.hint.find("must be cut open"), std::string::npos);
   EXPECT_EQ(moebius.hint.find("reverse"), std::string::npos);
+  EXPECT_NE(moebius.hint.find("--cut does"), std::string::npos);
 }
 
 TEST(MeshFaults, AllAtOnceWithTheFirstFewOfEachKind) {

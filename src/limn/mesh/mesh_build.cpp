@@ -126,7 +126,7 @@ std::string list(const std::vector<Index>& items, Index first_number) {
 void warn_of_isolated(const Mesh& mesh, const MeshSource& source, Warnings& warnings) {
   std::vector<Index> isolated;
   for (Index v = 0; v < mesh.vertex_count(); ++v)
-    if (mesh.is_isolated(v)) isolated.push_back(v);
+    if (mesh.is_isolated(v)) isolated.push_back(source.file_vertex(v));
   if (isolated.empty()) return;
   const bool one = isolated.size() == 1;
   Error warning;

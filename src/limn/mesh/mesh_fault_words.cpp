@@ -21,24 +21,35 @@ constexpr KindWords kWords[] = {
     {Kind::offsets, "list of face offsets is wrong", "",
      "face_begin holds one offset more than there are faces"},
     {Kind::few_corners, "face has less than 3 corners", "faces have less than 3 corners",
-     "remove such faces"},
+     "remove such faces: --repair does"},
     {Kind::out_of_range, "corner is no vertex", "corners are no vertices",
      "let faces use vertices that there are"},
     {Kind::repeated_corner, "face meets a vertex twice", "times a face meets a vertex twice",
-     "remove the repeated corner, or cut the face in two there"},
-    {Kind::repeated_face, "face is repeated", "faces are repeated", "remove the repeated faces"},
+     "remove the repeated corner, or cut the face in two there: --repair does"},
+    {Kind::repeated_face, "face is repeated", "faces are repeated",
+     "remove the repeated faces: --repair does"},
     {Kind::crowded_edge, "edge lies in more than 2 faces", "edges lie in more than 2 faces",
-     "remove the extra faces, or give each sheet its own copies of the two vertices"},
+     "remove the extra faces, or give each sheet its own copies of the two vertices: --cut does"},
     {Kind::flipped_edge, "edge is run through in the same direction by both its faces",
      "edges are run through in the same direction by both their faces", ""},
     {Kind::several_fans, "vertex has faces that form more than one fan",
-     "vertices have faces that form more than one fan", "give each fan its own copy of the vertex"},
+     "vertices have faces that form more than one fan",
+     "give each fan its own copy of the vertex: --cut does"},
 };
 
 const KindWords& words_of(Kind kind) {
   return *std::find_if(std::begin(kWords), std::end(kWords),
                        [&](const KindWords& words) { return words.kind == kind; });
 }
+
+}  // namespace
+
+std::string count_of(Kind kind, std::size_t count) {
+  const KindWords& words = words_of(kind);
+  return std::to_string(count) + " " + (count == 1 ? words.one : words.many);
+}
+
+namespace {
 
 class Words {
  public:
@@ -68,29 +79,18 @@ class Words {
     return error;
   }
 
- private:
   using Iterator = std::vector<MeshFault>::const_iterator;
-
-  [[nodiscard]] std::string group(Iterator first, Iterator last) const {
-    const auto count = static_cast<std::size_t>(last - first);
-    const KindWords& words = words_of(first->kind);
-    std::string text = "\n  " + std::to_string(count) + " " +
-                       (count == 1 ? words.one : words.many) + ": " + remedy(first, last);
-    for (std::size_t k = 0; k < std::min(count, kListed); ++k)
-      text += "\n    " + sentence(first[static_cast<std::ptrdiff_t>(k)], true);
-    if (count > kListed) text += "\n    and " + std::to_string(count - kListed) + " more";
-    return text;
-  }
 
   [[nodiscard]] std::string remedy(Iterator first, Iterator last) const {
     if (first->kind != Kind::flipped_edge) return words_of(first->kind).remedy;
     const bool some_one_sided = std::any_of(first, last, [](const auto& f) { return f.one_sided; });
     const bool all_one_sided = std::all_of(first, last, [](const auto& f) { return f.one_sided; });
     std::string text;
-    if (!all_one_sided) text = "reverse the corners of " + face_list(faults_.to_reverse);
+    if (!all_one_sided)
+      text = "reverse the corners of " + face_list(faults_.to_reverse) + ": --orient does";
     if (some_one_sided) {
       if (!text.empty()) text += "; ";
-      text += "a one-sided surface, like a Möbius band, must be cut open";
+      text += "a one-sided surface, like a Möbius band, must be cut open: --cut does";
     }
     return text;
   }
@@ -125,6 +125,16 @@ class Words {
            "): the surface only touches itself there";
   }
 
+ private:
+  [[nodiscard]] std::string group(Iterator first, Iterator last) const {
+    const auto count = static_cast<std::size_t>(last - first);
+    std::string text = "\n  " + count_of(first->kind, count) + ": " + remedy(first, last);
+    for (std::size_t k = 0; k < std::min(count, kListed); ++k)
+      text += "\n    " + sentence(first[static_cast<std::ptrdiff_t>(k)], true);
+    if (count > kListed) text += "\n    and " + std::to_string(count - kListed) + " more";
+    return text;
+  }
+
   [[nodiscard]] std::string out_of_range(const MeshFault& fault, const std::string& named) const {
     const Index count = polygons_.vertex_count();
     const std::string text = "corner " + std::to_string(fault.corner + source_.first) +
@@ -136,12 +146,9 @@ class Words {
 
   // in 64 bits: the vertex may be no vertex
   [[nodiscard]] std::string vertex(Index v) const {
-    return std::to_string(std::int64_t{v} + source_.first);
+    return std::to_string(std::int64_t{source_.file_vertex(v)} + source_.first);
   }
-  [[nodiscard]] int line_of(Index f) const {
-    const auto at = static_cast<std::size_t>(source_.file_face(f));
-    return at < source_.face_lines.size() ? source_.face_lines[at] : 0;
-  }
+  [[nodiscard]] int line_of(Index f) const { return source_.face_line(f); }
   [[nodiscard]] std::string face(Index f, bool with_line) const {
     std::string text = std::to_string(source_.file_face(f) + source_.first);
     if (const int line = line_of(f); with_line && line > 0)
@@ -181,6 +188,19 @@ class Words {
 };
 
 }  // namespace
+
+std::string sentence_of(const MeshFault& fault, const Polygons& polygons,
+                        const MeshSource& source) {
+  return Words({}, polygons, source).sentence(fault, true);
+}
+
+std::string remedy_of(const MeshFaults& faults, Kind kind, const Polygons& polygons,
+                      const MeshSource& source) {
+  const auto is_kind = [kind](const MeshFault& fault) { return fault.kind == kind; };
+  const auto first = std::find_if(faults.list.begin(), faults.list.end(), is_kind);
+  const auto last = std::find_if_not(first, faults.list.end(), is_kind);
+  return first == last ? "" : Words(faults, polygons, source).remedy(first, last);
+}
 
 Error error_of(const MeshFaults& faults, const Polygons& polygons, const MeshSource& source) {
   return Words(faults, polygons, source).error();

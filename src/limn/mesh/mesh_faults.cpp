@@ -1,13 +1,22 @@
 #include "limn/mesh/mesh_faults.h"
 
 #include <algorithm>
-#include <cstdint>
-#include <numeric>
+
+#include "limn/mesh/edge_sides.h"
+#include "limn/mesh/joined_sets.h"
 
 namespace limn {
 namespace {
 
 using Kind = MeshFault::Kind;
+using detail::EdgeSide;
+using detail::for_each_edge;
+using detail::high_end;
+using detail::is_flipped;
+using detail::join_fans;
+using detail::low_end;
+using detail::next_corner;
+using detail::sorted_sides;
 
 bool has_offsets(const Polygons& polygons) {
   const auto& begin = polygons.face_begin;
@@ -15,46 +24,6 @@ bool has_offsets(const Polygons& polygons) {
          static_cast<std::size_t>(begin.back()) == polygons.corners.size() &&
          std::is_sorted(begin.begin(), begin.end());
 }
-
-/// Sets of things that are joined pair by pair; each has a parity relative to its set's root.
-class Sets {
- public:
-  explicit Sets(Index count) : parent_(static_cast<std::size_t>(count)), parity_(parent_.size()) {
-    std::iota(parent_.begin(), parent_.end(), 0);
-  }
-
-  Index root(Index i) {
-    Index top = i;
-    char parity = 0;
-    for (; parent_[top] != top; top = parent_[top]) parity ^= parity_[top];
-    while (parent_[i] != top) {  // the whole way points at the root from now on
-      const Index above = parent_[i];
-      const char rest = parity ^ parity_[i];
-      parent_[i] = top;
-      parity_[i] = parity;
-      parity = rest;
-      if (above == top) break;
-      i = above;
-    }
-    return top;
-  }
-  /// Relative to the root; precondition: `root(i)` was called after the last `join`.
-  [[nodiscard]] bool parity(Index i) const { return parity_[i] != 0; }
-
-  /// False where the two are in one set already, with another parity between them.
-  bool join(Index i, Index k, bool parity) {
-    const Index a = root(i), b = root(k);
-    const char between = static_cast<char>(parity_[i] ^ parity_[k] ^ (parity ? 1 : 0));
-    if (a == b) return between == 0;
-    parent_[b] = a;
-    parity_[b] = between;
-    return true;
-  }
-
- private:
-  std::vector<Index> parent_;
-  std::vector<char> parity_;
-};
 
 class FaultFinder {
  public:
@@ -77,11 +46,6 @@ class FaultFinder {
   }
 
  private:
-  struct Side {  ///< a half-edge by its edge
-    std::uint64_t edge;
-    Index face, corner;
-  };
-
   MeshFault& add(Kind kind, std::vector<Index> faces, Index v = kNone, Index w = kNone) {
     MeshFault fault;
     fault.kind = kind;
@@ -91,9 +55,7 @@ class FaultFinder {
     return faults_.list.back();
   }
 
-  [[nodiscard]] Index next(Index f, Index c) const {
-    return c + 1 < begin_[f + 1] ? c + 1 : begin_[f];
-  }
+  [[nodiscard]] Index next(Index f, Index c) const { return next_corner(polygons_, f, c); }
   [[nodiscard]] Index vertex(Index corner) const { return polygons_.corners[corner]; }
 
   void check_faces() {
@@ -184,41 +146,15 @@ class FaultFinder {
     out_[copy] = 1;
   }
 
-  [[nodiscard]] std::vector<Side> sorted_sides() const {
-    std::vector<Side> sides;
-    for (Index f = 0; f < polygons_.face_count(); ++f) {
-      if (out_[f] != 0) continue;
-      for (Index c = begin_[f]; c < begin_[f + 1]; ++c) {
-        const auto v = static_cast<std::uint64_t>(vertex(c));
-        const auto w = static_cast<std::uint64_t>(vertex(next(f, c)));
-        sides.push_back({std::min(v, w) << 32U | std::max(v, w), f, c});
-      }
-    }
-    std::sort(sides.begin(), sides.end(), [](const Side& a, const Side& b) {
-      return a.edge != b.edge ? a.edge < b.edge : a.corner < b.corner;
-    });
-    return sides;
-  }
-
-  template <class Use>
-  static void for_each_edge(const std::vector<Side>& sides, const Use& use) {
-    for (std::size_t k = 0, last = 0; k < sides.size(); k = last) {
-      last = k + 1;
-      while (last < sides.size() && sides[last].edge == sides[k].edge) ++last;
-      use(k, last);
-    }
-  }
-
   void find_edges() {
-    std::vector<Side> sides = sorted_sides();
-    if (drop_crowding_copies(sides)) sides = sorted_sides();
+    std::vector<EdgeSide> sides = sorted_sides(polygons_, out_);
+    if (drop_crowding_copies(sides)) sides = sorted_sides(polygons_, out_);
     for_each_edge(sides, [&](std::size_t k, std::size_t last) {
       if (last - k == 2) return join(sides[k], sides[k + 1]);
       if (last - k < 3) return;
       std::vector<Index> faces;
       for (std::size_t i = k; i < last; ++i) faces.push_back(sides[i].face);
-      const auto v = static_cast<Index>(sides[k].edge >> 32U);
-      const auto w = static_cast<Index>(sides[k].edge & 0xFFFFFFFFU);
+      const Index v = low_end(sides[k].edge), w = high_end(sides[k].edge);
       unclear_[v] = unclear_[w] = 1;
       add(Kind::crowded_edge, std::move(faces), v, w);
     });
@@ -227,7 +163,7 @@ class FaultFinder {
 
   /// A face and the same one turned over are a closed surface by themselves; on a larger one the
   /// later is a copy.
-  bool drop_crowding_copies(const std::vector<Side>& sides) {
+  bool drop_crowding_copies(const std::vector<EdgeSide>& sides) {
     if (turned_over_.empty()) return false;
     std::vector<char> crowded(out_.size(), 0);
     for_each_edge(sides, [&](std::size_t k, std::size_t last) {
@@ -246,14 +182,12 @@ class FaultFinder {
 
   /// The two faces of an edge: which way they run, and that their corners at its ends are of one
   /// fan each.
-  void join(const Side& a, const Side& b) {
-    const bool flipped = vertex(a.corner) == vertex(b.corner);
+  void join(const EdgeSide& a, const EdgeSide& b) {
+    const bool flipped = is_flipped(polygons_, a, b);
     if (flipped)
       add(Kind::flipped_edge, {a.face, b.face}, vertex(a.corner), vertex(next(a.face, a.corner)));
     if (!sides_.join(a.face, b.face, flipped)) one_sided_.push_back(a.face);
-    const Index a_end = next(a.face, a.corner), b_end = next(b.face, b.corner);
-    fans_.join(a.corner, flipped ? b.corner : b_end, false);
-    fans_.join(a_end, flipped ? b_end : b.corner, false);
+    join_fans(polygons_, a, b, fans_);
   }
 
   /// Which flipped edges are of one-sided surfaces, and which faces to reverse on the others: on
@@ -317,8 +251,8 @@ class FaultFinder {
   std::vector<char> unclear_;  // vertices whose fans are not looked at
   std::vector<std::pair<Index, Index>> turned_over_;
   std::vector<Index> one_sided_;
-  Sets sides_;  // faces, by which way they run
-  Sets fans_;   // corners, by their fan
+  JoinedSets sides_;  // faces, by which way they run
+  JoinedSets fans_;   // corners, by their fan
   MeshFaults faults_;
 };
 

@@ -51,6 +51,18 @@ struct MeshFaults {
 [[nodiscard]] Error error_of(const MeshFaults& faults, const Polygons& polygons,
                              const MeshSource& source);
 
+/// One fault in words, with the lines of its faces.
+[[nodiscard]] std::string sentence_of(const MeshFault& fault, const Polygons& polygons,
+                                      const MeshSource& source);
+
+/// "1 face is repeated", "3 faces are repeated".
+[[nodiscard]] std::string count_of(MeshFault::Kind kind, std::size_t count);
+
+/// What mends all faults of a kind, in words that name the option of the command that does it;
+/// empty where there is none of that kind.
+[[nodiscard]] std::string remedy_of(const MeshFaults& faults, MeshFault::Kind kind,
+                                    const Polygons& polygons, const MeshSource& source);
+
 /// `Mesh::build` whose errors and warnings speak in the numbers and lines of `source`.
 [[nodiscard]] Result<Mesh> build_mesh(const Polygons& polygons, const MeshSource& source,
                                       Warnings* warnings = nullptr);

@@ -1,7 +1,10 @@
 #pragma once
 /// The single formats behind mesh_file.h, and what their readers and writers share.
 
+#include <algorithm>
 #include <cstddef>
+#include <cstdint>
+#include <limits>
 #include <string>
 #include <string_view>
 
@@ -98,11 +101,18 @@ bool is_obj_keyword(std::string_view word);
 /// The length of the keyword that an OFF file begins with, in any case: 3 of "OFF4"; 0: none.
 std::size_t off_keyword_length(std::string_view word);
 
+/// A number in the file as an Index; beyond its range the nearest, which is no vertex.
+inline Index to_index(std::int64_t number) {
+  constexpr std::int64_t low = std::numeric_limits<Index>::min();
+  constexpr std::int64_t high = std::numeric_limits<Index>::max();
+  return static_cast<Index>(std::clamp(number, low, high));
+}
+
 /// These fill `mesh`, whose `source.file` is set.
-Status parse_obj(std::string_view content, MeshFile& mesh);
-Status parse_off(std::string_view content, MeshFile& mesh);
-Status parse_ply(std::string_view content, MeshFile& mesh);
-Status parse_stl(std::string_view content, MeshFile& mesh);
+Status parse_obj(std::string_view content, const ReadOptions& options, MeshFile& mesh);
+Status parse_off(std::string_view content, const ReadOptions& options, MeshFile& mesh);
+Status parse_ply(std::string_view content, const ReadOptions& options, MeshFile& mesh);
+Status parse_stl(std::string_view content, const ReadOptions& options, MeshFile& mesh);
 
 /// Preconditions of these, checked by `format_mesh`: coordinates and normals are finite, and fit
 /// in a float where the format keeps floats; normals are none or one per vertex.

@@ -27,7 +27,7 @@ namespace {
 
 struct Format {
   std::string_view extension;
-  Status (*parse)(std::string_view, MeshFile&);  ///< null: not read
+  Status (*parse)(std::string_view, const ReadOptions&, MeshFile&);  ///< null: not read
   void (*format)(const Polygons&, const WriteOptions&, const Sink&);
   bool keeps_floats;
   bool is_gltf;
@@ -241,7 +241,7 @@ void MeshFile::leave_out_tags() {
 bool holds_tags(std::string_view extension) { return io::is_extension(extension, "obj"); }
 
 Result<MeshFile> parse_mesh_file(std::string_view content, std::string_view extension,
-                                 const std::string& name) {
+                                 const std::string& name, const ReadOptions& options) {
   std::string recognised;
   if (extension.empty()) {
     Result<std::string> format = format_of_content(content);
@@ -260,24 +260,25 @@ Result<MeshFile> parse_mesh_file(std::string_view content, std::string_view exte
   }
   MeshFile mesh;
   mesh.source.file = name;
-  Status done = format->parse(content, mesh);
+  Status done = format->parse(content, options, mesh);
   if (done) return mesh;
   Error error = done.error();
   if (!extension.empty()) error.hint = io::hint_by_content(content, *format, error.hint);
   return error;
 }
 
-Result<MeshFile> read_mesh_file(const std::string& path) {
+Result<MeshFile> read_mesh_file(const std::string& path, const ReadOptions& options) {
   if (Status known = check_readable(path); !known) return known.error();
   const Result<std::string> content = read_file(path);
   if (!content) return content.error();
-  return parse_mesh_file(*content, extension_of(path), path);
+  return parse_mesh_file(*content, extension_of(path), path, options);
 }
 
-Result<MeshFile> read_mesh_file(std::istream& in, const std::string& name) {
+Result<MeshFile> read_mesh_file(std::istream& in, const std::string& name,
+                                const ReadOptions& options) {
   std::string content((std::istreambuf_iterator<char>(in)), std::istreambuf_iterator<char>());
   if (in.bad()) return Error{"cannot be read", "", name, 0, 0};
-  return parse_mesh_file(content, "", name);
+  return parse_mesh_file(content, "", name, options);
 }
 
 Result<Polygons> parse_mesh(std::string_view content, std::string_view extension,

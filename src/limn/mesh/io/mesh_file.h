@@ -37,6 +37,7 @@ struct MeshFile {
   MeshSource source;              ///< for messages about the mesh
   Warnings warnings;              ///< faults of the file that did not keep it from being read
   std::vector<LeftOut> left_out;  ///< in the order in which they were met
+  std::vector<Index> dropped;     ///< STL: numbers of the facets without area that were left out
   SharpnessTags tags;             ///< what is sharp: of OBJ, the tags ('t') of OpenSubdiv
 
   /// Forgets the tags, for whoever has no use for them; `left_out` says so.
@@ -46,20 +47,30 @@ struct MeshFile {
   [[nodiscard]] Warnings notes() const;
 };
 
+/// How a file is read.
+struct ReadOptions {
+  /// Coordinates that are not finite, corners that are no vertices and faces of less than three
+  /// corners are kept, so that `survey_mesh` finds all of them; else the first is refused.
+  bool keep_faults = false;
+};
+
 /// Reads a mesh. Faults (not a number, NaN or infinity, index out of range, truncated data, a
 /// wrong count, an unknown extension, UTF-16, an empty mesh, 2^31 - 1 corners or more…) are
 /// reported with file:line:column (binary: with the byte offset in the message), what was found
 /// and what was expected. Nothing is allocated for a count that the file cannot hold.
 /// Cost O(size), and memory of the file's size beside the mesh.
-[[nodiscard]] Result<MeshFile> read_mesh_file(const std::string& path);
+[[nodiscard]] Result<MeshFile> read_mesh_file(const std::string& path,
+                                              const ReadOptions& options = {});
 
 /// The same from a stream, standard input say, to its end; its content tells the format
 /// (`format_of_content`). `name` only for messages: "standard input".
-[[nodiscard]] Result<MeshFile> read_mesh_file(std::istream& in, const std::string& name);
+[[nodiscard]] Result<MeshFile> read_mesh_file(std::istream& in, const std::string& name,
+                                              const ReadOptions& options = {});
 
 /// The same from memory; `extension` without the dot ("obj"), or empty: the content tells.
 [[nodiscard]] Result<MeshFile> parse_mesh_file(std::string_view content, std::string_view extension,
-                                               const std::string& name);
+                                               const std::string& name,
+                                               const ReadOptions& options = {});
 
 /// The format that a content is in, by its first words (STL: by its size too): "obj", "off",
 /// "ply" or "stl"; or why that cannot be told. Cost O(1) for what has a sign of its format near

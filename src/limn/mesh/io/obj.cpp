@@ -38,8 +38,10 @@ constexpr Kind kLeftOut[] = {
 
 class ObjReader {
  public:
-  ObjReader(std::string_view content, MeshFile& file)
-      : in_(content, file.source.file, {.comments = true, .continuation = true}),
+  ObjReader(std::string_view content, const ReadOptions& options, MeshFile& file)
+      : in_(content, file.source.file,
+            {.comments = true, .non_finite = options.keep_faults, .continuation = true}),
+        options_(options),
         remarks_(file),
         mesh_(file.polygons),
         source_(file.source),
@@ -105,7 +107,7 @@ class ObjReader {
       if (!corner()) return false;
     }
     const std::size_t degree = mesh_.corners.size() - begin;
-    if (degree < 3) {
+    if (degree < 3 && !options_.keep_faults) {
       return in_.fail(
           place, "a face of " + count_of(degree, "corner", "corners") + ", expected three or more");
     }
@@ -125,8 +127,10 @@ class ObjReader {
                       "expected a corner like 1, 1/2, 1//3 or 1/2/3, found " + in_quotes(word));
     }
     const auto vertices = static_cast<std::int64_t>(mesh_.positions.size());
-    if (index == 0 || index < -vertices) return bad_index(word, in_.last_place());
-    const std::int64_t vertex = index > 0 ? index - 1 : vertices + index;
+    if ((index == 0 || index < -vertices) && !options_.keep_faults)
+      return bad_index(word, in_.last_place());
+    // 0 counts as the one before the first
+    const std::int64_t vertex = index >= 0 ? index - 1 : vertices + index;
     if (vertex > last_vertex_) {
       last_vertex_ = vertex;
       last_vertex_place_ = in_.last_place();
@@ -134,8 +138,7 @@ class ObjReader {
     if (mesh_.corners.size() == kMostElements) {
       return in_.fail(in_.last_place(), "2^31 - 1 corners or more");
     }
-    // One beyond the range of Index is beyond the vertices too: refused in `check_end`.
-    mesh_.corners.push_back(static_cast<Index>(vertex));
+    mesh_.corners.push_back(to_index(vertex));
     return true;
   }
 
@@ -188,7 +191,7 @@ class ObjReader {
   bool check_end() {
     if (std::string fault = emptiness(mesh_); !fault.empty()) return in_.fail(in_.place(), fault);
     const auto vertices = static_cast<std::int64_t>(mesh_.positions.size());
-    if (last_vertex_ < vertices) return true;
+    if (last_vertex_ < vertices || options_.keep_faults) return true;
     return in_.fail(last_vertex_place_, "vertex index " + std::to_string(last_vertex_ + 1) +
                                             " is out of range: the "
                                             "file has " +
@@ -196,6 +199,7 @@ class ObjReader {
   }
 
   TextScanner in_;
+  const ReadOptions options_;
   Remarks remarks_;
   Polygons& mesh_;
   MeshSource& source_;
@@ -210,8 +214,8 @@ bool is_obj_keyword(std::string_view word) {
   return std::find(std::begin(kKeywords), std::end(kKeywords), word) != std::end(kKeywords);
 }
 
-Status parse_obj(std::string_view content, MeshFile& mesh) {
-  return ObjReader(content, mesh).read();
+Status parse_obj(std::string_view content, const ReadOptions& options, MeshFile& mesh) {
+  return ObjReader(content, options, mesh).read();
 }
 
 void format_obj(const Polygons& mesh, const WriteOptions& options, const Sink& sink) {

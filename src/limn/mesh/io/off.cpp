@@ -22,8 +22,10 @@ std::string upper_case(std::string_view word) {
 
 class OffReader {
  public:
-  OffReader(std::string_view content, MeshFile& file, bool by_number)
-      : in_(content, file.source.file, {.comments = true, .continuation = false}),
+  OffReader(std::string_view content, const ReadOptions& options, MeshFile& file, bool by_number)
+      : in_(content, file.source.file,
+            {.comments = true, .non_finite = options.keep_faults, .continuation = false}),
+        options_(options),
         remarks_(file),
         mesh_(file.polygons),
         source_(file.source),
@@ -188,7 +190,7 @@ class OffReader {
     source_.face_lines.push_back(in_.place().line);
     std::int64_t degree = 0;
     if (!integer(degree, "the number of corners")) return false;
-    if (degree < 3) {
+    if (degree < (options_.keep_faults ? 0 : 3)) {
       return in_.fail(in_.last_place(), "a face of " + std::to_string(degree) +
                                             (degree == 1 ? " corner" : " corners") +
                                             ", expected three or more");
@@ -196,7 +198,7 @@ class OffReader {
     for (std::int64_t k = 0; k < degree; ++k) {
       std::int64_t vertex = 0;
       if (!integer(vertex, "a vertex index")) return false;
-      if (vertex < 0 || vertex >= vertex_count_) {
+      if ((vertex < 0 || vertex >= vertex_count_) && !options_.keep_faults) {
         return in_.fail(in_.last_place(), "vertex index " + std::to_string(vertex) +
                                               " is out of range: expected 0 to " +
                                               std::to_string(vertex_count_ - 1));
@@ -204,7 +206,7 @@ class OffReader {
       if (mesh_.corners.size() == kMostElements) {
         return in_.fail(in_.last_place(), "2^31 - 1 corners or more");
       }
-      mesh_.corners.push_back(static_cast<Index>(vertex));
+      mesh_.corners.push_back(to_index(vertex));
     }
     mesh_.face_begin.push_back(static_cast<Index>(mesh_.corners.size()));
     if (!by_number_ && in_.line_has_more()) {
@@ -225,6 +227,7 @@ class OffReader {
   }
 
   TextScanner in_;
+  const ReadOptions options_;
   Remarks remarks_;
   Polygons& mesh_;
   MeshSource& source_;
@@ -249,14 +252,14 @@ std::size_t off_keyword_length(std::string_view word) {
              : 0;
 }
 
-Status parse_off(std::string_view content, MeshFile& mesh) {
-  OffReader by_line(content, mesh, false);
+Status parse_off(std::string_view content, const ReadOptions& options, MeshFile& mesh) {
+  OffReader by_line(content, options, mesh, false);
   Status status = by_line.read();
   if (status || !by_line.may_read_by_number()) return status;
   MeshFile other;
   other.source.file = mesh.source.file;
   // Only where every number finds its place to the end of the file; else the lines tell the fault.
-  if (!OffReader(content, other, true).read()) return status;
+  if (!OffReader(content, options, other, true).read()) return status;
   Remarks(other).warn({status.error().line, 1},
                       "not one vertex or face a line, so read number by number");
   mesh = std::move(other);

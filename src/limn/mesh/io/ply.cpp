@@ -113,8 +113,8 @@ void remark_what_is_left_out(const PlyHeader& header, Remarks& remarks) {
 template <class Body>
 class ElementReader {
  public:
-  ElementReader(Body& body, const PlyHeader& header, MeshFile& file)
-      : body_(body), header_(header), file_(file), mesh_(file.polygons) {}
+  ElementReader(Body& body, const PlyHeader& header, const ReadOptions& options, MeshFile& file)
+      : body_(body), header_(header), options_(options), file_(file), mesh_(file.polygons) {}
 
   bool read() {
     vertex_count_ = header_.find("vertex")->count;
@@ -207,16 +207,16 @@ class ElementReader {
     note_line(file_.source.face_lines);
     std::int64_t degree = 0;
     if (!integer(property.count_type, degree, "the number of corners")) return false;
-    if (degree < 3) {
+    if (degree < (options_.keep_faults ? 0 : 3)) {
       return body_.fail("a face of " + std::to_string(degree) +
                         (degree == 1 ? " corner" : " corners") + ", expected three or more");
     }
     for (std::int64_t k = 0; k < degree; ++k) {
       std::int64_t vertex = 0;
       if (!integer(property.type, vertex, "a vertex index")) return false;
-      if (!check_vertex(vertex)) return false;
+      if (!options_.keep_faults && !check_vertex(vertex)) return false;
       if (mesh_.corners.size() == kMostElements) return body_.fail("2^31 - 1 corners or more");
-      mesh_.corners.push_back(static_cast<Index>(vertex));
+      mesh_.corners.push_back(to_index(vertex));
     }
     mesh_.face_begin.push_back(static_cast<Index>(mesh_.corners.size()));
     return true;
@@ -276,6 +276,7 @@ class ElementReader {
   bool integer(PlyType type, std::int64_t& value, const char* what) {
     double number = 0;
     if (!body_.read(type, number, what)) return false;
+    if (!std::isfinite(number)) return body_.fail(std::string(what) + " is not finite");
     if (std::abs(number) > 9007199254740992.0 || number != std::floor(number)) {
       return body_.fail(std::string(what) + " is not an integer");
     }
@@ -306,14 +307,16 @@ class ElementReader {
 
   Body& body_;
   const PlyHeader& header_;
+  const ReadOptions options_;
   MeshFile& file_;
   Polygons& mesh_;
   std::int64_t vertex_count_ = 0;
 };
 
 template <class Body>
-Status read_elements(Body body, const PlyHeader& header, MeshFile& mesh) {
-  if (ElementReader<Body>(body, header, mesh).read()) return Done{};
+Status read_elements(Body body, const PlyHeader& header, const ReadOptions& options,
+                     MeshFile& mesh) {
+  if (ElementReader<Body>(body, header, options, mesh).read()) return Done{};
   return body.error();
 }
 
@@ -326,23 +329,24 @@ std::size_t data_begin(std::string_view content, std::size_t offset) {
 }
 
 /// `by_word`: where one instance a line does not make sense of ascii data.
-Status read_ply(std::string_view content, bool by_word, MeshFile& mesh) {
-  TextScanner in(content, mesh.source.file, {});
+Status read_ply(std::string_view content, bool by_word, const ReadOptions& options,
+                MeshFile& mesh) {
+  TextScanner in(content, mesh.source.file, {.non_finite = options.keep_faults});
   PlyHeader header;
   if (!read_ply_header(in, header) || !check_header(in, header)) return in.error();
   Remarks remarks(mesh);
   remark_what_is_left_out(header, remarks);
   if (header.format != PlyFormat::ascii) {
-    return read_elements(
-        BinaryBody(content, data_begin(content, in.offset()), header.format, mesh.source.file),
-        header, mesh);
+    return read_elements(BinaryBody(content, data_begin(content, in.offset()), header.format,
+                                    mesh.source.file, options.keep_faults),
+                         header, options, mesh);
   }
-  const Status status = read_elements(AsciiBody(in, by_word), header, mesh);
+  const Status status = read_elements(AsciiBody(in, by_word), header, options, mesh);
   if (status || by_word) return status;
   MeshFile other;
   other.source.file = mesh.source.file;
   // Only where every word finds its place to the end of the file; else the lines tell the fault.
-  if (!read_ply(content, true, other)) return status;
+  if (!read_ply(content, true, options, other)) return status;
   Remarks(other).warn({status.error().line, 1},
                       "not one vertex or face a line, so read word by word");
   mesh = std::move(other);
@@ -351,8 +355,8 @@ Status read_ply(std::string_view content, bool by_word, MeshFile& mesh) {
 
 }  // namespace
 
-Status parse_ply(std::string_view content, MeshFile& mesh) {
-  return read_ply(content, false, mesh);
+Status parse_ply(std::string_view content, const ReadOptions& options, MeshFile& mesh) {
+  return read_ply(content, false, options, mesh);
 }
 
 void format_ply(const Polygons& mesh, const WriteOptions& options, const Sink& sink) {

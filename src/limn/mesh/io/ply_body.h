@@ -78,12 +78,15 @@ class AsciiBody {
 class BinaryBody {
  public:
   /// `content`: the whole file, `offset`: where the data begin.
-  BinaryBody(std::string_view content, std::size_t offset, PlyFormat format, std::string path)
+  /// `non_finite`: infinity and NaN are numbers.
+  BinaryBody(std::string_view content, std::size_t offset, PlyFormat format, std::string path,
+             bool non_finite)
       : content_(content),
         offset_(offset),
         last_(offset),
         swap_((format == PlyFormat::binary_little_endian) != kLittleEndianHost),
-        path_(std::move(path)) {}
+        path_(std::move(path)),
+        non_finite_(non_finite) {}
 
   bool begin(const PlyElement& element, std::int64_t number) {
     element_ = &element;
@@ -97,7 +100,7 @@ class BinaryBody {
     value = decode(type, content_.data() + offset_);
     offset_ += size_of(type);
     // Only the floating types can fail this, and only on infinity and NaN.
-    if (value - value == 0) return true;
+    if (non_finite_ || value - value == 0) return true;
     return fail(std::string(what) + " is not finite");
   }
   /// Precondition: `count` is at most 2^53.
@@ -157,6 +160,7 @@ class BinaryBody {
   std::size_t last_;  ///< where the value read last begins
   bool swap_;
   std::string path_;
+  bool non_finite_;
   const PlyElement* element_ = nullptr;
   std::int64_t number_ = 0;
   Error error_;

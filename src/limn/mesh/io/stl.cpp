@@ -3,10 +3,12 @@
 /// stay apart. A facet that does not have three corners then, or whose corners lie on a line, is
 /// dropped, with a warning.
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <vector>
 
+#include "limn/mesh/finite_point.h"
 #include "limn/mesh/io/blocks.h"
 #include "limn/mesh/io/bytes.h"
 #include "limn/mesh/io/formats.h"
@@ -91,8 +93,11 @@ class Facets {
     for (Point3* p : {&a, &b, &c}) {
       *p = {without_sign_of_zero(p->x), without_sign_of_zero(p->y), without_sign_of_zero(p->z)};
     }
-    if (a == b || b == c || c == a) return coincident_.add(number, line);
-    if (lie_on_a_line(a, b, c)) {
+    if (a == b || b == c || c == a) {
+      file_.dropped.push_back(number);
+      return coincident_.add(number, line);
+    }
+    if (is_finite(a) && is_finite(b) && is_finite(c) && lie_on_a_line(a, b, c)) {
       collinear_.add(number, line);
       slivers_.push_back(mesh_.face_count());
     }
@@ -148,7 +153,10 @@ class Facets {
     Polygons kept;
     std::vector<Index> numbers, new_index(mesh_.positions.size(), kNone);
     for (Index face = 0; face < mesh_.face_count(); ++face) {
-      if (removal.removed[face] != 0) continue;
+      if (removal.removed[face] != 0) {
+        file_.dropped.push_back(numbers_[face]);
+        continue;
+      }
       for (Index c = mesh_.face_begin[face]; c < mesh_.face_begin[face + 1]; ++c) {
         Index& index = new_index[mesh_.corners[c]];
         if (index == kNone) {
@@ -160,6 +168,7 @@ class Facets {
       kept.face_begin.push_back(static_cast<Index>(kept.corners.size()));
       numbers.push_back(numbers_[face]);
     }
+    std::sort(file_.dropped.begin(), file_.dropped.end());
     mesh_ = std::move(kept);
     numbers_ = std::move(numbers);
     return removal.cut;
@@ -176,8 +185,10 @@ class Facets {
 
 class StlTextReader {
  public:
-  StlTextReader(std::string_view content, MeshFile& file)
-      : in_(content, file.source.file, {}), file_(file), facets_(file) {}
+  StlTextReader(std::string_view content, const ReadOptions& options, MeshFile& file)
+      : in_(content, file.source.file, {.non_finite = options.keep_faults}),
+        file_(file),
+        facets_(file) {}
 
   Status read() {
     // Several solids may follow each other; they are one mesh.
@@ -279,7 +290,7 @@ class StlTextReader {
   Facets facets_;
 };
 
-Status parse_binary(std::string_view content, MeshFile& file) {
+Status parse_binary(std::string_view content, const ReadOptions& options, MeshFile& file) {
   const auto fail = [&file](std::string message, std::size_t byte) {
     return Error{std::move(message) + " at byte " + std::to_string(byte), "", file.source.file, 0,
                  0};
@@ -311,7 +322,8 @@ Status parse_binary(std::string_view content, MeshFile& file) {
     for (Point3& p : corners) {
       for (double* x : {&p.x, &p.y, &p.z}) {
         *x = double{load_little<float>(content.data() + at)};
-        if (!std::isfinite(*x)) return fail("a coordinate is not finite", at);
+        if (!std::isfinite(*x) && !options.keep_faults)
+          return fail("a coordinate is not finite", at);
         at += 4;
       }
     }
@@ -364,8 +376,9 @@ bool is_binary_stl(std::string_view content) {
          content.substr(0, 1024).find('\0') != std::string_view::npos;
 }
 
-Status parse_stl(std::string_view content, MeshFile& mesh) {
-  return is_binary_stl(content) ? parse_binary(content, mesh) : StlTextReader(content, mesh).read();
+Status parse_stl(std::string_view content, const ReadOptions& options, MeshFile& mesh) {
+  return is_binary_stl(content) ? parse_binary(content, options, mesh)
+                                : StlTextReader(content, options, mesh).read();
 }
 
 void format_stl(const Polygons& mesh, const WriteOptions&, const Sink& sink) {

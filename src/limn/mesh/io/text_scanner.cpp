@@ -112,6 +112,10 @@ bool TextScanner::read_number(double& value, const char* what) {
   const bool parsed =
       (code == std::errc() || code == std::errc::result_out_of_range) && stop == cursor_;
   if (parsed && std::isfinite(value)) return true;
+  if (style_.non_finite && (parsed || last_word().find(".#") != std::string_view::npos)) {
+    if (!parsed) value = std::numeric_limits<double>::quiet_NaN();
+    return true;
+  }
   return bad_number(value, parsed, what);
 }
 

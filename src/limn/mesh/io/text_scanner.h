@@ -17,6 +17,7 @@ struct Place {
 
 struct TextStyle {
   bool comments = false;      ///< '#' to the end of the line is no content
+  bool non_finite = false;    ///< nan, inf and what is too large for a double are numbers
   bool continuation = false;  ///< a backslash joins its line to the next; blanks may follow it
 };
 
@@ -38,7 +39,8 @@ class TextScanner {
 
   /// The word at the cursor; empty at the end of a line.
   std::string_view take_word();
-  /// The next word of this line as a finite number. `what` ("the x coordinate") is for messages.
+  /// The next word of this line as a finite number (see TextStyle::non_finite). `what` ("the x
+  /// coordinate") is for messages.
   bool read_number(double& value, const char* what);
   /// The next word of this line as an integer; beyond ±2^62 it saturates.
   bool read_integer(std::int64_t& value, const char* what);

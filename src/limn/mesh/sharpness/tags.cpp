@@ -26,7 +26,11 @@ std::vector<Index> edges_between(const Mesh& mesh, Index a, Index b) {
 class Applying {
  public:
   Applying(const Mesh& mesh, const MeshSource& source, const SharpnessTags& tags, Sharpness& out)
-      : mesh_(mesh), source_(source), tags_(tags), out_(out) {}
+      : mesh_(mesh), source_(source), tags_(tags), out_(out) {
+    for (Index v = 0; v < static_cast<Index>(source.file_vertices.size()); ++v)
+      copies_.emplace_back(source.file_vertices[at(v)], v);
+    std::sort(copies_.begin(), copies_.end());
+  }
 
   Status run() {
     for (const SharpnessTags::Crease& crease : tags_.creases)
@@ -51,14 +55,35 @@ class Applying {
                  tags_.first == 0 ? "these numbers begin with 0" : "");
   }
 
+  [[nodiscard]] bool repaired() const { return !source_.joined_with.empty(); }
+  [[nodiscard]] Index vertex_count() const {
+    return repaired() ? static_cast<Index>(source_.joined_with.size()) : mesh_.vertex_count();
+  }
+  /// The vertices of the mesh that one of the file has become.
+  [[nodiscard]] std::vector<Index> vertices_of(Index v) const {
+    if (!repaired()) return {v};
+    const std::pair<Index, Index> wanted{source_.joined_with[at(v)], 0};
+    std::vector<Index> found;
+    for (auto i = std::lower_bound(copies_.begin(), copies_.end(), wanted);
+         i != copies_.end() && i->first == wanted.first; ++i)
+      found.push_back(i->second);
+    return found;
+  }
+  [[nodiscard]] std::vector<Index> edges_of(Index a, Index b) const {
+    std::vector<Index> edges;
+    for (const Index from : vertices_of(a))
+      for (const Index to : vertices_of(b))
+        for (const Index e : edges_between(mesh_, from, to)) edges.push_back(e);
+    return edges;
+  }
+
   Status apply(const SharpnessTags::Crease& crease) {
     for (const Index v : crease.vertices)
-      if (Status status = check(v, mesh_.vertex_count(), "vertex", crease.line); !status)
-        return status;
+      if (Status status = check(v, vertex_count(), "vertex", crease.line); !status) return status;
     for (std::size_t i = 0; i + 1 < crease.vertices.size(); ++i) {
       const Index a = crease.vertices[i], b = crease.vertices[i + 1];
-      const std::vector<Index> edges = edges_between(mesh_, a, b);
-      if (edges.empty())
+      const std::vector<Index> edges = edges_of(a, b);
+      if (edges.empty() && !repaired())  // else a face of it was dropped, or its ends joined
         return fault(crease.line,
                      fmt::format("no edge joins the vertices {} and {} of a crease",
                                  a + tags_.first, b + tags_.first),
@@ -72,10 +97,10 @@ class Applying {
   }
 
   Status apply(const SharpnessTags::Corner& corner) {
-    if (Status status = check(corner.vertex, mesh_.vertex_count(), "vertex", corner.line); !status)
+    if (Status status = check(corner.vertex, vertex_count(), "vertex", corner.line); !status)
       return status;
     out_.vertices.resize(at(mesh_.vertex_count()), 0);
-    out_.vertices[at(corner.vertex)] = corner.sharpness;
+    for (const Index v : vertices_of(corner.vertex)) out_.vertices[at(v)] = corner.sharpness;
     return Done{};
   }
 
@@ -100,6 +125,7 @@ class Applying {
   const MeshSource& source_;
   const SharpnessTags& tags_;
   Sharpness& out_;
+  std::vector<std::pair<Index, Index>> copies_;  // vertex of the file and of the mesh, sorted
 };
 
 }  // namespace

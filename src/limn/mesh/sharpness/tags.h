@@ -51,8 +51,9 @@ struct SharpnessTags {
 /// Adds to `sharpness` what the tags say of edges, vertices, holes and how edges fade; what they
 /// state anew of an edge or vertex counts. Their boundary mode is left to apply_boundary_mode, as
 /// what is sharp comes first. Fails, with the line, where a number is that of no vertex or face, or
-/// where no edge joins two vertices of a crease. `source` tells faces of the mesh from faces of its
-/// file. Cost O(size of the tags, times the valence of their vertices; with holes, F).
+/// where no edge joins two vertices of a crease. `source` tells faces and vertices of the mesh from
+/// those of its file, whose numbers the tags have: of a vertex that was joined with another, that
+/// one is meant; of one that was cut, all copies; of one that was dropped, nothing. Cost O(size of the tags, times the valence of their vertices; with holes, F).
 [[nodiscard]] Status apply_tags(const Mesh& mesh, const MeshSource& source,
                                 const SharpnessTags& tags, Sharpness& sharpness);
 

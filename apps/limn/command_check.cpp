@@ -1,0 +1,101 @@
+#include <memory>
+
+#include <fmt/core.h>
+#include <nlohmann/json.hpp>
+
+#include "command.h"
+#include "control_mesh.h"
+#include "limn/base/files/file.h"
+#include "limn/base/printable.h"
+#include "limn/mesh/mesh_limits.h"
+#include "limn/report/mesh_check_report.h"
+#include "mesh_output.h"
+
+namespace limn::app {
+namespace {
+
+struct CheckOptions {
+  std::string mesh;
+  MeshPreparation preparation;
+  MeshOutput output;  // no path: nothing is written
+  bool overwrite = false;
+  bool json = false;
+};
+
+/// What can be refused at once.
+Status check_arguments(const CheckOptions& options) {
+  if (Status status = check_mesh_path(options.mesh); !status) return status;
+  if (options.output.path.empty()) return Done{};
+  if (Status status = options.output.check(options.json); !status) return status;
+  if (Status status = options.output.check_keeps(options.mesh, options.overwrite); !status)
+    return status;
+  return check_outputs({options.output.path});
+}
+
+void print(const CheckOptions& options, const MeshCheck& check, const MeshRemarks& remarks) {
+  if (options.json) {
+    nlohmann::ordered_json json = mesh_check_json(check);
+    if (!options.output.path.empty()) json["output"] = options.output.path;
+    add_remarks(json, remarks);
+    print_json(json);
+    return;
+  }
+  const std::string text = mesh_check_text(check);
+  if (options.output.path.empty() || !options.output.is_printed())
+    print_text(text);
+  else if (!is_quiet())
+    fmt::print(stderr, "{}", printable_lines(text));
+}
+
+int check_mesh(const CheckOptions& options) {
+  if (Status status = check_arguments(options); !status) return report(status.error());
+  Result<MeshFile> file = read_mesh_argument(options.mesh, {.keep_faults = true});
+  if (!file) return report(file.error());
+  if (auto fault = too_many(file->polygons.positions.size(), file->polygons.face_begin.size(),
+                            file->polygons.corners.size())) {
+    fault->file = options.mesh;
+    return report(*fault);
+  }
+  set_step("checking " + options.mesh);
+  if (!options.output.path.empty()) file->leave_out_tags();
+  const Result<Prepared> prepared = prepare(*file, options.preparation);
+  if (!prepared) return report(prepared.error());
+  report_remarks(*file);
+  MeshSurvey survey = survey_mesh(file->polygons);
+  const MeshCheck check{options.mesh, std::move(file->polygons), std::move(file->source),
+                        std::move(survey), std::move(file->dropped)};
+  const bool is_written = !options.output.path.empty() && check.survey.refinable;
+  if (is_written)
+    if (Status status = options.output.write(check.polygons, {}); !status)
+      return report(status.error());
+  print(options, check, {std::move(file->warnings), std::move(file->left_out), prepared->done});
+  if (check.survey.refinable) return kDone;
+  if (!options.output.path.empty())
+    return report({fmt::format("{} is not written: the mesh has faults that keep it from being "
+                               "refined",
+                               printable(options.output.path)),
+                   "--repair mends what can be mended"});
+  return kBadInput;
+}
+
+}  // namespace
+
+void declare_check(CLI::App& parser, Action& action) {
+  CLI::App* command =
+      add_command(parser, "check", "what a mesh is, and every fault of it with its lines");
+  const auto options = std::make_shared<CheckOptions>();
+  command->add_option("MESH", options->mesh, kMeshArgumentHelp)->required();
+  options->preparation.declare(*command);
+  options->output.declare(*command, "write the mesh, repaired as asked,");
+  command->add_flag("--overwrite", options->overwrite,
+                    "the output may be MESH itself, which is replaced");
+  command->add_flag("--json", options->json, "print one JSON object, with all faults");
+  command->footer(
+      "Example: limn check mesh.obj\n"
+      "         limn check scan.stl --repair -o repaired.ply\n"
+      "         limn check mesh.obj --weld=1e-4 --orient --json\n"
+      "Exit code 0: limn refines the mesh; 2: it has faults that keep it from that.");
+  command->callback([&action, options] { action = [options] { return check_mesh(*options); }; });
+}
+
+}  // namespace limn::app

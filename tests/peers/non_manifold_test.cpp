@@ -1,0 +1,186 @@
+// Meshes that are no surfaces, cut into sheets, against OpenSubdiv, which refines them as they are.
+//
+// OpenSubdiv takes an edge of more than two faces for a crease, and a vertex where sheets meet for
+// a corner, unless two such edges go on there as a crease. A cut mesh has boundaries instead, whose
+// rule is that of a crease, and `repair` tells the corners and the creases that are left. limn and
+// OpenSubdiv refine the cut mesh with these as OpenSubdiv does the mesh as it is.
+
+#include <rapidcheck/gtest.h>
+
+#include <random>
+
+#include "limn/mesh/mesh_faults.h"
+#include "limn/mesh/repair/repair.h"
+#include "limn/mesh/sharpness/tags.h"
+#include "limn/refine/refine.h"
+#include "peer_test.h"
+
+namespace limn::peers {
+namespace {
+
+constexpr int kLevels = 2;
+
+Polygons joined(const Polygons& polygons) {
+  return repair(polygons, {.weld = 1e-9}).value().polygons;
+}
+
+Polygons refined_by(const std::unique_ptr<Peer>& peer) {
+  peer->refine(kLevels);
+  return peer->polygons();
+}
+
+/// What is sharp in a cut mesh, for OpenSubdiv.
+PeerTags tags_of_cut(const Repaired& cut) {
+  PeerTags tags;
+  tags.edges = cut.sharp_edges;
+  tags.edge_sharpness.assign(cut.sharp_edges.size(), kInfinitelySharp);
+  tags.corners = cut.sharp_vertices;
+  tags.corner_sharpness.assign(cut.sharp_vertices.size(), kInfinitelySharp);
+  return tags;
+}
+
+/// The cut mesh refined by limn, its copies joined again.
+Polygons refined_by_us(const char* scheme, const Repaired& cut) {
+  SharpnessTags tags;
+  for (const Index v : cut.sharp_vertices) tags.corners.push_back({v, kInfinitelySharp});
+  for (const auto& [a, b] : cut.sharp_edges) tags.creases.push_back({{a, b}, {kInfinitelySharp}});
+  const Mesh mesh = Mesh::build(cut.polygons).value();
+  Sharpness sharpness;
+  EXPECT_TRUE(apply_tags(mesh, {}, tags, sharpness).ok());
+  const auto fine =
+      refine(find_scheme(scheme).value(), mesh, cut.polygons.positions, kLevels, {}, sharpness)
+          .value();
+  return joined(fine.mesh.polygons(fine.values));
+}
+
+/// Sheets of `columns` faces, closed to rings, that start from one closed curve.
+Polygons rosette(Index sheets, Index columns, Index rows, bool triangles, std::mt19937& random) {
+  std::uniform_real_distribution<double> noise(-0.2, 0.2);
+  Polygons mesh;
+  const auto add_ring = [&](Index sheet, Index row) {
+    for (Index c = 0; c < columns; ++c) {
+      const double angle = 6.283185307179586 * c / columns,
+                   tilt = 6.283185307179586 * sheet / sheets;
+      const double radius = 3 + row * std::cos(tilt);
+      mesh.positions.push_back({radius * std::cos(angle) + noise(random),
+                                radius * std::sin(angle) + noise(random),
+                                row * std::sin(tilt) + noise(random)});
+    }
+    return mesh.vertex_count() - columns;
+  };
+  const auto add_face = [&](std::initializer_list<Index> corners) {
+    mesh.corners.insert(mesh.corners.end(), corners);
+    mesh.face_begin.push_back(static_cast<Index>(mesh.corners.size()));
+  };
+  const Index curve = add_ring(0, 0);
+  for (Index sheet = 0; sheet < sheets; ++sheet)
+    for (Index row = 0, below = curve; row < rows; ++row) {
+      const Index above = add_ring(sheet, row + 1);
+      for (Index c = 0; c < columns; ++c) {
+        const Index d = (c + 1) % columns;
+        if (triangles) {
+          add_face({below + c, below + d, above + d});
+          add_face({below + c, above + d, above + c});
+        } else {
+          add_face({below + c, below + d, above + d, above + c});
+        }
+      }
+      below = above;
+    }
+  return mesh;
+}
+
+struct Subject {
+  Method method;
+  const char* scheme;
+  bool triangles;
+};
+constexpr Subject kSubjects[] = {{Method::loop, "loop", true},
+                                 {Method::catmull_clark, "catmull-clark", false}};
+
+TEST(PeersNonManifold, SheetsAlongACurveAreRefinedAsOpenSubdivDoes) {
+  std::mt19937 random(2026);
+  for (const auto& [method, name, triangles] : kSubjects)
+    for (const Index sheets : {3, 4, 5}) {
+      const Polygons mesh = rosette(sheets, 3 + sheets, 2, triangles, random);
+      const Repaired cut = repair(mesh, {.cut = true}).value();
+      EXPECT_TRUE(cut.sharp_vertices.empty());
+      EXPECT_EQ(difference(refined_by_us(name, cut), refined_by(opensubdiv_peer(method, mesh))), "")
+          << name << ", " << sheets << " sheets";
+    }
+}
+
+/// A mesh some vertices of which are made one, so that sheets meet at edges and vertices, but which
+/// has no other faults.
+Polygons pinched(const Polygons& clean, std::mt19937& random) {
+  Polygons mesh = clean;
+  for (unsigned k = 2 + random() % 6; k > 0; --k) {
+    Polygons tried = mesh;
+    // two edges, or two vertices, become one
+    const auto corner = [&] { return static_cast<std::size_t>(random() % tried.corners.size()); };
+    const Index from = tried.corners[corner()], to = tried.corners[corner()];
+    for (Index& v : tried.corners)
+      if (v == from) v = to;
+    const MeshFaults faults = find_mesh_faults(tried);
+    const bool only_sheets =
+        std::all_of(faults.list.begin(), faults.list.end(), [](const MeshFault& fault) {
+          return fault.kind == MeshFault::Kind::crowded_edge ||
+                 fault.kind == MeshFault::Kind::several_fans;
+        });
+    if (only_sheets) mesh = std::move(tried);
+  }
+  // no vertices that lost their faces
+  std::vector<Index> number(mesh.positions.size(), kNone);
+  std::vector<Point3> positions;
+  for (Index& v : mesh.corners) {
+    if (number[v] == kNone) {
+      number[v] = static_cast<Index>(positions.size());
+      positions.push_back(mesh.positions[v]);
+    }
+    v = number[v];
+  }
+  mesh.positions = std::move(positions);
+  return mesh;
+}
+
+RC_GTEST_PROP(PeersNonManifold, ACutMeshWithItsCornersIsTheMeshToOpenSubdiv, (unsigned seed)) {
+  std::mt19937 random(seed);
+  for (const auto& [method, name, triangles] : kSubjects) {
+    const std::vector<ControlMesh> meshes = triangles ? open_triangles() : open_polygons();
+    const ControlMesh& control = meshes[random() % meshes.size()];
+    RC_PRE(control.polygons.face_count() < 400);
+    const Polygons mesh = pinched(control.polygons, random);
+    const Repaired cut = repair(mesh, {.cut = true}).value();
+    RC_ASSERT(Mesh::build(cut.polygons).ok());
+    const Polygons theirs = refined_by(opensubdiv_peer(method, mesh));
+    const Polygons cut_theirs =
+        joined(refined_by(opensubdiv_peer(method, cut.polygons, tags_of_cut(cut))));
+    for (const Polygons& found : {cut_theirs, refined_by_us(name, cut)}) {
+      const std::string apart = difference(found, theirs);
+      RC_LOG() << control.name << ": " << apart;
+      RC_ASSERT(apart.empty());
+    }
+  }
+}
+
+TEST(PeersNonManifold, TheCasesKeepTheirCorners) {
+  // three pages on an edge, and two faces that touch at a vertex
+  const std::vector<Point3> places{{0, 0, 0}, {0, 0, 1}, {1, 0, 0}, {-1, 1, 0}, {-1, -1, 0}};
+  const Polygons book{places, {0, 3, 6, 9}, {0, 1, 2, 0, 1, 3, 0, 1, 4}};
+  const Polygons touching{places, {0, 3, 6}, {0, 1, 2, 0, 3, 4}};
+  for (const Polygons& mesh : {book, touching}) {
+    const Repaired cut = repair(mesh, {.cut = true}).value();
+    for (const auto& [method, name, triangles] : kSubjects) {
+      const Polygons theirs = refined_by(opensubdiv_peer(method, mesh));
+      EXPECT_EQ(
+          difference(joined(refined_by(opensubdiv_peer(method, cut.polygons, tags_of_cut(cut)))),
+                     theirs),
+          "")
+          << name;
+      EXPECT_EQ(difference(refined_by_us(name, cut), theirs), "") << name;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace limn::peers
