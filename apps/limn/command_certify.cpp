@@ -7,7 +7,7 @@
 #include "command.h"
 #include "limn/base/files/file.h"
 #include "limn/base/progress.h"
-#include "limn/certify/certificate_json.h"
+#include "limn/certify/certificate/certificate_json.h"
 #include "limn/certify/certify.h"
 #include "limn/report/certificate_report.h"
 #include "number_option.h"

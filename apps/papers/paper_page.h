@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "limn/certify/certificate.h"
+#include "limn/certify/certificate/certificate.h"
 #include "limn/figure/figure.h"
 #include "limn/report/data_table.h"
 

@@ -1,4 +1,4 @@
-#include "limn/certify/all_valences.h"
+#include "limn/certify/all/all_valences.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // Cells against refinement on the lattice by the mask itself, step by step, where the lattice turns
 // too; and the bounds of the way to the limit against going there.
 
-#include "limn/certify/cell_matrices.h"
+#include "limn/certify/lattice/cell_matrices.h"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@
 #include <map>
 #include <random>
 
-#include "limn/certify/contraction.h"
+#include "limn/certify/lattice/contraction.h"
 #include "limn/regular/regular_mask.h"
 #include "support/shipped.h"
 

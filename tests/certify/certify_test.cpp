@@ -8,7 +8,7 @@
 #include <numeric>
 #include <random>
 
-#include "limn/certify/certificate_json.h"
+#include "limn/certify/certificate/certificate_json.h"
 #include "limn/limit/characteristic_map.h"
 #include "support/shipped.h"
 

@@ -1,14 +1,14 @@
 // Cells in double precision hold what balls say of them, on the way to deep parts.
 
-#include "limn/certify/quick_cells.h"
+#include "limn/certify/ring/quick_cells.h"
 
 #include <gtest/gtest.h>
 
 #include <random>
 
-#include "limn/certify/eigenfunction.h"
-#include "limn/certify/ring_cells.h"
-#include "limn/certify/valence_balls.h"
+#include "limn/certify/blocks/valence_balls.h"
+#include "limn/certify/ring/eigenfunction.h"
+#include "limn/certify/ring/ring_cells.h"
 #include "limn/regular/regular_mask.h"
 #include "support/shipped.h"
 

@@ -1,13 +1,13 @@
 // Balls of random matrices against eigenvalues in double precision.
 
-#include "limn/certify/spectral_bound.h"
+#include "limn/certify/blocks/spectral_bound.h"
 
 #include <gtest/gtest.h>
 #include <Eigen/Eigenvalues>
 
 #include <random>
 
-#include "limn/certify/valence_balls.h"
+#include "limn/certify/blocks/valence_balls.h"
 #include "support/shipped.h"
 
 namespace limn::certify {

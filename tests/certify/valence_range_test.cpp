@@ -7,8 +7,8 @@
 #include <numbers>
 #include <string>
 
-#include "limn/certify/range_proof.h"
-#include "limn/certify/turn_range.h"
+#include "limn/certify/all/range_proof.h"
+#include "limn/certify/all/turn_range.h"
 #include "limn/regular/regular_mask.h"
 #include "limn/spectrum/eigencomponents.h"
 

@@ -6,7 +6,7 @@
 
 #include <map>
 
-#include "limn/certify/power_ball.h"
+#include "limn/certify/all/power_ball.h"
 #include "limn/number/ball.h"
 #include "limn/number/symbolic.h"
 #include "limn/scheme/evaluate.h"

@@ -4,8 +4,8 @@
 
 #include <fmt/core.h>
 
-#include "limn/certify/regular_rows.h"
-#include "limn/certify/valence_proof.h"
+#include "limn/certify/ring/regular_rows.h"
+#include "limn/certify/vertex/valence_proof.h"
 #include "limn/regular/smoothness/second_differences.h"
 #include "limn/scheme/file/scheme_files.h"
 

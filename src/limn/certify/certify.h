@@ -8,7 +8,7 @@
 #include <functional>
 
 #include "limn/base/time_budget.h"
-#include "limn/certify/certificate.h"
+#include "limn/certify/certificate/certificate.h"
 
 namespace limn::certify {
 

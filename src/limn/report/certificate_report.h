@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "limn/certify/certificate.h"
+#include "limn/certify/certificate/certificate.h"
 
 namespace limn {
 

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "limn/certify/certificate.h"
+#include "limn/certify/certificate/certificate.h"
 #include "limn/scheme/scheme.h"
 
 namespace limn {

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "limn/certify/certificate.h"
+#include "limn/certify/certificate/certificate.h"
 #include "limn/regular/sampling_density.h"
 #include "limn/regular/smoothness/regularity.h"
 #include "limn/scheme/scheme.h"
