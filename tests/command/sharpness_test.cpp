@@ -142,6 +142,10 @@ TEST(Sharpness, IsRefusedWhereASchemeCannotTakeIt) {
   expect_refused(folder.limn("refine cube.obj -s catmull-clark -n 2 --limit -o fine.obj"),
                  "after 2 levels edges or vertices of the mesh are still sharp");
   expect_done(folder.limn("refine cube.obj -s catmull-clark -n 3 --limit -o fine.obj"));
+  expect_done(folder.limn(
+      "refine cube.obj --no-tags --crease-angle 60 -s catmull-clark -n 1 --limit -o fine.obj"));
+  for (const Point3& p : read(folder, "fine.obj").polygons.positions)
+    EXPECT_NEAR(std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)}), 1, 1e-15);
   folder.write("bad.obj", kCube + "t crease 2/1/0 0 7 3\n");
   expect_refused(folder.limn("refine bad.obj -s catmull-clark -o fine.obj"),
                  "bad.obj:15: no edge joins the vertices 0 and 7 of a crease");
