@@ -55,14 +55,16 @@ TEST(Sharpness, OfObjTagsIsRefinedAndWhatIsLeftIsWritten) {
 TEST(Sharpness, ThatAFormatCannotHoldIsWarnedOf) {
   const Folder folder;
   folder.write("cube.obj", kCube + "t crease 2/1/0 0 1 3\n");
-  const Outcome outcome = folder.limn("refine cube.obj -s catmull-clark -n 2 -o fine.ply");
+  const Outcome outcome = folder.limn("refine cube.obj -s catmull-clark -n 2 -o fine.off");
   expect_done(outcome);
   EXPECT_NE(
-      outcome.err.find("left out: what is still sharp, 4 edges and 0 vertices, which ply files "
+      outcome.err.find("left out: what is still sharp, 4 edges and 0 vertices, which off files "
                        "cannot hold (write obj, which can)"),
       std::string::npos)
       << outcome.err;
-  EXPECT_EQ(folder.limn("refine cube.obj -s catmull-clark -n 3 -o fine.ply").err, "");
+  EXPECT_EQ(folder.limn("refine cube.obj -s catmull-clark -n 3 -o fine.off").err, "");
+  EXPECT_EQ(folder.limn("refine cube.obj -s catmull-clark -n 2 -o fine.ply").err, "");
+  EXPECT_EQ(read(folder, "fine.ply").tags.creases.size(), 4U);
 }
 
 TEST(Sharpness, IsLeftOutOnRequestAndByCommandsWithoutIt) {
