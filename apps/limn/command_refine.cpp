@@ -76,9 +76,9 @@ Status write_curvatures(const std::string& path, const RefinedSurface& surface) 
 
 /// What is needed, in a word before the work begins, where it is much; refused, where it is more
 /// than there is. `written`: while it is made.
-Status announce(const RefineOptions& options, const Scheme& scheme, const Mesh& mesh, bool written,
-                ProgressLine& line) {
-  const LimitWork work{.quick = options.engine == "quick",
+Status announce(const RefineOptions& options, const Scheme& scheme, const Mesh& mesh, bool quick,
+                bool written, ProgressLine& line) {
+  const LimitWork work{.quick = quick,
                        .limit = options.limit || options.normals,
                        .curvatures = !options.curvatures.empty(),
                        .written = written};
@@ -110,11 +110,12 @@ void warn_of_gaps(const RefineOptions& options, const LimitGaps& gaps, MeshRemar
   add_warnings(remarks, gaps_text(gaps, places));
 }
 
-/// A warning of what a format cannot hold.
+/// A warning of what the format cannot hold.
 void warn_of_lost_tags(const RefineOptions& options, const SharpnessTags& tags,
                        ControlMesh& control) {
-  if (tags.creases.empty() && tags.corners.empty()) return;
-  const std::size_t edges = tags.creases.size(), vertices = tags.corners.size();
+  const SharpnessTags lost = lost_tags(options.output.extension(), tags);
+  const std::size_t edges = lost.creases.size(), vertices = lost.corners.size();
+  if (edges == 0 && vertices == 0) return;
   Error warning(fmt::format("left out: what is still sharp, {} edge{} and {} {}, which {} files "
                             "cannot hold",
                             edges, edges == 1 ? "" : "s", vertices,
@@ -128,7 +129,8 @@ void warn_of_lost_tags(const RefineOptions& options, const SharpnessTags& tags,
 Result<RefinedFile> refine_then_write(const RefineOptions& options, const Scheme& scheme,
                                       ControlMesh& control, const SurfaceOptions& wanted,
                                       ProgressLine& line) {
-  if (Status status = announce(options, scheme, control.mesh, false, line); !status)
+  const bool quick = options.engine == "quick" && !wanted.has_sharpness();
+  if (Status status = announce(options, scheme, control.mesh, quick, false, line); !status)
     return status.error();
   Result<RefinedSurface> surface =
       refine_surface(scheme, std::move(control.mesh), std::move(control.points), wanted);
@@ -142,7 +144,7 @@ Result<RefinedFile> refine_then_write(const RefineOptions& options, const Scheme
   WriteOptions extras;
   extras.normals = std::move(surface->normals);
   extras.tags = surface->sharp;
-  if (!holds_tags(options.output.extension())) warn_of_lost_tags(options, extras.tags, control);
+  warn_of_lost_tags(options, extras.tags, control);
   if (Status status = options.output.write(surface->polygons, extras); !status)
     return status.error();
   if (surface->regular_part.bounded == Truth::no)
@@ -167,12 +169,12 @@ Result<RefinedFile> refine_then_write(const RefineOptions& options, const Scheme
 Result<RefinedFile> refine_into_output(const RefineOptions& options, const Scheme& scheme,
                                        ControlMesh& control, ProgressLine& line) {
   SurfaceOptions wanted = wanted_of(options, line);
-  Result<Sharpness> sharpness = options.sharpness.of(control, scheme, wanted.of_limit());
+  Result<Sharpness> sharpness = options.sharpness.of(control, scheme);
   if (!sharpness) return sharpness.error();
   wanted.sharpness = *std::move(sharpness);
   const std::string& path = options.output.path;
   if (may_write_refined(scheme, wanted, path, options.output.extension())) {
-    if (Status status = announce(options, scheme, control.mesh, true, line); !status)
+    if (Status status = announce(options, scheme, control.mesh, true, true, line); !status)
       return status.error();
     Result<std::optional<RefinedFile>> file =
         write_refined(scheme, control.mesh, control.points, wanted, path);

@@ -53,11 +53,10 @@ void SharpnessOptions::declare(CLI::App& command) {
 namespace {
 
 /// What keeps a cut mesh's copies together [DeRoseKassTruong1998; OpenSubdiv].
-void add_cuts(ControlMesh& control, const Scheme& scheme, bool of_limit, Sharpness& sharpness) {
+void add_cuts(ControlMesh& control, const Scheme& scheme, Sharpness& sharpness) {
   if (control.cut_tags.empty()) return;
   Status takes = apply_tags(control.mesh, {}, control.cut_tags, sharpness);
   if (takes.ok()) takes = check_takes_sharpness(scheme, sharpness);
-  if (takes.ok() && of_limit) takes = Error{"limits beside what is sharp are not known"};
   if (takes.ok()) return;
   add_warnings(
       control.remarks,
@@ -68,10 +67,9 @@ void add_cuts(ControlMesh& control, const Scheme& scheme, bool of_limit, Sharpne
 
 }  // namespace
 
-Result<Sharpness> SharpnessOptions::of(ControlMesh& control, const Scheme& scheme,
-                                       bool of_limit) const {
+Result<Sharpness> SharpnessOptions::of(ControlMesh& control, const Scheme& scheme) const {
   Sharpness sharpness;
-  add_cuts(control, scheme, of_limit, sharpness);
+  add_cuts(control, scheme, sharpness);
   BoundaryMode mode = BoundaryMode::edge_only;
   const auto add = [&](const SharpnessTags& tags) -> Status {
     if (tags.boundary) mode = *tags.boundary;

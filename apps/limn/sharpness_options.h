@@ -21,9 +21,8 @@ struct SharpnessOptions {
   [[nodiscard]] TagUse use() const { return no_tags ? TagUse::leave_out : TagUse::keep; }
   /// All of it together: what is stated later counts, in the order mesh file, --tags,
   /// --crease-angle; options count more than files. What a cut mesh holds sharp comes first, where
-  /// the scheme takes it and nothing of the limit is wanted; else a warning says that it is smooth.
-  [[nodiscard]] Result<Sharpness> of(ControlMesh& control, const Scheme& scheme,
-                                     bool of_limit) const;
+  /// the scheme takes it; else a warning says that it is smooth.
+  [[nodiscard]] Result<Sharpness> of(ControlMesh& control, const Scheme& scheme) const;
 };
 
 }  // namespace limn::app

@@ -55,14 +55,16 @@ TEST(Sharpness, OfObjTagsIsRefinedAndWhatIsLeftIsWritten) {
 TEST(Sharpness, ThatAFormatCannotHoldIsWarnedOf) {
   const Folder folder;
   folder.write("cube.obj", kCube + "t crease 2/1/0 0 1 3\n");
-  const Outcome outcome = folder.limn("refine cube.obj -s catmull-clark -n 2 -o fine.ply");
+  const Outcome outcome = folder.limn("refine cube.obj -s catmull-clark -n 2 -o fine.off");
   expect_done(outcome);
   EXPECT_NE(
-      outcome.err.find("left out: what is still sharp, 4 edges and 0 vertices, which ply files "
+      outcome.err.find("left out: what is still sharp, 4 edges and 0 vertices, which off files "
                        "cannot hold (write obj, which can)"),
       std::string::npos)
       << outcome.err;
-  EXPECT_EQ(folder.limn("refine cube.obj -s catmull-clark -n 3 -o fine.ply").err, "");
+  EXPECT_EQ(folder.limn("refine cube.obj -s catmull-clark -n 3 -o fine.off").err, "");
+  EXPECT_EQ(folder.limn("refine cube.obj -s catmull-clark -n 2 -o fine.ply").err, "");
+  EXPECT_EQ(read(folder, "fine.ply").tags.creases.size(), 4U);
 }
 
 TEST(Sharpness, IsLeftOutOnRequestAndByCommandsWithoutIt) {
@@ -142,6 +144,10 @@ TEST(Sharpness, IsRefusedWhereASchemeCannotTakeIt) {
   expect_refused(folder.limn("refine cube.obj -s catmull-clark -n 2 --limit -o fine.obj"),
                  "after 2 levels edges or vertices of the mesh are still sharp");
   expect_done(folder.limn("refine cube.obj -s catmull-clark -n 3 --limit -o fine.obj"));
+  expect_done(folder.limn(
+      "refine cube.obj --no-tags --crease-angle 60 -s catmull-clark -n 1 --limit -o fine.obj"));
+  for (const Point3& p : read(folder, "fine.obj").polygons.positions)
+    EXPECT_NEAR(std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)}), 1, 1e-15);
   folder.write("bad.obj", kCube + "t crease 2/1/0 0 7 3\n");
   expect_refused(folder.limn("refine bad.obj -s catmull-clark -o fine.obj"),
                  "bad.obj:15: no edge joins the vertices 0 and 7 of a crease");

@@ -5,6 +5,7 @@
 
 #include <random>
 
+#include "limn/limit/crease_limit.h"
 #include "limn/mesh/sharpness/sharpness.h"
 #include "peer_test.h"
 
@@ -140,6 +141,44 @@ TEST_P(Sharp, Holes) {
     for (Index f = 1; f < mesh.face_count(); ++f)
       if (random() % 4 == 0) tags.holes.push_back(f);
   });
+}
+
+/// Tags without the edges that end inside, one after the other until there are no darts.
+PeerTags without_darts(const Mesh& mesh, PeerTags tags) {
+  for (std::size_t before = 0; before != tags.edges.size();) {
+    before = tags.edges.size();
+    std::vector<int> count(static_cast<std::size_t>(mesh.vertex_count()), 0);
+    for (const auto& ends : tags.edges)
+      for (const Index v : ends) ++count[static_cast<std::size_t>(v)];
+    std::erase_if(tags.edges, [&](const std::array<Index, 2>& ends) {
+      return std::any_of(ends.begin(), ends.end(), [&](Index v) {
+        return !mesh.is_boundary_vertex(v) && count[static_cast<std::size_t>(v)] == 1;
+      });
+    });
+  }
+  tags.edge_sharpness.assign(tags.edges.size(), 10);
+  return tags;
+}
+
+// At darts OpenSubdiv takes the limit of a smooth vertex, which is not where the points go.
+TEST_P(Sharp, LimitsOfInfiniteCreasesAndCorners) {
+  unsigned seed = 30;
+  for (const ControlMesh& control : meshes_for(GetParam())) {
+    const Mesh mesh = Mesh::build(control.polygons).value();
+    const PeerTags tags = without_darts(mesh, random_tags(mesh, Kind::infinite, 0.4, ++seed));
+    const auto peer = opensubdiv_peer(GetParam(), control.polygons, tags);
+    peer->want_limit();
+    peer->refine(2);
+    ASSERT_TRUE(peer->move_to_limit(0));
+    const Scheme scheme =
+        find_scheme(GetParam() == Method::loop ? "loop" : "catmull-clark").value();
+    const auto fine =
+        refine(scheme, mesh, control.polygons.positions, 2, {}, sharpness_of(mesh, tags)).value();
+    const LimitPoints limit =
+        approx_limit_points(scheme, fine.mesh, fine.values, fine.sharpness).value();
+    EXPECT_EQ(difference(fine.mesh.polygons(limit.positions), peer->polygons(), 1e-11), "")
+        << control.name;
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(OpenSubdiv, Sharp, ::testing::Values(Method::loop, Method::catmull_clark),

@@ -8,6 +8,7 @@
 
 #include "limn/fast/fast_limit.h"
 #include "limn/fast/fast_refiner.h"
+#include "limn/limit/crease_limit.h"
 #include "limn/refine/refine.h"
 #include "limn/regular/smoothness/second_differences.h"
 
@@ -36,7 +37,7 @@ class Work {
     Result<Refined<Point3>> refined = refined_mesh();
     if (!refined) return refined.error();
     if (!mesh_is_needed()) return std::move(surface_);  // polygons are all
-    if (options_.of_limit() && refined->sharpness.any()) return still_sharp(refined->sharpness);
+    if (options_.of_limit() && refined->sharpness.fades()) return still_sharp();
     if (options_.of_limit())
       if (Status status = find_limit(*refined); !status) return status.error();
     surface_.polygons = refined->mesh.polygons(std::move(refined->values));
@@ -61,14 +62,12 @@ class Work {
     if (options_.progress) options_.progress(what);
   }
 
-  /// What the limit is on creases is not known here.
-  [[nodiscard]] Error still_sharp(const Sharpness& left) const {
+  [[nodiscard]] Error still_sharp() const {
     return {
-        fmt::format("after {} levels edges or vertices of the mesh are still sharp, where limit "
-                    "points, normals and curvatures are not known",
+        fmt::format("after {} levels edges or vertices of the mesh are still sharp that will be "
+                    "smooth, where limit points, normals and curvatures are not known",
                     options_.levels),
-        left.fades() ? "refine by more levels than what is sharp has"
-                     : "leave out what is wanted of the limit, or the tags"};
+        "refine by as many levels as what fades is sharp"};
   }
 
   /// The vertices that only holes have are gone, from all that is by vertex.
@@ -159,7 +158,8 @@ class Work {
     options.progress = [&](int left) {
       say(fmt::format("limit points: {} vertices left, near irregular ones", left));
     };
-    Result<LimitPoints> limit = approx_limit_points(scheme_, refined.mesh, refined.values, options);
+    Result<LimitPoints> limit =
+        approx_limit_points(scheme_, refined.mesh, refined.values, refined.sharpness, options);
     if (!limit) return limit.error();
     if (options_.normals) {
       surface_.gaps.normals = without_normal(limit->normals);

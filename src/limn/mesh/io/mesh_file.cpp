@@ -231,14 +231,20 @@ Warnings MeshFile::notes() const {
 }
 
 void MeshFile::leave_out_tags() {
+  const bool of_obj = source.first == 1;  // else of PLY
   if (tags.statements > 0)
-    left_out.push_back({"sharp edges and corners, and other tags of OpenSubdiv ('t')",
-                        static_cast<std::size_t>(tags.statements), "lines", tags.line,
-                        tags.column});
+    left_out.push_back({of_obj ? "sharp edges and corners, and other tags of OpenSubdiv ('t')"
+                               : "the sharpness of edges",
+                        static_cast<std::size_t>(tags.statements), of_obj ? "lines" : "edges",
+                        tags.line, tags.column});
   tags = {};
 }
 
-bool holds_tags(std::string_view extension) { return io::is_extension(extension, "obj"); }
+SharpnessTags lost_tags(std::string_view extension, SharpnessTags tags) {
+  if (io::is_extension(extension, "obj")) return {};
+  if (io::is_extension(extension, "ply")) tags.creases.clear();
+  return tags;
+}
 
 Result<MeshFile> parse_mesh_file(std::string_view content, std::string_view extension,
                                  const std::string& name, const ReadOptions& options) {

@@ -38,7 +38,9 @@ struct MeshFile {
   Warnings warnings;              ///< faults of the file that did not keep it from being read
   std::vector<LeftOut> left_out;  ///< in the order in which they were met
   std::vector<Index> dropped;     ///< STL: numbers of the facets without area that were left out
-  SharpnessTags tags;             ///< what is sharp: of OBJ, the tags ('t') of OpenSubdiv
+  /// What is sharp: of OBJ, the tags ('t') of OpenSubdiv; of PLY, elements 'edge' with the
+  /// properties 'vertex1', 'vertex2' and 'sharpness'.
+  SharpnessTags tags;
 
   /// Forgets the tags, for whoever has no use for them; `left_out` says so.
   void leave_out_tags();
@@ -87,12 +89,13 @@ struct ReadOptions {
 struct WriteOptions {
   /// Limit or vertex normals, one per vertex, or empty: written where the format has them.
   std::vector<Point3> normals;
-  /// What is sharp, by numbers of vertices and faces: written where the format has it (holds_tags).
+  /// What is sharp, by numbers of vertices and faces: written where the format has it (lost_tags).
+  /// Creases are single edges, of two vertices.
   SharpnessTags tags;
 };
 
-/// Whether files with this extension hold sharpness: obj.
-[[nodiscard]] bool holds_tags(std::string_view extension);
+/// What of the tags files with this extension do not hold: OBJ holds all, PLY creases, others none.
+[[nodiscard]] SharpnessTags lost_tags(std::string_view extension, SharpnessTags tags);
 
 /// Writes a mesh, whole or not at all (`write_file`). Fails where the format cannot hold a
 /// coordinate: the error names the vertex, the value and a remedy, and no file where the value is

@@ -1,6 +1,6 @@
 /// Stanford PLY: the positions of `vertex`, the index lists of `face` and the strips of
-/// `tristrips` are read from ascii and both binary encodings; binary little-endian with double
-/// coordinates is written.
+/// `tristrips`, and the sharpness of `edge`, are read from ascii and both binary encodings; binary
+/// little-endian with double coordinates is written.
 
 #include <cmath>
 #include <cstdint>
@@ -36,6 +36,22 @@ int axis_of(const PlyProperty& property) {
 
 bool holds_faces(const PlyElement& element) {
   return is_one_of(element.name, {"face", "tristrips"});
+}
+
+/// The properties of an edge that are read, in this order; -1: none of them.
+constexpr const char* kEdgeProperties[] = {"vertex1", "vertex2", "sharpness"};
+int edge_role_of(const PlyProperty& property) {
+  for (int role = 0; role < 3; ++role)
+    if (!property.is_list && property.name == kEdgeProperties[role]) return role;
+  return -1;
+}
+
+/// Whether these are edges with all of them.
+bool holds_sharpness(const PlyElement& element) {
+  int found = 0;
+  for (const PlyProperty& property : element.properties)
+    if (const int role = edge_role_of(property); role >= 0) found |= 1 << role;
+  return element.name == "edge" && found == 7;
 }
 
 /// That the element has one list of vertices.
@@ -95,6 +111,7 @@ void remark_what_is_left_out(const PlyHeader& header, Remarks& remarks) {
   for (const PlyElement& element : header.elements) {
     const auto count = static_cast<std::size_t>(element.count);
     const bool is_vertex = element.name == "vertex";
+    if (holds_sharpness(element)) continue;
     if (!is_vertex && !holds_faces(element)) {
       if (count > 0)
         remarks.left_out(element.place, "elements " + in_quotes(element.name), "of them", count);
@@ -124,6 +141,8 @@ class ElementReader {
         if (!vertices(element)) return false;
       } else if (holds_faces(element)) {
         if (!faces(element)) return false;
+      } else if (holds_sharpness(element)) {
+        if (!edges(element)) return false;
       } else if (!skip_all(element)) {
         return false;
       }
@@ -195,6 +214,35 @@ class ElementReader {
         if (!read) return false;
       }
       if (!body_.end()) return false;
+    }
+    return true;
+  }
+
+  /// Those of a sharpness other than 0.
+  bool edges(const PlyElement& element) {
+    SharpnessTags& tags = file_.tags;
+    tags.file = file_.source.file;
+    tags.line = element.place.line;
+    tags.column = element.place.column;
+    for (std::int64_t number = 0; number < element.count; ++number) {
+      std::int64_t ends[2] = {};
+      double sharpness = 0;
+      if (!body_.begin(element, number)) return false;
+      const int line = body_.line();
+      for (const PlyProperty& property : element.properties) {
+        const int role = edge_role_of(property);
+        const bool read = role < 0    ? skip(property)
+                          : role == 2 ? body_.read(property.type, sharpness, "a sharpness")
+                                      : integer(property.type, ends[role], "a vertex index") &&
+                                            check_vertex(ends[role]);
+        if (!read) return false;
+      }
+      if (sharpness < 0) return body_.fail("a sharpness below 0");
+      if (!body_.end()) return false;
+      if (sharpness == 0) continue;
+      ++tags.statements;
+      tags.creases.push_back(
+          {{static_cast<Index>(ends[0]), static_cast<Index>(ends[1])}, {sharpness}, line});
     }
     return true;
   }
@@ -361,7 +409,7 @@ Status parse_ply(std::string_view content, const ReadOptions& options, MeshFile&
 
 void format_ply(const Polygons& mesh, const WriteOptions& options, const Sink& sink) {
   PlyRecords records{mesh.positions.size(), static_cast<std::size_t>(mesh.face_count()),
-                     !options.normals.empty(), false};
+                     !options.normals.empty(), false, options.tags.creases.size()};
   for (Index face = 0; face < mesh.face_count(); ++face)
     records.wide = records.wide || mesh.degree(face) > 255;
   sink(records.header());
@@ -381,6 +429,10 @@ void format_ply(const Polygons& mesh, const WriteOptions& options, const Sink& s
     put_ply_faces(out.data(), count, mesh.corners.data() + begin, 0, &mesh.face_begin[first],
                   records.wide);
   });
+  std::string edges;
+  for (const SharpnessTags::Crease& crease : options.tags.creases)
+    append_ply_edge(edges, crease.vertices[0], crease.vertices[1], crease.sharpness[0]);
+  if (!edges.empty()) sink(edges);
 }
 
 }  // namespace limn::io

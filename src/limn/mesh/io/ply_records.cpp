@@ -32,7 +32,14 @@ std::string PlyRecords::header() const {
   text += "element face " + std::to_string(faces);
   text += wide ? "\nproperty list int int vertex_indices\n"
                : "\nproperty list uchar int vertex_indices\n";
+  if (edges > 0)
+    text += "element edge " + std::to_string(edges) +
+            "\nproperty int vertex1\nproperty int vertex2\nproperty double sharpness\n";
   return text + "end_header\n";
+}
+
+void append_ply_edge(std::string& out, Index from, Index to, double sharpness) {
+  append_little(out, from, to, sharpness);
 }
 
 char* put_ply_vertices(char* to, std::size_t count, const double* positions,

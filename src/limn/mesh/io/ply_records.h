@@ -12,7 +12,8 @@ namespace limn::io {
 struct PlyRecords {
   std::size_t vertices = 0, faces = 0;
   bool normals = false;
-  bool wide = false;  ///< a face has more than 255 corners
+  bool wide = false;      ///< a face has more than 255 corners
+  std::size_t edges = 0;  ///< that have a sharpness
 
   [[nodiscard]] std::string header() const;
   /// Of a vertex.
@@ -25,6 +26,9 @@ struct PlyRecords {
 
 /// Stores vertices, and where `normals` is not null theirs; x, y, z of each. Returns past the last.
 char* put_ply_vertices(char* to, std::size_t count, const double* positions, const double* normals);
+
+/// Appends an edge: its vertices and its sharpness.
+void append_ply_edge(std::string& out, Index from, Index to, double sharpness);
 
 /// Stores `count` faces whose corners follow one another; of `each` corners, or where that is 0,
 /// face f has begin[f + 1] - begin[f].

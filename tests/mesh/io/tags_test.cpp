@@ -96,8 +96,55 @@ TEST(ObjTags, AreWrittenSoThatTheyReadBack) {
   EXPECT_EQ(again.tags.boundary, tags.boundary);
   EXPECT_EQ(again.tags.method, tags.method);
   EXPECT_EQ(again.tags.smooth_triangles, true);
-  EXPECT_TRUE(holds_tags("OBJ"));
-  EXPECT_FALSE(holds_tags("ply"));
+  EXPECT_TRUE(lost_tags("OBJ", tags).empty());
+  EXPECT_EQ(lost_tags("ply", tags).creases.size(), 0U);
+  EXPECT_EQ(lost_tags("ply", tags).corners.size(), 1U);
+  EXPECT_EQ(lost_tags("off", tags).creases.size(), 2U);
+}
+
+// --- edges in PLY -------------------------------------------------------------------------------
+
+std::string ply(const std::string& edges) {
+  return "ply\nformat ascii 1.0\nelement vertex 3\nproperty double x\nproperty double y\n"
+         "property double z\nelement face 1\nproperty list uchar int vertex_indices\n"
+         "element edge 2\nproperty uchar red\nproperty int vertex1\nproperty int vertex2\n"
+         "property float sharpness\nend_header\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n" +
+         edges;
+}
+
+TEST(PlyEdges, HaveASharpness) {
+  const MeshFile file = parse_mesh_file(ply("9 0 1 2.5\n9 1 2 0\n"), "ply", "a.ply").value();
+  ASSERT_EQ(file.tags.creases.size(), 1U);  // the other is smooth
+  EXPECT_EQ(file.tags.creases[0].vertices, (std::vector<Index>{0, 1}));
+  EXPECT_EQ(file.tags.creases[0].sharpness, std::vector<double>{2.5});
+  EXPECT_EQ(file.tags.creases[0].line, 19);
+  Warnings notes;
+  EXPECT_TRUE(parse_mesh(ply("9 0 1 2.5\n9 1 2 0\n"), "ply", "a.ply", &notes).ok());
+  ASSERT_EQ(notes.size(), 1U);
+  EXPECT_EQ(notes[0].message, "left out: the sharpness of edges, 1 edge");
+}
+
+TEST(PlyEdges, ThatAreFaultyAreRefused) {
+  const auto fault = [](const std::string& edges) {
+    const Result<MeshFile> file = parse_mesh_file(ply(edges), "ply", "a.ply");
+    return file ? "" : file.error().text();
+  };
+  EXPECT_NE(fault("9 0 3 2.5\n9 1 2 0\n").find("a.ply:19:5: vertex index 3 is out of range"),
+            std::string::npos);
+  EXPECT_NE(fault("9 0 1 -1\n9 1 2 0\n").find("a.ply:19:7: a sharpness below 0"),
+            std::string::npos);
+}
+
+TEST(PlyEdges, AreWrittenSoThatTheyReadBack) {
+  WriteOptions options;
+  options.tags.creases = {{{0, 1}, {1.0 / 3}, 0}, {{2, 1}, {10}, 0}};
+  const Polygons mesh = parse_mesh_file(kSquares, "obj", "a.obj").value().polygons;
+  const MeshFile again =
+      parse_mesh_file(format_mesh("ply", mesh, options).value(), "ply", "b.ply").value();
+  EXPECT_EQ(again.polygons, mesh);
+  ASSERT_EQ(again.tags.creases.size(), 2U);
+  EXPECT_EQ(again.tags.creases[0].sharpness, options.tags.creases[0].sharpness);
+  EXPECT_EQ(again.tags.creases[1].vertices, options.tags.creases[1].vertices);
 }
 
 }  // namespace
