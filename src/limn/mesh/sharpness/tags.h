@@ -22,27 +22,30 @@ struct SharpnessTags {
     std::vector<double> sharpness;  ///< one for all edges, or one for each
     int line = 0;                   ///< of the file; 0: none is known
   };
+  /// A sharp vertex.
   struct Corner {
-    Index vertex = 0;
-    double sharpness = 0;
-    int line = 0;  ///< as above
+    Index vertex = 0;      ///< which one
+    double sharpness = 0;  ///< at least 0
+    int line = 0;          ///< of the file; 0: none is known
   };
+  /// A face that is not written.
   struct Hole {
-    Index face = 0;
-    int line = 0;  ///< as above
+    Index face = 0;  ///< which one, among those of the file
+    int line = 0;    ///< of the file; 0: none is known
   };
 
-  std::string file;  ///< for messages; empty: none
-  Index first = 0;   ///< the number that the file's lines give the first vertex and face
-  std::vector<Crease> creases;
-  std::vector<Corner> corners;
-  std::vector<Hole> holes;
-  std::optional<BoundaryMode> boundary;
-  std::optional<CreaseMethod> method;
+  std::string file;             ///< for messages; empty: none
+  Index first = 0;              ///< the number that the file's lines give the first vertex and face
+  std::vector<Crease> creases;  ///< of those that state an edge, the last counts
+  std::vector<Corner> corners;  ///< the same
+  std::vector<Hole> holes;      ///< in the order of the file
+  std::optional<BoundaryMode> boundary;  ///< nothing: not stated
+  std::optional<CreaseMethod> method;    ///< nothing: not stated
   std::optional<bool> smooth_triangles;  ///< Catmull–Clark's triangles are refined more evenly
 
-  int statements = 0;        ///< lines that state them
-  int line = 0, column = 0;  ///< where the first of them stands
+  int statements = 0;  ///< lines (PLY: edges) that state them
+  int line = 0;        ///< where the first of them stands; 0: unknown
+  int column = 0;      ///< of that line; 0: unknown
 
   /// Whether nothing is stated.
   [[nodiscard]] bool empty() const;
@@ -60,8 +63,9 @@ struct SharpnessTags {
 /// The tags that say this of a mesh: a crease for each sharp interior edge.
 [[nodiscard]] SharpnessTags tags_of(const Mesh& mesh, const Sharpness& sharpness);
 
-/// The names that USD has for them: "none", "edgeOnly", "edgeAndCorner"; "uniform", "chaikin".
+/// The names that USD has for them: "none", "edgeOnly", "edgeAndCorner".
 [[nodiscard]] const std::vector<std::pair<std::string, BoundaryMode>>& boundary_modes();
+/// And for these: "uniform", "chaikin".
 [[nodiscard]] const std::vector<std::pair<std::string, CreaseMethod>>& crease_methods();
 
 }  // namespace limn
