@@ -4,25 +4,19 @@
 ///     clang++ -fsanitize=fuzzer,address,undefined … && ./mesh_file_fuzz -max_len=4096 CORPUS
 
 #include <cstdint>
-#include <cstdio>
-#include <cstdlib>
 #include <cstring>
 #include <string>
 
 #include "limn/mesh/io/mesh_file.h"
 #include "limn/mesh/mesh_faults.h"
 #include "limn/mesh/polygon/triangulate.h"
+#include "mesh_checks.h"
 
 namespace {
 
 using limn::Index;
 using limn::Polygons;
-
-void check(bool holds, const char* what) {
-  if (holds) return;
-  std::fprintf(stderr, "broken: %s\n", what);
-  std::abort();
-}
+using limn::fuzz::check;
 
 /// The invariants that every reader promises.
 void check_mesh(const Polygons& mesh) {
@@ -79,6 +73,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   constexpr const char* extensions[] = {"obj", "off", "ply", "stl"};
   const std::string content(reinterpret_cast<const char*>(data + 1), size - 1);
   (void)limn::parse_mesh_file(content, "", "by content");
+  limn::fuzz::check_kept_faults(content, extensions[data[0] % 4]);
   const limn::Result<limn::MeshFile> file =
       limn::parse_mesh_file(content, extensions[data[0] % 4], "fuzz");
   if (!file) {

@@ -139,8 +139,8 @@ int compare(const CompareOptions& options) {
 void declare_mesh(CLI::App& command, CompareOptions& options) {
   CLI::Option* const mesh = command.add_option(
       "--mesh", options.mesh,
-      "also fairness and distances of the limit surfaces over this control mesh (.obj, .off, .ply "
-      "or .stl)");
+      "also fairness and distances of the limit surfaces over this control mesh (.obj, .off, "
+      ".ply, .stl, .glb or .gltf)");
   command
       .add_option("-n,--levels", options.steps,
                   "refinement steps before the limit is taken, of splits that make four faces of "

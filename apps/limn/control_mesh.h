@@ -35,7 +35,8 @@ enum class TagUse { leave_out, keep };
 
 /// What the help of an option says of MESH.
 inline constexpr const char* kMeshArgumentHelp =
-    "control mesh: .obj, .off, .ply or .stl; - is standard input, in any of these formats";
+    "control mesh: .obj, .off, .ply, .stl, .glb or .gltf; - is standard input, in any of these "
+    "formats";
 
 /// Whether the name of a mesh tells its format; "-" is standard input, whose content tells.
 [[nodiscard]] Status check_mesh_path(const std::string& path);

@@ -87,7 +87,7 @@ TEST(CheckCases, AreRefinedOrRefusedAsChecked) {
   for (const Case& one : cases()) {
     const std::string refine = "refine " + case_file(one.file) + " -s catmull-clark -n 2 -o o.ply";
     if (!one.remedy.empty()) expect_refused(folder.limn(refine), {one.file, one.remedy});
-    for (const std::string option : {one.remedy, std::string("--repair")}) {
+    for (const std::string& option : {one.remedy, std::string("--repair")}) {
       const Outcome outcome = folder.limn(refine + " --limit --normals --json " + option);
       ASSERT_EQ(outcome.code, 0) << one.file << " " << option << outcome.err;
       const Polygons fine = read_mesh(folder.file("o.ply")).value();
@@ -105,10 +105,12 @@ TEST(CheckCases, GoThroughEveryCommand) {
   const Folder folder;
   for (const Case& one : cases()) {
     const std::string mesh = case_file(one.file) + " " + one.remedy;
-    for (const std::string command :
-         {"fairness " + mesh + " -s catmull-clark -n 2 --json",
-          "draw " + mesh + " -s doo-sabin -n 1 -o o.svg --json",
-          "compare catmull-clark doo-sabin --valence 4 --budget 20 -n 1 --json --mesh " + mesh}) {
+    std::vector<std::string> commands{"fairness " + mesh + " -s catmull-clark -n 2 --json",
+                                      "draw " + mesh + " -s doo-sabin -n 1 -o o.svg --json"};
+    if (one.file.starts_with("0"))  // it looks at the schemes, too
+      commands.push_back(
+          "compare catmull-clark doo-sabin --valence 4 --budget 20 -n 1 --json --mesh " + mesh);
+    for (const std::string& command : commands) {
       const Outcome outcome = folder.limn(command);
       if (outcome.code != 0) {  // in words, and only where there is nothing to see or to compare
         expect_refused(outcome, one.file);
@@ -226,12 +228,12 @@ TEST(Check, WritesTheRepairedMesh) {
 TEST(Repair, IsCountedAndNamedInEveryCommand) {
   const Folder folder;
   const std::string box = case_file("07b-box-24-vertices.obj");
-  for (const std::string command : {"refine " + box + " -s catmull-clark -n 1 -o o.obj",
-                                    "fairness " + box + " -s catmull-clark -n 1",
-                                    "draw " + box + " -s catmull-clark -n 1 -o o.svg",
-                                    "compare catmull-clark doo-sabin --valence 4 --budget 20 -n 1 "
-                                    "--mesh " +
-                                        box}) {
+  for (const std::string& command : {"refine " + box + " -s catmull-clark -n 1 -o o.obj",
+                                     "fairness " + box + " -s catmull-clark -n 1",
+                                     "draw " + box + " -s catmull-clark -n 1 -o o.svg",
+                                     "compare catmull-clark doo-sabin --valence 4 --budget 20 -n 1 "
+                                     "--mesh " +
+                                         box}) {
     const Outcome plain = folder.limn(command + " --json");
     if (plain.code != 0) continue;  // built without what it needs
     EXPECT_NE(plain.err.find("looks unwelded"), std::string::npos) << command << plain.err;

@@ -81,8 +81,10 @@ TEST(BadMeshes, MissingFileDirectoryAndUnknownExtension) {
   ASSERT_FALSE(unknown.ok());
   EXPECT_NE(unknown.error().message.find("'fbx'"), std::string::npos);
   EXPECT_NE(unknown.error().hint.find("obj, off, ply, stl"), std::string::npos);
-  EXPECT_FALSE(check_readable("mesh.glb").ok());
+  EXPECT_TRUE(check_readable("mesh.glb").ok());
   EXPECT_TRUE(check_writable("mesh.glb").ok());
+  EXPECT_TRUE(check_readable("mesh.gltf").ok());
+  EXPECT_FALSE(check_writable("mesh.gltf").ok());
   EXPECT_FALSE(check_writable("mesh").ok());
   EXPECT_FALSE(check_writable("folder.obj/mesh").ok());
   EXPECT_TRUE(check_readable("a.b/MESH.ObJ").ok());

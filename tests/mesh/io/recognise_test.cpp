@@ -42,7 +42,8 @@ TEST(FormatOfContent, KnowsWhatOthersWrite) {
         Known{"3 1 0\n0 0 0\n", "off"}, Known{mark + "OFF\n", "off"},
         Known{"ply\r\nformat ascii 1.0\r\n", "ply"}, Known{mark + "ply\n", "ply"},
         Known{"SOLID x\n", "stl"}, Known{mark + ascii_stl, "stl"}, Known{solid_head, "stl"},
-        Known{std::string(100, '\0'), "stl"}})
+        Known{std::string(100, '\0'), "stl"}, Known{"glTF\2", "glb"},
+        Known{"\n{ \"asset\": {}}", "gltf"}})
     EXPECT_EQ(format_of_content(known.content).value(), known.format) << known.content;
 }
 
@@ -51,7 +52,7 @@ TEST(FormatOfContent, SaysWhyItCannotTell) {
     std::string content, message;
   };
   for (const Unknown& unknown :
-       {Unknown{"", "no content"}, Unknown{"glTF\2", "glb"}, Unknown{"\x1f\x8b\x08", "gzip"},
+       {Unknown{"", "no content"}, Unknown{"\x1f\x8b\x08", "gzip"}, Unknown{"{}", "no format"},
         Unknown{"\xFF\xFEv", "UTF-16"}, Unknown{"<?xml version='1.0'?>", "XML"},
         Unknown{"hello world\nfoo\n", "no format"}, Unknown{"# only a comment\n", "no format"}}) {
     const Result<std::string> format = format_of_content(unknown.content);

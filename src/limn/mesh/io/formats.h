@@ -113,6 +113,7 @@ Status parse_obj(std::string_view content, const ReadOptions& options, MeshFile&
 Status parse_off(std::string_view content, const ReadOptions& options, MeshFile& mesh);
 Status parse_ply(std::string_view content, const ReadOptions& options, MeshFile& mesh);
 Status parse_stl(std::string_view content, const ReadOptions& options, MeshFile& mesh);
+Status parse_gltf(std::string_view content, const ReadOptions& options, MeshFile& mesh);
 
 /// Preconditions of these, checked by `format_mesh`: coordinates and normals are finite, and fit
 /// in a float where the format keeps floats; normals are none or one per vertex.

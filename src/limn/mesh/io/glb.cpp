@@ -1,4 +1,4 @@
-/// Binary glTF 2.0, written only: one mesh of triangles (triangulate.h), float positions,
+/// Binary glTF 2.0 as it is written: one mesh of triangles (triangulate.h), float positions,
 /// optional unit normals, 32-bit indices. [glTF 2.0 §4.4 GLB file format, §3.7 meshes]
 
 #include <algorithm>

@@ -27,18 +27,19 @@ namespace {
 
 struct Format {
   std::string_view extension;
-  Status (*parse)(std::string_view, const ReadOptions&, MeshFile&);  ///< null: not read
-  void (*format)(const Polygons&, const WriteOptions&, const Sink&);
+  Status (*parse)(std::string_view, const ReadOptions&, MeshFile&);
+  void (*format)(const Polygons&, const WriteOptions&, const Sink&);  ///< null: not written
   bool keeps_floats;
   bool is_gltf;
 };
 
-constexpr std::array<Format, 5> kFormats{{
+constexpr std::array<Format, 6> kFormats{{
     {"obj", parse_obj, format_obj, false, false},
     {"off", parse_off, format_off, false, false},
     {"ply", parse_ply, format_ply, false, false},
     {"stl", parse_stl, format_stl, true, false},
-    {"glb", nullptr, format_glb, true, true},
+    {"glb", parse_gltf, format_glb, true, true},
+    {"gltf", parse_gltf, nullptr, true, true},
 }};
 
 std::string lower_case(std::string_view text) {
@@ -49,11 +50,11 @@ std::string lower_case(std::string_view text) {
   return lower;
 }
 
-/// "obj, off, ply, stl": those that are read, or all.
+/// "obj, off, ply, stl, glb": those that are read, or written.
 std::string known_extensions(bool for_reading) {
   std::string list;
   for (const Format& format : kFormats) {
-    if (for_reading && format.parse == nullptr) continue;
+    if (!for_reading && format.format == nullptr) continue;
     list += (list.empty() ? "" : ", ") + std::string(format.extension);
   }
   return list;
@@ -64,9 +65,8 @@ Error unknown_extension(std::string_view extension, const std::string& path, boo
   error.file = path;
   error.message = extension.empty() ? "the file name has no extension that tells its format"
                                     : "unknown mesh format " + in_quotes(extension);
-  if (for_reading && lower_case(extension) == "glb") {
-    error.message = "glb files are written only, not read";
-  }
+  if (!for_reading && lower_case(extension) == "gltf")
+    error.message = "gltf files are read only, not written";
   error.hint =
       std::string("limn ") + (for_reading ? "reads " : "writes ") + known_extensions(for_reading);
   return error;
@@ -75,7 +75,7 @@ Error unknown_extension(std::string_view extension, const std::string& path, boo
 const Format* find_format(std::string_view extension, bool for_reading) {
   const std::string lower = lower_case(extension);
   for (const Format& format : kFormats) {
-    if (format.extension == lower && !(for_reading && format.parse == nullptr)) return &format;
+    if (format.extension == lower && (for_reading || format.format != nullptr)) return &format;
   }
   return nullptr;
 }
@@ -261,8 +261,9 @@ Result<MeshFile> parse_mesh_file(std::string_view content, std::string_view exte
   if (format == nullptr) return io::unknown_extension(extension, name, true);
   if (content.empty()) return Error{"the file is empty", "", name, 1, 1};
   if (const std::string wide = wide_encoding(content); !wide.empty()) {
-    if (format->extension != "stl" || !io::has_size_of_binary_stl(content))
-      return Error{wide_text_fault(wide), wide_text_remedy(wide), name, 1, 1};
+    const bool binary = (format->extension == "stl" && io::has_size_of_binary_stl(content)) ||
+                        (format->is_gltf && content.starts_with("glTF"));
+    if (!binary) return Error{wide_text_fault(wide), wide_text_remedy(wide), name, 1, 1};
   }
   MeshFile mesh;
   mesh.source.file = name;
@@ -277,7 +278,12 @@ Result<MeshFile> read_mesh_file(const std::string& path, const ReadOptions& opti
   if (Status known = check_readable(path); !known) return known.error();
   const Result<std::string> content = read_file(path);
   if (!content) return content.error();
-  return parse_mesh_file(*content, extension_of(path), path, options);
+  ReadOptions with_folder = options;
+  if (with_folder.folder.empty()) {
+    const std::size_t slash = path.rfind('/');
+    with_folder.folder = slash == std::string::npos ? "." : path.substr(0, slash + 1);
+  }
+  return parse_mesh_file(*content, extension_of(path), path, with_folder);
 }
 
 Result<MeshFile> read_mesh_file(std::istream& in, const std::string& name,

@@ -1,5 +1,5 @@
 #pragma once
-/// Mesh files: OBJ, OFF, PLY (ascii and binary) and STL (ascii and binary) in and out, GLB out.
+/// Mesh files: OBJ, OFF, PLY (ascii and binary), STL (ascii and binary) and GLB in and out, glTF in.
 /// A control mesh comes in exactly as given (order, quads and n-gons, coincident but distinct
 /// vertices), and what is written reads back equal: PLY binary and the text formats keep every
 /// double (PLY as `double`; text in the shortest form that reads back to the same double); STL
@@ -54,6 +54,9 @@ struct ReadOptions {
   /// Coordinates that are not finite, corners that are no vertices and faces of less than three
   /// corners are kept, so that `survey_mesh` finds all of them; else the first is refused.
   bool keep_faults = false;
+  /// Where the files are that glTF names, for its data; empty: they are not read. Reading a path
+  /// takes its folder.
+  std::string folder = {};
 };
 
 /// Reads a mesh. Faults (not a number, NaN or infinity, index out of range, truncated data, a
@@ -75,7 +78,7 @@ struct ReadOptions {
                                                const ReadOptions& options = {});
 
 /// The format that a content is in, by its first words (STL: by its size too): "obj", "off",
-/// "ply" or "stl"; or why that cannot be told. Cost O(1) for what has a sign of its format near
+/// "ply", "stl", "glb" or "gltf"; or why that cannot be told. Cost O(1) for what has a sign of its format near
 /// its head, else O(size).
 [[nodiscard]] Result<std::string> format_of_content(std::string_view content);
 

@@ -31,6 +31,13 @@ bool is_integer(std::string_view word) {
   return parse_integer(word.data(), word.data() + word.size(), value) == word.data() + word.size();
 }
 
+/// JSON with the entry that every glTF file has.
+bool seems_gltf(std::string_view content) {
+  const std::size_t first = content.find_first_not_of(" \t\r\n");
+  return first != std::string_view::npos && content[first] == '{' &&
+         content.find("\"asset\"") != std::string_view::npos;
+}
+
 /// "off" or "obj" by the first word that is no comment; else empty.
 std::string text_format(std::string_view content) {
   TextScanner in(content, "", {.comments = true, .continuation = false});
@@ -52,7 +59,6 @@ const char* foreign_format(std::string_view content) {
     const char* what;
   };
   static constexpr Head heads[] = {
-      {"glTF", "glb, which limn writes only"},
       {"\x1f\x8b", "compressed with gzip"},
       {"BZh", "compressed with bzip2"},
       {"\xfd\x37zXZ", "compressed with xz"},
@@ -90,18 +96,22 @@ Result<std::string> format_of_content(std::string_view content) {
   if (content.empty()) return fail("there is no content", "");
   const std::string_view text = io::without_mark(content);
   if (io::begins_with_word(text, "ply")) return std::string("ply");
+  if (content.starts_with("glTF")) return std::string("glb");
   if (const char* foreign = io::foreign_format(content)) {
-    return fail(std::string("the content is ") + foreign, "limn reads obj, off, ply, stl");
+    return fail(std::string("the content is ") + foreign,
+                "limn reads obj, off, ply, stl, glb, gltf");
   }
   if (io::has_size_of_binary_stl(content)) return std::string("stl");
   if (const std::string wide = wide_encoding(content); !wide.empty()) {
     return fail(wide_text_fault(wide), wide_text_remedy(wide));
   }
+  if (io::seems_gltf(text)) return std::string("gltf");
   if (io::is_binary_stl(content) || io::begins_with_word(text, "solid")) return std::string("stl");
   std::string format = io::text_format(text);
   if (!format.empty()) return format;
-  return fail("the content shows no format that limn reads",
-              "limn reads obj, off, ply, stl; a file with its extension is read as that");
+  return fail(
+      "the content shows no format that limn reads",
+      "limn reads obj, off, ply, stl, glb, gltf; a file with its extension is read as that");
 }
 
 }  // namespace limn
