@@ -100,7 +100,7 @@ class Namer {
     if (!rule_case) return rule_case.error();
     Row<WeightForm> row;
     if (*rule_case == nullptr) {
-      if (kind == RuleKind::edge_end) return row;
+      if (stands_in_for(kind, *scheme.split)) return row;
       return missing_rule(scheme, kind, n);
     }
     const auto program =
@@ -178,7 +178,11 @@ class RowTerms {
       const double to = key.column == kCenter
                             ? from
                             : places_.orbits()[static_cast<std::size_t>(key.column)].angle;
-      if (key.repeated >= 0) {
+      if (key.repeated >= 0 && row_ == kCenter && positions.size() == kSectors * kSectors) {
+        // by way of the faces' new vertices, from each of the sectors
+        term.every_sector = true;
+        terms.push_back(term);
+      } else if (key.repeated >= 0) {
         if (!line_up(positions, term)) return false;
         if (key.column != kCenter) term.angle += to - from;
         terms.push_back(term);
@@ -283,8 +287,10 @@ Result<StarForms> refined_star(const Scheme& scheme, const CenterCases& cases, i
 
 std::vector<RuleKind> center_rules(const Split& split) {
   if (split.births.corners) return {RuleKind::corner};
-  if (split.births.edges) return {RuleKind::vertex, RuleKind::edge_end};
-  return {RuleKind::vertex};
+  std::vector<RuleKind> kinds{RuleKind::vertex};
+  if (split.births.edges) kinds.push_back(RuleKind::edge_end);
+  if (split.births.faces) kinds.push_back(RuleKind::face_end);
+  return kinds;
 }
 
 Result<CenterCases> center_cases(const Scheme& scheme, int n) {
@@ -292,7 +298,8 @@ Result<CenterCases> center_cases(const Scheme& scheme, int n) {
   for (const RuleKind kind : center_rules(*scheme.split)) {
     const Result<const RuleCase*> found = applicable_case(scheme, kind, n);
     if (!found) return found.error();
-    if (*found == nullptr && kind != RuleKind::edge_end) return missing_rule(scheme, kind, n);
+    if (*found == nullptr && !stands_in_for(kind, *scheme.split))
+      return missing_rule(scheme, kind, n);
     cases.push_back(*found);
   }
   return cases;
