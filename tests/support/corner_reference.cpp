@@ -247,19 +247,14 @@ class Reference {
 
   // --- Catmull and Clark's, bounded -------------------------------------------------------------
 
-  static double tangent(int n) {
-    const double c = std::cos(2 * kPi / n);
-    return (c + 5 + std::sqrt((c + 9) * (c + 1))) / 16;
-  }
-
-  /// By amplitudes: frequencies 0 and 1 are Catmull and Clark's, 2 has frequency 1's block in other
-  /// units (1 at neighbours, rho at opposites), times the tangent, and the rest is 0. At a new edge
+  /// By amplitudes: frequency 0 is Catmull and Clark's. That of frequency 1 maps neighbours at
+  /// distance 1 and opposites at distance 1/cos(π/n), where faces are kites, to their halves;
+  /// frequency 2 does so with the squares of these, to a quarter; and the rest is 0. At a new edge
   /// point on h, or the new face point on its left.
   [[nodiscard]] double bounded_from(Index h, bool of_face) const {
     const Ring r = ring(h);
     const int n = static_cast<int>(r.neighbour.size());
-    const double c = std::cos(2 * kPi / n), half = std::cos(kPi / n), mu = tangent(n);
-    const double rho = (mu - (3 + c) / 8) / (half / 8);
+    const double half = std::cos(kPi / n);
     double sum = of_face ? from(h) / 4 : 3 * from(h) / 8;
     for (int omega = 0; omega <= (n == 3 ? 1 : 2); ++omega) {
       Complex l, k;
@@ -267,13 +262,17 @@ class Reference {
         l += r.l(j) * std::polar(1. / n, -2 * kPi * omega * j / n);
         k += r.k(j) * std::polar(1. / n, -2 * kPi * omega * (j + 1 / 2.) / n);
       }
-      const double scale = omega == 2 ? mu : 1, unit = omega == 2 ? rho : 1;
-      const double share = omega == 0 ? 1 : 2;
-      const double turn = omega == 0 ? 1 : half, cosine = omega == 0 ? 1 : c;
-      const Complex edge = scale * ((3 + cosine) / 8 * l + turn / 8 / unit * k);
-      const Complex face = scale * (turn / 2 * unit * l + 1 / 4. * k);
-      sum +=
-          of_face ? share * (face * std::polar(1., kPi * omega / n)).real() : share * edge.real();
+      if (omega == 0) {
+        sum += of_face ? (l / 2. + k / 4.).real() : (l / 2. + k / 8.).real();
+        continue;
+      }
+      // new = stay·old + what the other kind of point must give for the ratio of distances
+      const double ratio = std::pow(half, -omega), shrink = std::pow(0.5, omega);
+      const double edge_stays = shrink * (1 + half * half) / 2;
+      const double face_stays = shrink * (1 - half * half);
+      const Complex edge = edge_stays * l + (shrink - edge_stays) / ratio * k;
+      const Complex face = face_stays * k + (shrink - face_stays) * ratio * l;
+      sum += 2 * (of_face ? face * std::polar(1., kPi * omega / n) : edge).real();
     }
     return sum;
   }
@@ -298,7 +297,6 @@ class Reference {
     const Index first = mesh_.halfedge_of_vertex(v);
     if (mesh_.is_boundary_vertex(v)) return (6 * at(v) + to(first) + at(beyond(first, false))) / 8;
     const int n = mesh_.valence(v);
-    const double cup = std::pow(tangent(n), 2);
     double neighbours = 0, faces = 0;
     Index h = first;
     do {
@@ -306,8 +304,7 @@ class Reference {
       faces += bounded_face(mesh_.face(h)) / n;
       h = mesh_.rotate(h);
     } while (h != first);
-    return (2 + 24 * cup) / 16 * at(v) + (2 + 8 * cup) / 16 * neighbours +
-           (12 - 32 * cup) / 16 * faces;
+    return (2 * at(v) + neighbours + faces) / 4;
   }
 
   const Mesh& mesh_;
