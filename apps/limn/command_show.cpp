@@ -4,7 +4,10 @@
 #include <nlohmann/json.hpp>
 
 #include "command.h"
+#include "figure_output.h"
+#include "limn/base/printable.h"
 #include "limn/report/scheme_report.h"
+#include "limn/report/stencil_report.h"
 
 namespace limn::app {
 namespace {
@@ -13,21 +16,54 @@ struct ShowOptions {
   SchemeOptions scheme;
   bool latex = false;
   bool json = false;
+  bool stencils = false;
+  FigureOutput figure;
 };
 
+/// Draws the stencils into the file that was asked for.
+Status draw_stencils(const ShowOptions& options, const Scheme& scheme,
+                     const std::vector<RulePicture>& pictures) {
+  if (pictures.empty())
+    return Error{"scheme '" + scheme.name + "' has no rules to draw",
+                 "its mask lacks the lattice's symmetry"};
+  const Figure figure = stencils_figure(printable(scheme.name), pictures);
+  if (Status status = figure.check(); !status) return status;
+  return options.figure.write(figure);
+}
+
 int show(const ShowOptions& options) {
+  const bool drawn = !options.figure.path.empty();
+  if (drawn) {
+    if (!figures_available()) return report({"this limn draws no figures", "build it with cairo"});
+    if (Status status = options.figure.check(options.json); !status) return report(status.error());
+    if (Status status = check_outputs({options.figure.path}); !status)
+      return report(status.error());
+  }
   const Result<Scheme> scheme = options.scheme.load();
   if (!scheme) return report(scheme.error());
+  std::vector<RulePicture> pictures;
+  if (drawn || options.stencils) {
+    Result<std::vector<RulePicture>> found = rule_pictures(*scheme);
+    if (!found) return report(found.error());
+    pictures = std::move(*found);
+  }
+  if (drawn)
+    if (Status status = draw_stencils(options, *scheme, pictures); !status)
+      return report(status.error());
   if (options.latex) {
     const Result<std::string> latex = describe_latex(*scheme);
     if (!latex) return report(latex.error());
-    print_text(*latex);
+    options.figure.print_report(*latex);
     return kDone;
   }
-  if (options.json)
-    print_json(describe_json(*scheme));
-  else
-    print_text(describe(*scheme));
+  if (options.json) {
+    nlohmann::ordered_json json = describe_json(*scheme);
+    if (options.stencils) json["stencils"] = stencils_json(pictures);
+    print_json(json);
+    return kDone;
+  }
+  options.figure.print_report(describe(*scheme) +
+                              (options.stencils ? stencils_text(pictures) : std::string()));
   return kDone;
 }
 
@@ -44,7 +80,10 @@ void declare_show(CLI::App& parser, Action& action) {
       ->add_flag("--latex", options->latex,
                  "print mask, factors, limit stencil and artifact formulas as LaTeX")
       ->excludes(json);
-  command->footer("Example: limn show laplacian-butterfly -p b=3/16");
+  command->add_flag("--stencils", options->stencils,
+                    "draw each rule's stencil in letters, too; with --json as numbers");
+  options->figure.declare(*command, "draw each rule's stencil");
+  command->footer("Example: limn show laplacian-butterfly -p b=3/16 --stencils -o stencils.svg");
   command->callback([&action, options] { action = [options] { return show(*options); }; });
 }
 

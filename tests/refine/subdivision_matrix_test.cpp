@@ -201,6 +201,7 @@ TEST_P(OfEveryScheme, RotationByASectorCommutes) {
   const Scheme& scheme = this->scheme();
   for (const int n : valences()) {
     for (int rings = invariant_rings(scheme, n).value(); rings <= 3; ++rings) {
+      if (!subdivision_matrix<double>(scheme, n, rings)) continue;  // one ring may be, and two not
       const Eigen::MatrixXd s = matrix_of(GetParam(), n, rings);
       const std::vector<int> image = rotation(*scheme.split, n, rings);
       ASSERT_EQ(s.rows(), static_cast<int>(image.size()));

@@ -45,6 +45,31 @@ TEST(Eigencomponents, OfLoopAreTheClosedForms) {
   }
 }
 
+/// 1/2, and its square twice: bounded, not flat, at every valence.
+TEST(Eigencomponents, OfTheBoundedCatmullClarkAreBounded) {
+  for (int n = 3; n <= 40; ++n) {
+    const Eigencomponents bounded = at("catmull-clark-bounded", n);
+    EXPECT_NEAR(*bounded.tangent, 1 / 2., kRounding);
+    EXPECT_NEAR(*bounded.cup, 1 / 4., kRounding);
+    if (n >= 4) EXPECT_NEAR(*bounded.saddle, 1 / 4., kRounding);
+    EXPECT_EQ(bounded.verdict.c1_necessary, Truth::yes) << n;
+    EXPECT_EQ(bounded.verdict.bounded_curvature, Truth::yes) << n;
+    EXPECT_EQ(bounded.verdict.cup, Curvature::bounded) << n;
+    if (n >= 4) EXPECT_EQ(bounded.verdict.saddle, Curvature::bounded) << n;
+  }
+}
+
+/// [Labsik, Greiner 2000]: (2/3)cos(π/n), and its square twice.
+TEST(Eigencomponents, OfTheInterpolatingSqrt3AreItsAuthors) {
+  for (int n = 3; n <= 20; ++n) {
+    const Eigencomponents components = at("sqrt3-interpolating", n);
+    const double tangent = 2 / 3. * std::cos(M_PI / n);
+    EXPECT_NEAR(*components.tangent, tangent, kRounding) << n;
+    if (n > 3 && n != 6) EXPECT_NEAR(*components.cup, tangent * tangent, kRounding) << n;
+    EXPECT_EQ(components.verdict.c1_necessary, Truth::yes) << n;
+  }
+}
+
 TEST(Eigencomponents, OfLoopAtValence3AreUnbounded) {
   const Eigencomponents loop = at("loop", 3);
   EXPECT_NEAR(*loop.tangent, .25, kRounding);

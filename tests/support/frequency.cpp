@@ -78,7 +78,10 @@ Eigen::MatrixXcd frequency_block(const Scheme& scheme, int n, int rings, int ome
 }
 
 int analysis_rings(const Scheme& scheme, int n) {
-  return std::max(2, must(invariant_rings(scheme, n)));
+  // one ring may be invariant by itself, and two not
+  int rings = std::max(2, must(invariant_rings(scheme, n)));
+  while (rings < 6 && !subdivision_matrix<double>(scheme, n, rings)) ++rings;
+  return rings;
 }
 
 std::vector<std::complex<double>> eigenvalues(const Eigen::MatrixXcd& block) {

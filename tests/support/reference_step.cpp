@@ -6,6 +6,8 @@
 #include <map>
 #include <numbers>
 
+#include "support/corner_reference.h"
+
 namespace limn::test {
 namespace {
 
@@ -347,13 +349,16 @@ class Reference {
 }  // namespace
 
 bool has_reference(const std::string& scheme) {
-  return triangle_rules(scheme, {}) || scheme == "catmull-clark" || scheme == "doo-sabin" ||
-         scheme == "sqrt3" || scheme == "four-eight" || scheme == "box-spline-quad";
+  return triangle_rules(scheme, {}) || has_corner_reference(scheme) || scheme == "catmull-clark" ||
+         scheme == "doo-sabin" || scheme == "sqrt3" || scheme == "four-eight" ||
+         scheme == "box-spline-quad";
 }
 
 std::vector<double> reference_step(const std::string& scheme, std::optional<double> parameter,
                                    const Mesh& mesh, const Births& births,
                                    const std::vector<double>& old) {
+  if (has_corner_reference(scheme))
+    return corner_reference_step(scheme, parameter, mesh, births, old);
   Reference reference(mesh, births, old);
   if (scheme == "catmull-clark" || scheme == "box-spline-quad") return reference.catmull_clark();
   if (scheme == "doo-sabin") return reference.doo_sabin();

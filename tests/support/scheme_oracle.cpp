@@ -41,7 +41,8 @@ struct Setting {
 };
 
 std::optional<Setting> other_setting(const std::string& scheme) {
-  if (scheme == "butterfly" || scheme == "butterfly-modified") return Setting{"w", 1, 10};
+  if (scheme == "butterfly" || scheme == "butterfly-modified" || scheme == "kobbelt-quad")
+    return Setting{"w", 1, 10};
   if (scheme == "laplacian-butterfly") return Setting{"b", 3, 16};
   if (scheme == "laplacian-loop") return Setting{"a", -1, 10};
   if (scheme == "laplacian-loop-low") return Setting{"a", 1, 3};

@@ -4,6 +4,7 @@
 
 #include "limn/mesh/lattice.h"
 #include "limn/refine/star_step.h"
+#include "limn/scheme/seen_from.h"
 
 namespace limn {
 
@@ -74,7 +75,8 @@ Status LimitKinds::check_rules(bool boundary, int size) const {
   if (split.births.corners) return check(RuleKind::corner, size);
   if (!boundary) return check(RuleKind::vertex, size);
   if (Status status = check(RuleKind::boundary_vertex, size + 1); !status) return status;
-  return check(split.odd_step_cut == 3 ? RuleKind::boundary_edge_end : RuleKind::boundary_edge, 0);
+  if (split.odd_step_cut == 3) return check(RuleKind::boundary_edge_end, size + 1);
+  return check(RuleKind::boundary_edge, 0);
 }
 
 Pattern LimitKinds::pattern(bool boundary, int size, int shape) const {
@@ -88,10 +90,10 @@ Result<LimitKind> LimitKinds::make(bool boundary, int size) {
   Result<LimitStencil> limit = boundary ? approx_boundary_limit_stencil(scheme_, size)
                                         : approx_limit_stencil(analysis_, size);
   if (!limit) return limit.error();
-  // What is inside must be regular: rules that look from an edge's end see one ring farther; and
-  // of a cropped star the corners, which have rules, count to the ring beyond.
+  // What is inside must be regular: rules that are seen from an end or a corner see one ring
+  // farther; and of a cropped star the corners, which have rules, count to the ring beyond.
   const int corners = boundary ? 0 : least_star_rings(*scheme_.split) - 1;
-  const int more = (scheme_.rule(RuleKind::edge_end) ? 1 : 0) + corners;
+  const int more = (has_rules_seen_from(scheme_) ? 1 : 0) + corners;
   const int shape = limit->rings + more;
   rings_ = std::max(rings_, limit->rings);
   LimitKind kind{std::move(*limit), shape, pattern(boundary, size, shape), {}, {}};

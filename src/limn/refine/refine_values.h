@@ -43,9 +43,13 @@ class ValueStep {
 
   std::vector<Value> run() {
     stencils_.prepare_all();
-    if constexpr (std::is_same_v<Value, Point3>) bigs_ = &stencils_.use_big_rings();
+    if constexpr (std::is_same_v<Value, Point3>) {
+      bigs_ = &stencils_.use_big_rings();
+      sum_big_rings(0, stencils_.big_rings_of_faces());
+    }
     fill(stencils_.faces_at(), stencils_.corners_at());
-    if constexpr (std::is_same_v<Value, Point3>) sum_big_rings();
+    if constexpr (std::is_same_v<Value, Point3>)
+      sum_big_rings(stencils_.big_rings_of_faces(), bigs_->size());
     fill(0, stencils_.faces_at());
     fill(stencils_.corners_at(), stencils_.count());
     return std::move(fresh_);
@@ -78,9 +82,10 @@ class ValueStep {
   }
 
   /// One after the other, each in a fixed order.
-  void sum_big_rings() {
-    for (const BigRing& ring : *bigs_) {
-      const std::vector<Point3> sums = ring.sums([&](Source source) { return value_of(source); });
+  void sum_big_rings(std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      const std::vector<Point3> sums =
+          (*bigs_)[i].sums([&](Source source) { return value_of(source); });
       big_sums_.insert(big_sums_.end(), sums.begin(), sums.end());
     }
   }

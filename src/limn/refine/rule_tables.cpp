@@ -33,6 +33,7 @@ struct HopFlag {
 std::optional<HopFlag> flag_hops(RuleKind kind, int flag) {
   switch (kind) {
     case RuleKind::vertex:
+    case RuleKind::face_end:
     case RuleKind::corner:
       if (flag == 0) return HopFlag{{}, false};
       return HopFlag{{Hop::prev}, true};
@@ -45,7 +46,8 @@ std::optional<HopFlag> flag_hops(RuleKind kind, int flag) {
       if (flag == 0) return HopFlag{{}, false};
       return HopFlag{{Hop::twin}, true};
     case RuleKind::boundary_vertex:
-    case RuleKind::boundary_edge_end: break;
+    case RuleKind::boundary_edge_end:
+    case RuleKind::boundary_spoke: break;
   }
   return std::nullopt;
 }
@@ -153,7 +155,7 @@ Result<Row<Number>> tabulate_row(const Scheme& scheme, RuleKind kind, int n) {
   if (!rule_case) return rule_case.error();
   Row<Number> row;
   if (*rule_case == nullptr) {
-    if (kind == RuleKind::edge_end) return row;
+    if (stands_in_for(kind, *scheme.split)) return row;
     return missing_rule(scheme, kind, n);
   }
   const bool checked_on_reading = n >= kSmallestValence && n <= kLargestCheckedValence;
@@ -204,7 +206,6 @@ Status RuleTables<Number>::add(RuleKind kind, Index n, Index example) {
 
 template <class Number>
 Status RuleTables<Number>::prepare_vertices(const Mesh& mesh, bool boundary_refined) {
-  const bool ends = scheme_->rule(RuleKind::edge_end).has_value();
   const std::vector<Index> counted = valences(mesh);
   for (Index v = 0; v < mesh.vertex_count(); ++v) {
     if (mesh.is_isolated(v)) continue;
@@ -213,8 +214,19 @@ Status RuleTables<Number>::prepare_vertices(const Mesh& mesh, bool boundary_refi
     const Index n = counted[v];
     const RuleKind kind = boundary ? RuleKind::boundary_vertex : RuleKind::vertex;
     if (Status status = add(kind, n, v); !status) return status;
-    if (!boundary && ends)
-      if (Status status = add(RuleKind::edge_end, n, v); !status) return status;
+    if (Status status = add_seen_from(boundary, n, v); !status) return status;
+  }
+  return Done{};
+}
+
+template <class Number>
+Status RuleTables<Number>::add_seen_from(bool boundary, Index n, Index example) {
+  constexpr std::array inside{RuleKind::edge_end, RuleKind::face_end};
+  constexpr std::array outside{RuleKind::boundary_spoke, RuleKind::boundary_edge_end};
+  for (const RuleKind kind : boundary ? outside : inside) {
+    if (!scheme_->rule(kind) || !stands_in_for(kind, *scheme_->split)) continue;
+    if (kind == RuleKind::boundary_spoke && n < kSmallestValence) continue;  // it has no spoke
+    if (Status status = add(kind, n, example); !status) return status;
   }
   return Done{};
 }
@@ -230,7 +242,14 @@ Status RuleTables<Number>::prepare_faces(const Mesh& mesh) {
 template <class Number>
 Status RuleTables<Number>::prepare_edges(const Mesh& mesh, const Births& births) {
   if (births.from_edges == 0) return Done{};
-  if (!births.edge_ends.empty()) return add(RuleKind::boundary_edge_end, 0, 0);
+  if (!births.edge_ends.empty()) {
+    for (const Index end : births.edge_ends) {
+      const Index v = end % 2 == 0 ? mesh.origin(end / 2) : mesh.target(end / 2);
+      if (Status status = add(RuleKind::boundary_edge_end, mesh.valence(v), v); !status)
+        return status;
+    }
+    return Done{};
+  }
   if (!births.edges.empty()) return add(RuleKind::boundary_edge, 0, 0);
   bool interior = false;
   bool boundary = false;

@@ -49,8 +49,8 @@ using Program = std::vector<Step>;
 inline constexpr std::size_t kSharedSteps = 16;  ///< ends that a program may keep
 
 /// The weights of a rule at one valence: `weights` in the order of the program's steps, a
-/// repeated step having n of them. `program` is null where no case applies (edge ends, or a
-/// boundary that is left out).
+/// repeated step having n of them. `program` is null where no case applies (of rules that
+/// stand in for another, or at a boundary that is left out).
 template <class Number>
 struct Row {
   std::shared_ptr<const Program> program;
@@ -96,9 +96,16 @@ class RuleTables {
     if (boundary_ == Boundary::left_out && kind >= RuleKind::boundary_vertex) return none_;
     return rows_[static_cast<std::size_t>(kind)][rule_has_valence(kind) ? n : 0];
   }
+  /// The same; nullptr where `prepare` saw no such rule.
+  [[nodiscard]] const Row<Number>* find_row(RuleKind kind, Index n) const {
+    const auto at = static_cast<std::size_t>(rule_has_valence(kind) ? n : 0);
+    return at < rows_[static_cast<std::size_t>(kind)].size() ? &row(kind, n) : nullptr;
+  }
 
  private:
   Status add(RuleKind kind, Index n, Index example);
+  /// What stands in for a rule, seen from a vertex of valence n.
+  Status add_seen_from(bool boundary, Index n, Index example);
   Status prepare_vertices(const Mesh& mesh, bool boundary_refined);
   Status prepare_faces(const Mesh& mesh);
   Status prepare_edges(const Mesh& mesh, const Births& births);

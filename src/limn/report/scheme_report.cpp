@@ -9,6 +9,7 @@
 #include "limn/base/printable.h"
 #include "limn/regular/regular_mask.h"
 #include "limn/report/lattice/lattice_report.h"
+#include "limn/scheme/decimals.h"
 #include "limn/scheme/formulas.h"
 #include "limn/scheme/placement.h"
 
@@ -43,10 +44,14 @@ std::string anchor_text(RuleKind kind) {
     case RuleKind::edge: return "an interior edge";
     case RuleKind::edge_end: return "an interior edge, seen from an end with n edges";
     case RuleKind::face: return "a face with n corners";
+    case RuleKind::face_end: return "a face, seen from a corner with n edges";
     case RuleKind::corner: return "a corner of a face with n corners";
     case RuleKind::boundary_vertex: return "a boundary vertex with n edges";
     case RuleKind::boundary_edge: return "a boundary edge";
-    case RuleKind::boundary_edge_end: return "each third of a boundary edge, from the near end";
+    case RuleKind::boundary_edge_end:
+      return "a boundary edge, seen from an end with n edges; if cut in three, its third there";
+    case RuleKind::boundary_spoke:
+      return "an interior edge, seen from its end on the boundary with n edges";
   }
   return {};
 }
@@ -145,6 +150,11 @@ std::string describe(const Scheme& scheme) {
       printable(scheme.name) + (scheme.title.empty() ? "" : ": " + printable(scheme.title)) + '\n';
   text += fmt::format("  split   {} ({})\n", scheme.split->name, scheme.split->description);
   if (!scheme.source.empty()) text += fmt::format("  source  {}\n", printable(scheme.source));
+  if (scheme.has_decimals)
+    text += fmt::format(
+        "  weights decimals as printed: a rule's sum may be 1 to rounding alone (within {}); its "
+        "weights are then divided by it\n",
+        kDecimalTolerance);
   if (!scheme.notes.empty()) text += fmt::format("  notes   {}\n", printable_lines(scheme.notes));
   if (!scheme.parameters.empty()) text += "\nparameters\n";
   for (const Parameter& parameter : scheme.parameters)
@@ -183,6 +193,7 @@ nlohmann::ordered_json describe_json(const Scheme& scheme) {
   Json json = summary_json(scheme);
   json["notes"] = scheme.notes;
   json["file"] = scheme.file;
+  json["weights"] = scheme.has_decimals ? "decimal" : "exact";
   json["lets"] = Json::object();
   for (const auto& [name, formula] : listed_lets(scheme))
     json["lets"][name] = formula.expression.text();

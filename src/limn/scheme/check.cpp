@@ -200,8 +200,7 @@ Status check_case(const Scheme& scheme, RuleKind kind, int n) {
   const Result<const RuleCase*> rule_case = applicable_case(scheme, kind, n);
   if (!rule_case) return rule_case.error();
   if (*rule_case != nullptr) return check_sum(scheme, kind, n, **rule_case);
-  // an edge's end without a case leaves the edge to the edge rule
-  if (kind == RuleKind::edge_end || scheme.mask || scheme.factors) return Done{};
+  if (stands_in_for(kind, *scheme.split) || scheme.mask || scheme.factors) return Done{};
   return missing_rule(scheme, kind, n);
 }
 
@@ -212,7 +211,8 @@ bool is_exhausted() { return !Exact::multiply(Exact(1), Exact(1)).ok(); }
 std::pair<int, int> checked_valences(const Scheme& scheme, RuleKind kind) {
   const bool only_triangles = kind == RuleKind::face && !scheme.split->any_polygons;
   if (only_triangles || !rule_has_valence(kind)) return {3, 3};
-  return {kind == RuleKind::boundary_vertex ? 2 : kSmallestValence, kLargestCheckedValence};
+  const bool at_corner = kind == RuleKind::boundary_vertex || kind == RuleKind::boundary_edge_end;
+  return {at_corner ? kSmallestValence - 1 : kSmallestValence, kLargestCheckedValence};
 }
 
 bool uses_any(const Formula& formula, const std::set<std::string>& names) {

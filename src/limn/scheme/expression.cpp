@@ -36,7 +36,9 @@ std::string shown(std::string_view text, std::size_t where) {
 /// Recursive descent over the text; emits the postfix program as it goes.
 class ExpressionParser {
  public:
-  explicit ExpressionParser(std::string_view text) { result_.text_ = text; }
+  ExpressionParser(std::string_view text, Decimals decimals) : decimals_(decimals) {
+    result_.text_ = text;
+  }
 
   Result<Expression> run() {
     if (text().size() > kLongestText) {
@@ -182,27 +184,49 @@ class ExpressionParser {
       if (!disjunction()) return false;
       return accept(")") || fail("')'", at_).ok();
     }
-    if (at_ < text().size() && is_digit(text()[at_])) return integer();
+    if (at_ < text().size() && is_digit(text()[at_])) return number();
     if (at_ < text().size() && is_name_start(text()[at_])) return name();
-    if (at_ + 1 < text().size() && text()[at_] == '.' && is_digit(text()[at_ + 1]))
-      return integer();
+    if (at_ + 1 < text().size() && text()[at_] == '.' && is_digit(text()[at_ + 1])) return number();
     return fail("a number, a name or '('", where).ok();
   }
 
-  bool integer() {
+  /// The digits from here on.
+  std::string digits() {
     const std::size_t where = at_;
     while (at_ < text().size() && is_digit(text()[at_])) ++at_;
-    if (at_ < text().size() && (text()[at_] == '.' || text()[at_] == 'e' || text()[at_] == 'E'))
-      return refuse("a decimal stands for a fraction here", "write the fraction itself, as 3/8",
-                    where);
-    if (at_ - where > kMostDigits)
+    return std::string(text().substr(where, at_ - where));
+  }
+
+  bool number() {
+    const std::size_t where = at_;
+    std::string all = digits();
+    std::size_t places = 0;
+    const auto comes = [&](char c) { return at_ < text().size() && text()[at_] == c; };
+    if (comes('.') && decimals_ == Decimals::admitted) {
+      ++at_;
+      const std::string after = digits();
+      places = after.size();
+      all += after;
+    }
+    if (comes('e') || comes('E') || comes('.')) return refuse_decimal(where);
+    if (all.empty()) return fail("a digit", at_).ok();
+    if (all.size() > kMostDigits)
       return refuse("the number has more than " + std::to_string(kMostDigits) + " digits", {},
                     where);
     // a leading zero would make Integer read the digits as octal
-    const std::size_t first = std::min(text().find_first_not_of('0', where), at_ - 1);
-    result_.constants_.emplace_back(Integer(std::string(text().substr(first, at_ - first))));
+    const std::size_t first = std::min(all.find_first_not_of('0'), all.size() - 1);
+    Rational value = Integer(all.substr(first));
+    for (; places > 0; --places) value /= 10;
+    result_.constants_.push_back(std::move(value));
     emit(Op::constant, where, static_cast<int>(result_.constants_.size()) - 1);
     return true;
+  }
+
+  bool refuse_decimal(std::size_t where) {
+    if (decimals_ == Decimals::admitted)
+      return refuse("a decimal is written in digits with one point, as 0.375",
+                    "write 1e-3 as 0.001", where);
+    return refuse(std::string(kDecimalRefused), "write the fraction itself, as 3/8", where);
   }
 
   bool name() {
@@ -237,12 +261,15 @@ class ExpressionParser {
   }
 
   Expression result_;
+  Decimals decimals_;
   Error error_;
   std::size_t at_ = 0;
   int depth_ = 0;
 };
 
-Result<Expression> Expression::parse(std::string_view text) { return ExpressionParser(text).run(); }
+Result<Expression> Expression::parse(std::string_view text, Decimals decimals) {
+  return ExpressionParser(text, decimals).run();
+}
 
 Expression Expression::constant(Rational value) {
   Expression result;

@@ -13,8 +13,9 @@
 ///     power      := primary [ "^" signed ]          (the exponent must come out an integer)
 ///     primary    := integer | name | function "(" expression ")" | "(" expression ")"
 ///
-/// A decimal is refused: it would stand for a fraction. Parsing yields a short postfix program,
-/// which the library runs in any type of number that it needs (scheme/evaluate.h).
+/// A decimal is refused, as it would stand for a fraction, unless the file asks for decimals.
+/// Parsing yields a short postfix program, which the library runs in any type of number that it
+/// needs (scheme/evaluate.h).
 
 #include <string>
 #include <string_view>
@@ -25,12 +26,17 @@
 
 namespace limn {
 
+/// Whether "0.375" is a number, 375/1000, or a fault.
+enum class Decimals : bool { refused, admitted };
+/// What is said of one that is refused.
+inline constexpr std::string_view kDecimalRefused = "a decimal stands for a fraction here";
+
 /// A parsed expression: its text, the names in it and a program. Copies cost as their text.
 class Expression {
  public:
   /// Reads an expression. Fails with `column` set to the 1-based byte of the fault in `text`. Cost
   /// O(size).
-  static Result<Expression> parse(std::string_view text);
+  static Result<Expression> parse(std::string_view text, Decimals decimals = Decimals::refused);
   /// The expression that is this number: "3/8".
   static Expression constant(Rational value);
 

@@ -104,8 +104,7 @@ Status check_repeated(RuleKind kind, const Walk& walk) {
 }
 
 Status check_walk(RuleKind kind, const Walk& walk) {
-  const bool at_boundary = kind >= RuleKind::boundary_vertex;
-  bool on_boundary = at_boundary;
+  bool on_boundary = kind >= RuleKind::boundary_vertex && kind != RuleKind::boundary_spoke;
   for (const Move move : walk.before) {
     if (move == Move::boundary && !on_boundary)
       return fault("the move b is possible only along the boundary, from a boundary rule");
@@ -123,10 +122,12 @@ Status check_walk(RuleKind kind, const Walk& walk) {
 std::vector<Moves> flag_words(RuleKind kind) {
   switch (kind) {
     case RuleKind::vertex:
+    case RuleKind::face_end:
     case RuleKind::corner: return {{}, {Move::edge}};
     case RuleKind::face: return {{}, {Move::vertex}};
     case RuleKind::edge: return {{}, {Move::vertex}, {Move::face, Move::vertex}, {Move::face}};
-    case RuleKind::edge_end: return {{}, {Move::face}};
+    case RuleKind::edge_end:
+    case RuleKind::boundary_spoke: return {{}, {Move::face}};
     default: return {};  // at the boundary every flag stands for itself
   }
 }
@@ -203,7 +204,9 @@ bool same_end(Lattice lattice, const Moves& a, const Moves& b, bool reads_face) 
 
 Result<Placement> place_flat(RuleKind kind, Lattice lattice, const Walk& walk) {
   const Arena& regular = arena(lattice, kind >= RuleKind::boundary_vertex);
-  const AnchorFlags anchors = anchor_flags(kind, regular.mesh, regular.anchor);
+  const bool spoke = kind == RuleKind::boundary_spoke;
+  const AnchorFlags anchors = anchor_flags(
+      kind, regular.mesh, spoke ? regular.mesh.rotate(regular.anchor) : regular.anchor);
   const std::vector<Moves> words = flag_words(kind);
 
   std::map<Index, std::vector<int>> classes;  // by lattice position
@@ -318,6 +321,7 @@ Placement place_repeated(RuleKind kind, Lattice lattice, const Walk& walk) {
 AnchorFlags anchor_flags(RuleKind kind, const Mesh& mesh, Index h, bool at_target) {
   switch (kind) {
     case RuleKind::vertex:
+    case RuleKind::face_end:
     case RuleKind::corner: return {{{h, false}, {mesh.prev(h), true}}, 2};
     case RuleKind::face:
     case RuleKind::boundary_edge: return {{{h, false}, {h, true}}, 2};
@@ -325,7 +329,8 @@ AnchorFlags anchor_flags(RuleKind kind, const Mesh& mesh, Index h, bool at_targe
       const Index twin = mesh.twin(h);
       return {{{h, false}, {h, true}, {twin, false}, {twin, true}}, 4};
     }
-    case RuleKind::edge_end: return {{{h, at_target}, {mesh.twin(h), !at_target}}, 2};
+    case RuleKind::edge_end:
+    case RuleKind::boundary_spoke: return {{{h, at_target}, {mesh.twin(h), !at_target}}, 2};
     case RuleKind::boundary_vertex: return {{{h, false}, other_boundary_flag(mesh, {h, false})}, 2};
     case RuleKind::boundary_edge_end: return {{{h, at_target}}, 1};
   }

@@ -6,8 +6,8 @@ namespace {
 constexpr std::size_t kLongestWalk = 24;  // farther than any stencil in use; bounds the lattices
 
 constexpr std::array<std::string_view, kRuleKinds> kRuleNames{
-    "vertex",          "edge",          "edge-end",         "face", "corner",
-    "boundary.vertex", "boundary.edge", "boundary.edge-end"};
+    "vertex",          "edge",          "edge-end",          "face",          "face-end", "corner",
+    "boundary.vertex", "boundary.edge", "boundary.edge-end", "boundary.spoke"};
 
 constexpr unsigned bit(RuleKind kind) { return 1U << static_cast<unsigned>(kind); }
 constexpr unsigned kTriangle = 1;
@@ -21,7 +21,8 @@ struct Row {
 };
 
 // The one table of role names.
-constexpr unsigned kOwnVertex = bit(RuleKind::vertex) | bit(RuleKind::edge_end) |
+constexpr unsigned kSpokes = bit(RuleKind::edge_end) | bit(RuleKind::boundary_spoke);
+constexpr unsigned kOwnVertex = bit(RuleKind::vertex) | kSpokes | bit(RuleKind::face_end) |
                                 bit(RuleKind::corner) | bit(RuleKind::boundary_vertex);
 const std::array kRoles{
     Row{kOwnVertex, kAny, {"self", "", "the vertex itself"}},
@@ -46,6 +47,22 @@ const std::array kRoles{
     Row{bit(RuleKind::edge_end),
         kAny,
         {"ring", "(ef)*v", "the end's neighbours, k = 0 along the edge"}},
+    Row{bit(RuleKind::edge_end),
+        kQuad,
+        {"diagonal", "(ef)*vev",
+         "the opposite corners of the end's faces, k = 0 and n-1 in those of the edge"}},
+    Row{kSpokes, kAny, {"far", "v", "the other end"}},
+    Row{kSpokes, kTriangle, {"wing", "ev", "the third vertices of its two faces"}},
+    Row{kSpokes, kQuad, {"wing", "ev", "the vertices of its two faces beside the end"}},
+    Row{kSpokes, kQuad, {"far-wing", "vev", "the vertices of its two faces beside the other end"}},
+    Row{bit(RuleKind::face_end), kAny, {"next", "v", "the corners next to the corner"}},
+    Row{bit(RuleKind::face_end), kQuad, {"opposite", "vev", "the opposite corner"}},
+    Row{bit(RuleKind::face_end),
+        kAny,
+        {"ring", "(fe)*v", "the corner's neighbours, k = 0 and n-1 in the face"}},
+    Row{bit(RuleKind::face_end),
+        kQuad,
+        {"diagonal", "(ef)*vev", "the opposite corners of the corner's faces, k = 0 in the face"}},
     Row{bit(RuleKind::face), kAny, {"corner", "", "its corners"}},
     Row{bit(RuleKind::face),
         kAny,
@@ -98,14 +115,26 @@ std::optional<RuleKind> find_rule(std::string_view name) {
 }
 
 bool rule_has_valence(RuleKind kind) {
-  return kind != RuleKind::edge && kind != RuleKind::boundary_edge &&
-         kind != RuleKind::boundary_edge_end;
+  return kind != RuleKind::edge && kind != RuleKind::boundary_edge;
+}
+
+std::optional<RuleKind> stands_in_for(RuleKind kind, const Split& split) {
+  switch (kind) {
+    case RuleKind::edge_end:
+    case RuleKind::boundary_spoke: return RuleKind::edge;
+    case RuleKind::face_end: return RuleKind::face;
+    case RuleKind::boundary_edge_end:
+      if (split.odd_step_cut == 3) break;
+      return RuleKind::boundary_edge;
+    default: break;
+  }
+  return std::nullopt;
 }
 
 int regular_valence(RuleKind kind, Lattice lattice) {
   const bool triangles = lattice == Lattice::triangle;
   if (kind == RuleKind::face || kind == RuleKind::corner) return triangles ? 3 : 4;
-  if (kind == RuleKind::boundary_vertex) return triangles ? 4 : 3;
+  if (kind >= RuleKind::boundary_vertex) return triangles ? 4 : 3;
   return triangles ? 6 : 4;
 }
 

@@ -10,6 +10,7 @@
 #include "limn/base/printable.h"
 #include "limn/number/exact.h"
 #include "limn/scheme/check.h"
+#include "limn/scheme/decimals.h"
 #include "limn/scheme/file/names.h"
 #include "limn/scheme/file/scheme_files.h"
 #include "limn/scheme/file/scheme_reader.h"
@@ -29,11 +30,13 @@ bool has_use_for(const Split& split, RuleKind kind) {
     case RuleKind::vertex:
     case RuleKind::boundary_vertex: return split.births.vertices;
     case RuleKind::edge:
-    case RuleKind::edge_end: return split.births.edges;
+    case RuleKind::edge_end:
+    case RuleKind::boundary_spoke: return split.births.edges;
     case RuleKind::boundary_edge: return split.births.edges || split.odd_step_cut == 2;
-    case RuleKind::face: return split.births.faces;
+    case RuleKind::face:
+    case RuleKind::face_end: return split.births.faces;
     case RuleKind::corner: return split.births.corners;
-    case RuleKind::boundary_edge_end: return split.odd_step_cut == 3;
+    case RuleKind::boundary_edge_end: return split.births.edges || split.boundary_rests();
   }
   return false;
 }
@@ -53,7 +56,7 @@ void check_rules_fit(const Scheme& scheme, const Unread& unread, Faults& faults)
   for (int i = 0; i < kRuleKinds; ++i) {
     const auto kind = static_cast<RuleKind>(i);
     const bool used = has_use_for(split, kind);
-    const bool optional = kind >= RuleKind::boundary_vertex || kind == RuleKind::edge_end;
+    const bool optional = kind >= RuleKind::boundary_vertex || stands_in_for(kind, split);
     if (unread.something && !scheme.rule(kind)) continue;  // it may be that rule, by another name
     if (used && !optional && !given_by_mask && !scheme.rule(kind))
       faults.add(missing_rule(scheme, kind, regular_valence(kind, split.lattice)));
@@ -80,6 +83,7 @@ void check_scheme(Scheme& scheme, const Unread& unread, Faults& faults) {
     }
   }
   check_rules_fit(scheme, unread, faults);
+  if (scheme.has_decimals && faults.none()) divide_by_sums(scheme);
   check_rules(
       scheme, valueless,
       [&](RuleKind kind) { return unread.rule(kind) || !has_use_for(*scheme.split, kind); },

@@ -117,6 +117,9 @@ struct Scheme {
   std::optional<Rows> stated_mask;  ///< facts: the regular mask as the literature prints it
   std::optional<Rows> mask;         ///< the scheme is given by its mask alone …
   std::optional<Factors> factors;   ///< … or by factors alone
+  /// weights = "decimal": the file's decimals are rounded values of what they stand for, so that
+  /// its rules may sum to 1 to rounding alone (decimals.h).
+  bool has_decimals = false;
 
   /// The rule of that kind, or nothing.
   [[nodiscard]] const std::optional<Rule>& rule(RuleKind kind) const {

@@ -185,7 +185,8 @@ Result<BlockFormulas> BlockFormulas::make(const SectorPattern& pattern, Symbolic
 int BlockFormulas::highest_harmonic() const {
   int highest = 0;
   for (const RepeatedWeight& weight : repeated_)
-    if (!weight.harmonics.empty()) highest = std::max(highest, weight.harmonics.rbegin()->first);
+    for (const auto* harmonics : {&weight.harmonics, &weight.half_harmonics})
+      if (!harmonics->empty()) highest = std::max(highest, harmonics->rbegin()->first);
   return highest;
 }
 
@@ -237,11 +238,14 @@ Result<Symbolic> BlockFormulas::along(const SectorTerm& term,
   const bool level = term.slope == 0 || frequency.number == 0;
   const std::optional<int> omega = level ? 0 : frequency.number;
   Sum sum;
-  for (const auto& [m, coefficient] : weight.harmonics) {
-    if (omega != m) continue;
-    const Result<Symbolic> whole = Symbolic::multiply(coefficient, n_);
-    sum.add(m == 0 || !whole ? whole : Symbolic::multiply(*whole, Polynomial(Rational(1, 2))));
-  }
+  for (const auto* harmonics : {&weight.harmonics, &weight.half_harmonics})
+    for (const auto& [m, coefficient] : *harmonics) {
+      if (omega != m) continue;
+      const bool is_half = harmonics == &weight.half_harmonics;
+      const Result<Symbolic> there = turned(coefficient, is_half && !level ? -term.slope : 0);
+      const Result<Symbolic> whole = there ? Symbolic::multiply(*there, n_) : there;
+      sum.add(m == 0 || !whole ? whole : Symbolic::multiply(*whole, Polynomial(Rational(1, 2))));
+    }
   const int step = level ? 0 : kEverySlope * term.slope;
   for (const auto& [j, extra] : weight.first) sum.add(turned(extra, step * j));
   for (const auto& [j, extra] : weight.last) sum.add(turned(extra, -step * j));

@@ -119,9 +119,10 @@ class TermsAt {
   /// What the positions of a term sum to, without its factor.
   [[nodiscard]] std::complex<double> along(const SectorTerm& term, int omega,
                                            std::complex<double> first) const {
-    if (term.every_sector) return omega == 0 ? n_ : 0.0;
-    if (term.repeated < 0) return first;
+    if (term.every_sector && omega != 0) return 0.0;
+    if (term.repeated < 0) return term.every_sector ? n_ : first;
     const auto name = static_cast<std::size_t>(term.repeated);
+    if (term.every_sector) return n_ * totals_[name];
     if (term.slope == 0) return first * totals_[name];
     return first * (term.slope > 0 ? sums_[name] : std::conj(sums_[name]));
   }

@@ -100,7 +100,7 @@ class Namer {
     if (!rule_case) return rule_case.error();
     Row<WeightForm> row;
     if (*rule_case == nullptr) {
-      if (kind == RuleKind::edge_end) return row;
+      if (stands_in_for(kind, *scheme.split)) return row;
       return missing_rule(scheme, kind, n);
     }
     const auto program =
@@ -178,10 +178,18 @@ class RowTerms {
       const double to = key.column == kCenter
                             ? from
                             : places_.orbits()[static_cast<std::size_t>(key.column)].angle;
-      if (key.repeated >= 0) {
-        if (!line_up(positions, term)) return false;
-        if (key.column != kCenter) term.angle += to - from;
+      if (key.repeated >= 0 && row_ == kCenter && positions.size() == kSectors * kSectors) {
+        // by way of the faces' new vertices, from each of the sectors
+        term.every_sector = true;
         terms.push_back(term);
+      } else if (key.repeated >= 0) {
+        const std::optional<Lines> lines = line_up(positions);
+        if (!lines) return false;
+        term.slope = lines->slope;
+        for (const int sector : lines->first) {
+          term.angle = key.column == kCenter ? 0 : sector + to - from;
+          terms.push_back(term);
+        }
       } else if (row_ == kCenter && key.column != kCenter) {
         // rotation leaves the centre, so all sectors come alike
         if (positions.size() % kSectors != 0) return false;
@@ -225,23 +233,30 @@ class RowTerms {
     });
   }
 
-  /// Positions k = 0 … of a repeated role lie one sector on from each other, one way round or the
-  /// other.
-  static bool line_up(const std::vector<Position>& positions, SectorTerm& term) {
-    if (positions.size() != kSectors) return false;
-    std::array<int, kSectors> sector{};
+  /// Positions k = 0 … of a repeated role lie `slope` sectors on from each other. Where two new
+  /// points weighed by the row have the role (faces side by side), there are two such lines.
+  struct Lines {
+    int slope = 0;
+    std::vector<int> first;  ///< sector of each line's k = 0
+  };
+  static std::optional<Lines> line_up(const std::vector<Position>& positions) {
+    std::array<std::vector<int>, kSectors> sectors;  // by k
     for (const Position& position : positions)
-      sector[static_cast<std::size_t>(position.k)] = position.sector;
-    const auto turned = [](int difference) {
-      return (difference % kSectors + kSectors) % kSectors;
-    };
-    const int slope = turned(sector[1] - sector[0]);
-    if (slope != 1 && slope != kSectors - 1 && slope != 0) return false;
-    for (std::size_t k = 1; k < kSectors; ++k)
-      if (turned(sector[k] - sector[k - 1]) != slope) return false;
-    term.slope = slope == kSectors - 1 ? -1 : slope;
-    term.angle = sector[0];
-    return true;
+      sectors[static_cast<std::size_t>(position.k)].push_back(position.sector);
+    for (const int slope : {1, -1, 0}) {
+      std::vector<int> first;
+      bool lines = true;
+      for (int k = 0; k < kSectors && lines; ++k) {
+        std::vector<int> turned;
+        for (const int sector : sectors[static_cast<std::size_t>(k)])
+          turned.push_back(((sector - slope * k) % kSectors + kSectors) % kSectors);
+        std::sort(turned.begin(), turned.end());
+        if (k == 0) first = turned;
+        lines = turned == first;
+      }
+      if (lines && !first.empty()) return Lines{slope, sectors.front()};
+    }
+    return std::nullopt;
   }
 
   const Namer& namer_;
@@ -283,8 +298,10 @@ Result<StarForms> refined_star(const Scheme& scheme, const CenterCases& cases, i
 
 std::vector<RuleKind> center_rules(const Split& split) {
   if (split.births.corners) return {RuleKind::corner};
-  if (split.births.edges) return {RuleKind::vertex, RuleKind::edge_end};
-  return {RuleKind::vertex};
+  std::vector<RuleKind> kinds{RuleKind::vertex};
+  if (split.births.edges) kinds.push_back(RuleKind::edge_end);
+  if (split.births.faces) kinds.push_back(RuleKind::face_end);
+  return kinds;
 }
 
 Result<CenterCases> center_cases(const Scheme& scheme, int n) {
@@ -292,7 +309,8 @@ Result<CenterCases> center_cases(const Scheme& scheme, int n) {
   for (const RuleKind kind : center_rules(*scheme.split)) {
     const Result<const RuleCase*> found = applicable_case(scheme, kind, n);
     if (!found) return found.error();
-    if (*found == nullptr && kind != RuleKind::edge_end) return missing_rule(scheme, kind, n);
+    if (*found == nullptr && !stands_in_for(kind, *scheme.split))
+      return missing_rule(scheme, kind, n);
     cases.push_back(*found);
   }
   return cases;

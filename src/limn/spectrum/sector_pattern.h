@@ -14,7 +14,8 @@ namespace limn {
 /// The cases of the rules at the star's centre that apply at one valence; nullptr: none does.
 using CenterCases = std::vector<const RuleCase*>;
 
-/// The rules whose anchor may be the centre of a star: vertex and edge-end, or corner and face.
+/// The rules of a star's centre, or that are seen from it: vertex, edge-end and face-end; or
+/// corner.
 [[nodiscard]] std::vector<RuleKind> center_rules(const Split& split);
 [[nodiscard]] Result<CenterCases> center_cases(const Scheme& scheme, int n);
 
@@ -48,7 +49,7 @@ struct SectorTerm {
   /// on.
   int repeated = -1;
   int slope = 0;
-  bool every_sector = false;  ///< the same for the column's points in all n sectors
+  bool every_sector = false;  ///< the same for the column's points in all n sectors (then slope 0)
 };
 
 struct SectorPattern {

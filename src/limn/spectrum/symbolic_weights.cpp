@@ -15,8 +15,9 @@ Error no_sum(const NamedWeight& name, const std::string& why) {
   const Place& place = name.weight->value.place;
   return {fmt::format("the weights of '{}' have no closed Fourier sum over k: {}",
                       name.weight->role, why),
-          "sums of cos(2*pi*k/n), its multiples and terms such as (k == 0) have", place.file,
-          place.line, place.column};
+          "sums of cos(2*pi*k/n), its multiples and terms such as (k == 0) have, or of "
+          "cos(pi*(2*k + 1)/n) in place of it",
+          place.file, place.line, place.column};
 }
 
 /// The largest integer that is not above q.
@@ -53,11 +54,13 @@ struct Apart {
   }
 };
 
-Result<Symbolic> harmonic_at(const RepeatedWeight& weight, int j, const Symbolic& n) {
+/// Σ harmonics[m] cos(πm halves/n)
+Result<Symbolic> harmonic_sum(const std::map<int, Symbolic>& harmonics, int halves,
+                              const Symbolic& n) {
   Result<Symbolic> sum = Symbolic(0);
-  for (const auto& [m, coefficient] : weight.harmonics) {
+  for (const auto& [m, coefficient] : harmonics) {
     Result<Symbolic> angle =
-        Symbolic::divide(Symbolic(Polynomial(pi_indeterminate()) * Polynomial(2 * m * j)), n);
+        Symbolic::divide(Symbolic(Polynomial(pi_indeterminate()) * Polynomial(m * halves)), n);
     if (angle) angle = symbolic_cos(*angle);
     if (angle) angle = Symbolic::multiply(*angle, coefficient);
     if (angle && sum) angle = Symbolic::add(*sum, *angle);
@@ -67,7 +70,15 @@ Result<Symbolic> harmonic_at(const RepeatedWeight& weight, int j, const Symbolic
   return sum;
 }
 
-/// What `weight` at position j has beyond its harmonics.
+/// At k = j; of j < 0, at k = n + j.
+Result<Symbolic> harmonic_at(const RepeatedWeight& weight, int j, const Symbolic& n) {
+  const Result<Symbolic> whole = harmonic_sum(weight.harmonics, 2 * j, n);
+  if (!whole) return whole;
+  const Result<Symbolic> half = harmonic_sum(weight.half_harmonics, 2 * j + 1, n);
+  return half ? Symbolic::add(*whole, *half) : half;
+}
+
+/// What `weight` at position j (negative: from n down) has beyond its harmonics.
 Result<Symbolic> beyond_harmonics(const RepeatedWeight& weight, const Result<Symbolic>& value,
                                   int j, const Symbolic& n) {
   if (!value) return value;
@@ -148,10 +159,21 @@ Result<RepeatedWeight> SymbolicWeights::one_by_one(const NamedWeight& name) cons
 }
 
 Result<RepeatedWeight> SymbolicWeights::of_every_valence(const NamedWeight& name) {
+  const int least = least_valence_;
+  Result<RepeatedWeight> whole = of_every_valence(name, false);
+  if (whole) return whole;
+  least_valence_ = least;
+  Result<RepeatedWeight> halves = of_every_valence(name, true);
+  return halves ? halves : whole;
+}
+
+/// `halves`: as cosines of multiples of k + 1/2.
+Result<RepeatedWeight> SymbolicWeights::of_every_valence(const NamedWeight& name, bool halves) {
   Apart apart;
   const Indeterminate k =
       whole_number("k", [&](const Polynomial& positive) { apart.suppose(positive); });
-  const Result<Symbolic> amid = value(name, n_, Symbolic(Polynomial(k)));
+  const Polynomial place = halves ? Polynomial(k) - Polynomial(Rational(1, 2)) : Polynomial(k);
+  const Result<Symbolic> amid = value(name, n_, Symbolic(place));
   if (!amid) return amid.error();
   if (!apart.bounded) return no_sum(name, "a comparison treats too many k apart");
 
@@ -169,7 +191,7 @@ Result<RepeatedWeight> SymbolicWeights::of_every_valence(const NamedWeight& name
     if (j % 2 != 0) return no_sum(name, "cos(pi*k/n) has not n for its period");
     const Result<Symbolic> harmonic = Symbolic::divide(coefficient, amid->denominator());
     if (!harmonic) return harmonic.error();
-    result.harmonics.emplace(j / 2, *harmonic);
+    (halves ? result.half_harmonics : result.harmonics).emplace(j / 2, *harmonic);
     highest = std::max(highest, j / 2);
   }
   for (int j = 0; j < apart.first; ++j) {
@@ -181,7 +203,7 @@ Result<RepeatedWeight> SymbolicWeights::of_every_valence(const NamedWeight& name
   for (int j = 1; j <= apart.last; ++j) {
     const Result<Symbolic> position = Symbolic::add(n_, -j);
     if (!position) return position.error();
-    const Result<Symbolic> rest = beyond_harmonics(result, value(name, n_, *position), j, n_);
+    const Result<Symbolic> rest = beyond_harmonics(result, value(name, n_, *position), -j, n_);
     if (!rest) return rest.error();
     result.last.emplace(j, *rest);
   }

@@ -14,9 +14,10 @@
 namespace limn {
 
 /// The weights w(k), k = 0 … n-1, of a repeated role, as w(k) = Σ harmonics[m] cos(2πmk/n) plus
-/// first[j] at k = j plus last[j] at k = n-j. So their Fourier sums have closed forms for every n.
+/// Σ half_harmonics[m] cos(2πm(k + 1/2)/n) plus first[j] at k = j plus last[j] at k = n-j. So their
+/// Fourier sums have closed forms for every n.
 struct RepeatedWeight {
-  std::map<int, Symbolic> harmonics;
+  std::map<int, Symbolic> harmonics, half_harmonics;
   std::map<int, Symbolic> first, last;
 };
 
@@ -56,6 +57,7 @@ class SymbolicWeights {
                                        const std::optional<Symbolic>& k) const;
   [[nodiscard]] Result<RepeatedWeight> one_by_one(const NamedWeight& name) const;
   [[nodiscard]] Result<RepeatedWeight> of_every_valence(const NamedWeight& name);
+  [[nodiscard]] Result<RepeatedWeight> of_every_valence(const NamedWeight& name, bool halves);
   void hold_from(const Rational& bound);
 
   const Scheme& scheme_;

@@ -136,13 +136,15 @@ Status RangeRules::find_sums() {
     if (!value) return value.error();
     Repeated& to = repeated_[i];
     to.harmonics = value->harmonics;
+    to.half_harmonics = value->half_harmonics;
     for (const auto& [k, weight] : value->first) to.apart.emplace_back(k, weight);
     for (const auto& [k, weight] : value->last) to.apart.emplace_back(-k, weight);
     for (const auto& [k, weight] : to.apart) sum.add(weight);
-    for (const auto& [m, weight] : to.harmonics) {
-      if (m == 0) sum.add_times(weights.n(), weight);
-      if (!weight.is_zero()) last_special_ = std::max(last_special_, m);
-    }
+    for (const auto* harmonics : {&to.harmonics, &to.half_harmonics})
+      for (const auto& [m, weight] : *harmonics) {
+        if (m == 0) sum.add_times(weights.n(), weight);
+        if (!weight.is_zero()) last_special_ = std::max(last_special_, m);
+      }
   }
   for (const auto& [kind, sum] : sums) {
     if (!sum.result()) return sum.result().error();
@@ -194,6 +196,17 @@ Result<NamedValues<PowerBall>> RangeRules::values(int frequency) const {
   result.values.resize(count);
   result.positions.resize(count);
   result.amid.resize(count);
+  result.amid_half.resize(count);
+  const auto add_harmonic = [&](const std::map<int, Symbolic>& harmonics,
+                                PowerBall& sum) -> Status {
+    const auto harmonic = harmonics.find(frequency);
+    if (harmonic == harmonics.end()) return Done{};
+    const Result<PowerBall> value = value_of(harmonic->second);
+    if (!value) return value.error();
+    const Rational share(Integer(1), Integer(frequency == 0 ? 1 : 2));
+    sum = *value * PowerBall::valence() * PowerBall(share);
+    return Done{};
+  };
   for (std::size_t i = 0; i < count; ++i) {
     if (!pattern_.names[i].repeated) {
       Result<PowerBall> value = plain(pattern_.names[i]);
@@ -208,12 +221,10 @@ Result<NamedValues<PowerBall>> RangeRules::values(int frequency) const {
       result.positions[i].push_back(k);
       result.values[i].push_back(std::move(*value));
     }
-    const auto harmonic = repeated.harmonics.find(frequency);
-    if (harmonic == repeated.harmonics.end()) continue;
-    const Result<PowerBall> value = value_of(harmonic->second);
-    if (!value) return value.error();
-    const Rational share(Integer(1), Integer(frequency == 0 ? 1 : 2));
-    result.amid[i] = *value * PowerBall::valence() * PowerBall(share);
+    if (Status status = add_harmonic(repeated.harmonics, result.amid[i]); !status)
+      return status.error();
+    if (Status status = add_harmonic(repeated.half_harmonics, result.amid_half[i]); !status)
+      return status.error();
   }
   return result;
 }

@@ -42,9 +42,10 @@ class RangeRules {
   [[nodiscard]] DenseMatrix<PowerBall> constant_block(const NamedValues<PowerBall>& values) const;
 
  private:
-  /// Fourier sums of a repeated role: w(k) = Σ harmonics[m] cos(2πmk/n), and more at some k.
+  /// Fourier sums of a repeated role: w(k) = Σ harmonics[m] cos(2πmk/n), the same of k + 1/2, and
+  /// more at some k.
   struct Repeated {
-    std::map<int, Symbolic> harmonics;
+    std::map<int, Symbolic> harmonics, half_harmonics;
     std::vector<std::pair<int, Symbolic>> apart;  ///< k, negative from the end
   };
 

@@ -48,9 +48,10 @@ struct NamedValues {
   Number n;                                 ///< the valence
   std::vector<std::vector<Number>> values;  ///< one number each, or n of a repeated role
   /// Of repeated roles where not all n positions are told apart: k of each value, and what the
-  /// others add up to at this frequency with the phase of k = 0. Empty: values are of k = 0 … n-1.
+  /// others add up to at this frequency with the phase of k = 0, and with that of k = -1/2. Empty:
+  /// values are of k = 0 … n-1.
   std::vector<std::vector<int>> positions = {};
-  std::vector<Number> amid = {};
+  std::vector<Number> amid = {}, amid_half = {};
 };
 
 /// Scope of the weight of a name at position k: the valence is n at the centre, and that of a
@@ -159,11 +160,15 @@ class RealBlock {
     const auto name = static_cast<std::size_t>(term.repeated);
     const std::vector<Number>& weights = values_.values[name];
     Turn<Number> sum = scaled(first, values_.amid.empty() ? Number(0) : values_.amid[name]);
+    const auto add_to_sum = [&](const Turn<Number>& at) {
+      sum = {sum.cosine + at.cosine, sum.to_imaginary + at.to_imaginary, sum.to_real + at.to_real};
+    };
+    if (!values_.amid_half.empty())
+      add_to_sum(scaled(phase_(2 * numerator - term.slope * denominator, 2 * denominator),
+                        values_.amid_half[name]));
     for (std::size_t i = 0; i < weights.size(); ++i) {
       const int k = values_.positions.empty() ? static_cast<int>(i) : values_.positions[name][i];
-      const Turn<Number> at =
-          scaled(phase_(numerator + term.slope * k * denominator, denominator), weights[i]);
-      sum = {sum.cosine + at.cosine, sum.to_imaginary + at.to_imaginary, sum.to_real + at.to_real};
+      add_to_sum(scaled(phase_(numerator + term.slope * k * denominator, denominator), weights[i]));
     }
     add(term, scaled(sum, factor));
   }

@@ -23,20 +23,35 @@ class Explorer {
     }
   }
 
+  /// Those of a rule that applies or not by the number of the edges at the origin of h.
+  void explore_seen_from(RuleKind kind, Index h) {
+    if (!scheme_.rule(kind)) return;
+    see_round(mesh_.origin(h));
+    explore(kind, h);
+  }
+
   /// Those of a face's rule.
   void explore_face(Index f) {
     if (!explored_.insert(f).second) return;
-    for (Index h = mesh_.face_begin(f); h < mesh_.face_begin(f + 1); ++h)
+    for (Index h = mesh_.face_begin(f); h < mesh_.face_begin(f + 1); ++h) {
       explore(RuleKind::face, h);
+      if (!mesh_.is_boundary_vertex(mesh_.origin(h))) explore_seen_from(RuleKind::face_end, h);
+    }
   }
 
   /// That of an edge, or those of its ends.
   void explore_edge(Index h) {
     const Index twin = mesh_.twin(h);
-    if (twin == kNone) return explore(RuleKind::boundary_edge, h);
+    if (twin == kNone) {
+      explore(RuleKind::boundary_edge, h);
+      for (const bool at_target : {false, true}) explore(RuleKind::boundary_edge_end, h, at_target);
+      return;
+    }
     explore(RuleKind::edge, h);
     for (const Index end : {h, twin})
-      if (!mesh_.is_boundary_vertex(mesh_.origin(end))) explore(RuleKind::edge_end, end);
+      explore_seen_from(mesh_.is_boundary_vertex(mesh_.origin(end)) ? RuleKind::boundary_spoke
+                                                                    : RuleKind::edge_end,
+                        end);
   }
 
   std::set<Index> seen;

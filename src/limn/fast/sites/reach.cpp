@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cstdlib>
 
+#include "limn/scheme/seen_from.h"
+
 namespace limn::fast {
 namespace {
 
@@ -33,7 +35,7 @@ class Finder {
         count_(lattice_ == Lattice::triangle ? 3 : 4),
         sides_(sides),
         boundary_(!cycle.offset && std::find(sides.begin() + 1, sides.end(), true) != sides.end()),
-        ends_(scheme.rule(RuleKind::edge_end).has_value()) {}
+        seen_from_(!cycle.offset && has_rules_seen_from(scheme)) {}
 
   std::optional<Reach> find() {
     const bool quads = lattice_ == Lattice::quad;
@@ -41,6 +43,7 @@ class Finder {
     const Site star = site(plane_sectors(lattice_), false);
     for (Index y = 0; y < step_.edge; ++y)
       for (Index x = 0; x < step_.edge; ++x) interior_.push_back(offsets(star, x, y));
+    if (seen_from_) own_ = std::max(own_ring(star), boundary_ ? own_ring(site(kWideFan, true)) : 0);
     find_star_zone();
     reach_.star_rings = extent(star, reach_.star_zone).ring;
     if (cycle_.offset) find_rim();
@@ -120,10 +123,53 @@ class Finder {
                        [&](const Offset& offset) { return condition(x + offset.a, y + offset.b); });
   }
 
+  /// Whether the new point of sector 0 is born of an edge or a face at an old vertex for which
+  /// `is_one_of(vertex)`.
+  template <class IsOneOf>
+  bool is_born_at(const Site& site, Index x, Index y, const IsOneOf& is_one_of) {
+    if (!step_.is_new(x, y) || ring(x, y) >= site.rim()) return false;
+    const Mesh& mesh = site.mesh(index_);
+    const Birth birth = birth_of(mesh, site.births(index_), site.new_vertex(index_, {0, x, y}));
+    const Index h = birth.halfedge;
+    switch (birth.kind) {
+      case Birth::edge:
+      case Birth::edge_end: return is_one_of(mesh.origin(h)) || is_one_of(mesh.target(h));
+      case Birth::face: {
+        const Index f = mesh.face(h);
+        for (Index k = mesh.face_begin(f); k < mesh.face_begin(f + 1); ++k)
+          if (is_one_of(mesh.origin(k))) return true;
+        return false;
+      }
+      default: return false;
+    }
+  }
+
+  /// How far from the middle new points are born of edges and faces there.
+  Index own_ring(const Site& site) {
+    const Index middle = site.old_vertex(index_, {0, 0, 0});
+    Index most = 0;
+    for (Index y = 0; y <= 2 * step_.edge; ++y)
+      for (Index x = 0; x <= 2 * step_.edge; ++x)
+        if (is_born_at(site, x, y, [&](Index v) { return v == middle; }))
+          most = std::max(most, ring(x, y));
+    return most;
+  }
+
+  /// How many rows of new points are born of edges and faces at a boundary side's vertices.
+  Index own_depth(const Site& side) {
+    Index most = 0;
+    for (Index y = 0; y <= 2 * step_.edge; ++y)
+      for (Index x = 0; x < step_.edge; ++x)
+        if (is_born_at(side, x, y,
+                       [&](Index v) { return side.mesh(index_).is_boundary_vertex(v); }))
+          most = std::max(most, y);
+    return most;
+  }
+
   /// Beyond a corner there is no one patch.
   void find_star_zone() {
     Index& size = reach_.star_zone.size;
-    size = ends_ ? 1 : 0;
+    size = own_;
     for (Index x = 0; x < scan_; ++x)
       for (Index y = 0; y < scan_; ++y)
         if (!all(interior(x, y), x, y, [&](Index a, Index b) {
@@ -146,12 +192,12 @@ class Finder {
   }
 
   void find_strips() {
-    reach_.strip_depth = ends_ ? 1 : 0;
+    const Site side = site(half_plane_sectors(lattice_), true);
+    reach_.strip_depth = seen_from_ ? own_depth(side) : 0;
     for (Index y = 0; y < scan_; ++y)
       for (Index x = 0; x < step_.edge; ++x)
         if (!all(interior(x, y), x, y, [](Index, Index b) { return b >= 0; }))
           reach_.strip_depth = std::max(reach_.strip_depth, y);
-    const Site side = site(half_plane_sectors(lattice_), true);
     too_wide_ = too_wide_ || reach_.strip_depth + step_.edge >= side.rim();
     for (Index y = 0; y <= reach_.strip_depth && !too_wide_; ++y)
       for (Index x = 0; x < step_.edge; ++x) strips_.push_back(offsets(side, x, y));
@@ -193,7 +239,7 @@ class Finder {
   [[nodiscard]] bool fits() const {
     const Index side = reach_.smallest_side;
     // two zones may overlap, but no point may be born of the next control vertex, or at its end
-    const Index room = side - (ends_ ? 2 : 1);
+    const Index room = side - 1 - own_;
     if (reach_.star_zone.size > room || reach_.star_rings > side) return false;
     if (boundary_ && (reach_.fan_zone.size > room || reach_.fan_rings > side)) return false;
     if (cycle_.offset) return fits_patch(0) && (!sides_[1] || reach_.rim * step_.edge <= side);
@@ -273,7 +319,8 @@ class Finder {
   Lattice lattice_;
   Index count_;  // sides of a patch
   BoundarySides sides_;
-  bool boundary_, ends_;
+  bool boundary_, seen_from_;
+  Index own_ = 0;  // how far from a vertex points may have rules that are seen from it
   bool too_wide_ = false;
   std::vector<Offsets> interior_, strips_;
   Reach reach_;

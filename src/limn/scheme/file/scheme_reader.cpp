@@ -31,6 +31,7 @@ class SchemeFileReader {
       return {std::move(scheme_), std::move(unread_)};
     }
     read_split(root);
+    read_weights(root);  // what expressions may hold, before any is read
     in_.each(root, "the file",
              [&](const toml::key& key, const toml::node& node) { read_header(key, node); });
     read_rules(root);
@@ -62,6 +63,20 @@ class SchemeFileReader {
     has_faulty_split_ = scheme_.split == nullptr;
     if (in_.unharmed_since(before) && has_faulty_split_)
       in_.fail(*node, fmt::format("unknown split '{}'", name), did_you_mean(name, known, hint));
+  }
+
+  void read_weights(const toml::table& root) {
+    const toml::node* node = root.get("weights");
+    if (node == nullptr) return;
+    const std::string text = in_.text(*node, "weights");
+    if (!node->is_string() || text == "exact") return;
+    if (text == "decimal") {
+      scheme_.has_decimals = true;
+      in_.admit_decimals();
+    } else {
+      in_.fail(*node, fmt::format("unknown kind of weights '{}'", text),
+               did_you_mean(text, {"exact", "decimal"}, "expected \"exact\" or \"decimal\""));
+    }
   }
 
   /// The value of a key that was meant to be "split".
@@ -108,7 +123,7 @@ class SchemeFileReader {
       const std::size_t before = in_.faults();
       scheme_.factors = read_factors(in_, node);
       if (!in_.unharmed_since(before)) unread_.everything = true;
-    } else if (name != "split" && name != "boundary" &&
+    } else if (name != "split" && name != "weights" && name != "boundary" &&
                (!find_rule(name) || name.starts_with(kBoundary))) {
       in_.unknown_key(key, "a scheme file", known_keys());
       unread_.tables = unread_.tables || node.is_table() || node.is_array();
@@ -387,6 +402,7 @@ class SchemeFileReader {
       return;
     }
     scheme_.split = base->split;
+    scheme_.has_decimals = scheme_.has_decimals || base->has_decimals;
     for (std::size_t i = 0; i < kRuleKinds; ++i)
       if (!scheme_.rules[i]) scheme_.rules[i] = std::move(base->rules[i]);
     for (auto& let : base->lets)

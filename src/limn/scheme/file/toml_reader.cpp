@@ -17,6 +17,8 @@ namespace {
 
 constexpr std::size_t kLargestFile = 1 << 18;
 constexpr int kMostDots = 1024;
+constexpr std::string_view kAdmit =
+    "; a table of decimals is admitted by weights = \"decimal\" at the head of the file";
 
 std::string_view type_name(const toml::node& node) {
   if (node.is_table()) return "a table";
@@ -168,18 +170,24 @@ Formula TomlReader::formula(const toml::node& node, std::string_view what) {
   const Place where = place_of_expression(node);
   if (const auto* integer = node.as_integer())
     return {Expression::constant(Rational(integer->get())), where};
+  if (node.is_floating_point() && decimals_ == Decimals::admitted) {
+    fail(node, fmt::format("{} is a number without quotes, of which not every digit is kept", what),
+         "write the decimal in quotes, as \"0.375\"");
+    return {};
+  }
   if (node.is_floating_point()) {
     fail(node, fmt::format("{} is a decimal, which stands for a fraction", what),
-         "write the fraction itself in quotes, as \"3/8\"");
+         std::string("write the fraction itself in quotes, as \"3/8\"") + std::string(kAdmit));
     return {};
   }
   if (!node.is_string()) {
     fail(node, fmt::format("{} is {}, expected an expression in quotes", what, type_name(node)));
     return {};
   }
-  Result<Expression> expression = Expression::parse(node.as_string()->get());
+  Result<Expression> expression = Expression::parse(node.as_string()->get(), decimals_);
   if (!expression) {
     Error error = expression.error();
+    if (error.message == kDecimalRefused) error.hint += kAdmit;
     error.message = fmt::format("{}: {}", what, error.message);
     error.file = where.file;
     error.line = where.line;

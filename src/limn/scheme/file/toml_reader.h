@@ -37,7 +37,10 @@ class TomlReader {
 
   /// The text of a string; fails on any other type.
   std::string text(const toml::node& node, std::string_view what);
-  /// An expression, from a string or an integer; a float is refused as a decimal.
+  /// From now on decimals in expressions are the fractions that they spell.
+  void admit_decimals() { decimals_ = Decimals::admitted; }
+  /// An expression, from a string or an integer; a float is refused as a decimal unless these are
+  /// admitted.
   Formula formula(const toml::node& node, std::string_view what);
   /// Calls `visit(key, node)` for each entry, in the file's order; fails if the node is no table.
   void each(const toml::node& node, std::string_view what,
@@ -62,6 +65,7 @@ class TomlReader {
   std::vector<std::size_t> line_begins_;
   // of each line that has been asked for: the byte that each of its characters begins at
   mutable std::map<int, std::vector<int>> columns_;
+  Decimals decimals_ = Decimals::refused;
   Faults& faults_;
   std::size_t found_ = 0;
 };
