@@ -33,9 +33,9 @@ TEST(Command, ListsTheShippedSchemes) {
   EXPECT_EQ(text.code, 0);
   for (const char* name :
        {"loop", "loop-warren", "butterfly", "butterfly-modified", "interpolating-loop", "sqrt3",
-        "four-eight", "catmull-clark", "doo-sabin", "laplacian-loop", "laplacian-loop-low",
-        "laplacian-butterfly", "optimal", "optimal-high", "optimal-low", "box-spline-triangle",
-        "box-spline-quad"})
+        "four-eight", "loop-ternary", "butterfly-ternary", "catmull-clark", "doo-sabin",
+        "laplacian-loop", "laplacian-loop-low", "laplacian-butterfly", "optimal", "optimal-high",
+        "optimal-low", "box-spline-triangle", "box-spline-quad"})
     EXPECT_NE(text.out.find("\n" + std::string(name) + " "), text.out.find(name)) << name;
 }
 

@@ -122,24 +122,24 @@ inline Starts start_dual(const Mesh& control, int /*levels*/, const Mesh& /*quic
   return starts;
 }
 
+/// The plain engine's quad at a corner has 8 times the corner's number.
+inline Starts start_quad_ternary(const Mesh& control, int levels, const Mesh& quick) {
+  Starts starts;
+  for (Index f = 0; f < control.face_count(); ++f) {
+    Index plain = control.face_begin(f);
+    for (int level = 0; level < levels; ++level) plain *= 8;
+    starts.emplace_back(plain, quick.face_begin(f * (quick.face_count() / control.face_count())));
+  }
+  return starts;
+}
+
 /// Where both refined meshes begin, for a split.
 inline StartMaker start_of(const Split& split) {
-  if (split.births.corners) return start_dual;
+  if (split.is_dual()) return start_dual;
+  if (split.births.thirds && split.lattice == Lattice::quad) return start_quad_ternary;
   if (split.odd_step_cut == 3) return start_sqrt3;
   if (split.odd_step_cut == 2) return start_sqrt2;
   return start_each_face;
-}
-
-/// Any mesh that the split takes.
-inline Mesh random_control(const Split& split, unsigned seed) {
-  RandomMesh random(seed);
-  return split.any_polygons ? random.polygons() : random.triangles();
-}
-
-/// Quads only, with other numbers than a split gives where that is possible.
-inline Mesh random_quads(unsigned seed) {
-  const Mesh mesh = RandomMesh(seed).polygons();
-  return mesh.uniform_degree() == 4 ? mesh : find_split("quad-dyadic")->apply(mesh, 0).mesh;
 }
 
 /// Rules that look as far as two rings, at edges' ends too, and differ by valence.
@@ -298,6 +298,104 @@ next = "1/8"
 [boundary.edge]
 end = "9/16"
 beyond = "-1/16"
+)toml";
+
+/// Rules on thirds that look as far as two rings, at edges' ends too, and differ by valence.
+inline constexpr const char* kWideTernary = R"toml(
+[roles.vertex]
+straight = "vefefev"
+
+[roles.face]
+outer = "fvev"
+
+[roles.edge-third]
+over = "evefefev"
+
+[[vertex]]
+when = "n == 5"
+self = "1/2"
+ring = "1/(4*n)"
+across = "1/(4*n)"
+
+[[vertex]]
+self = "5/8 - 1/16"
+ring = "3/(8*n)"
+straight = "1/(16*n)"
+
+[edge-third]
+near = "5/8"
+far = "1/4"
+wing = "1/16"
+far-outer = "1/64"
+over = "-1/64"
+
+[[edge-end]]
+when = "n == 7 or n == 6"
+self = "3/4"
+ring = "(1/4)/n + cos(2*pi*k/n)/(2*n)"
+
+[face]
+corner = "3/8"
+beyond = "1/96"
+outer = "-5/96"
+
+[[boundary.vertex]]
+when = "n < 4"
+self = "7/8"
+next = "1/16"
+
+[[boundary.vertex]]
+self = "3/4"
+next = "1/8"
+
+[boundary.edge-end]
+near = "3/4"
+far = "3/8"
+beyond = "-1/8"
+)toml";
+
+/// The cubic B-spline in both directions, cut in three.
+inline constexpr const char* kTernaryQuads = R"toml(
+[roles.edge-third]
+behind-wing = "efvev"
+
+[roles.corner]
+behind = "efev"
+beside = "efvev"
+opposite = "efefvev"
+
+[vertex]
+self = "361/729"
+ring = "304/(729*n)"
+diagonal = "64/(729*n)"
+
+[edge-third]
+near = "304/729"
+far = "190/729"
+opposite = "19/729"
+wing = "64/729"
+far-wing = "40/729"
+behind-wing = "4/729"
+
+[[edge-end]]
+when = "n == 5"
+self = "3/4"
+ring = "(1/4)/n + cos(2*pi*k/n)/(2*n)"
+
+[corner]
+round = "((k == 0)*256 + (k == 1 or k == 3)*160 + (k == 2)*100)/729"
+behind = "16/729"
+beside = "10/729"
+opposite = "1/729"
+
+[boundary.vertex]
+self = "19/27"
+next = "4/27"
+
+[boundary.edge-end]
+near = "16/27"
+far = "10/27"
+beyond = "1/27"
 )toml";
 
 /// The tensor product of the four-point scheme: of an edge's or face's two rings, not all.

@@ -102,8 +102,7 @@ bool has_tangents(const Scheme& scheme, int faces) {
 
 /// How far limit points are from `levels` steps of plain refinement, at vertices of a random mesh.
 Errors worst_errors(const Scheme& scheme, unsigned seed, int levels) {
-  RandomMesh random(seed);
-  const Mesh mesh = scheme.split->any_polygons ? random.polygons() : random.triangles();
+  const Mesh mesh = random_control(*scheme.split, seed);
   std::mt19937 numbers(seed);
   std::uniform_real_distribution<double> coordinate(-1, 1);
   std::vector<Point3> values(static_cast<std::size_t>(mesh.vertex_count()));
@@ -150,7 +149,7 @@ TEST_P(LimitPointsOf, AreWhereRefinementGoes) {
 
 INSTANTIATE_TEST_SUITE_P(Shipped, LimitPointsOf,
                          testing::Values("loop", "catmull-clark", "sqrt3", "four-eight", "optimal",
-                                         "butterfly-modified", "laplacian-loop",
+                                         "butterfly-modified", "laplacian-loop", "loop-ternary",
                                          "laplacian-butterfly"),
                          [](const auto& info) { return test_name(info.param); });
 
@@ -162,8 +161,7 @@ TEST_P(LimitPointsAtAnyLevel, AreThoseOfTheNextLevel) {
   int open = 0;
   for (unsigned seed = 1; seed <= 30; ++seed) {
     SCOPED_TRACE(seed);
-    const Mesh mesh =
-        scheme.split->any_polygons ? RandomMesh(seed).polygons() : RandomMesh(seed).triangles();
+    const Mesh mesh = random_control(*scheme.split, seed);
     std::vector<Point3> values;
     for (Index v = 0; v < mesh.vertex_count(); ++v)
       values.push_back({std::sin(v), std::cos(3.0 * v), std::sin(5.0 * v)});

@@ -12,11 +12,12 @@ constexpr double kNoLimit = std::numeric_limits<double>::infinity();
 
 Mesh control_mesh(const Scheme& scheme) {
   // an open disc: boundaries must be counted too
-  return scheme.split->births.corners ? face_star(5, 3) : star(scheme.split->lattice, 5, 3);
+  return scheme.split->is_dual() ? face_star(5, 3) : star(scheme.split->lattice, 5, 3);
 }
 
 TEST(RefineEstimate, BoundsTheCountsAndIsNearThem) {
-  for (const std::string name : {"loop", "catmull-clark", "doo-sabin", "sqrt3", "four-eight"}) {
+  for (const std::string name :
+       {"loop", "catmull-clark", "doo-sabin", "sqrt3", "four-eight", "loop-ternary"}) {
     const Scheme scheme = find_scheme(name).value();
     const Mesh mesh = control_mesh(scheme);
     for (int levels = 0; levels <= 4; ++levels) {

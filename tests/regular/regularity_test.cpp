@@ -122,6 +122,20 @@ TEST(Regularity, OfSqrtThreeIsC2) {
   EXPECT_EQ(found.orders.sum_rules, 3);
 }
 
+/// Loop's box spline, cut in three. The curve that the ternary butterfly is made from is C2 for
+/// 1/15 < μ < 1/9 [HassanIvrissimtzisDodgsonSabin2002], the surface is not.
+TEST(Regularity, OfTernarySchemes) {
+  const Regularity loop = of("loop-ternary");
+  expect_smooth(loop, kYes, kYes, kYes);
+  expect_holder(loop, 3, 3);
+  const Regularity butterfly = of("butterfly-ternary");
+  EXPECT_EQ(butterfly.orders.sum_rules, 3);
+  expect_smooth(butterfly, kYes, kYes, kNo);
+  expect_holder(butterfly, 1.69, 1.70);
+  const Regularity smoothest = of("butterfly-ternary", {"mu=1/27"});
+  EXPECT_EQ(smoothest.holder.exact, "log3(81/11)");
+}
+
 /// [VelhoZorin2001]: C4. Its shifts are dependent, and its sum rules end at 4.
 TEST(Regularity, OfFourEightIsKnownFromItsDirections) {
   const Regularity found = of("four-eight");

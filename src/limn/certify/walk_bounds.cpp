@@ -45,12 +45,12 @@ bool is_short(const Walk& walk, const Bounds& bounds) {
 }  // namespace
 
 std::optional<std::string> walk_beyond_bounds(const Scheme& scheme) {
-  const bool dual = scheme.split->births.corners;
+  const bool dual = scheme.split->is_dual();
   const Bounds bounds =
       dual ? Bounds{Move::face, Move::vertex, 1}
            : Bounds{Move::vertex, Move::edge, scheme.split->lattice == Lattice::triangle ? 2 : 1};
-  for (const RuleKind kind :
-       {RuleKind::vertex, RuleKind::edge, RuleKind::edge_end, RuleKind::face, RuleKind::corner}) {
+  for (const RuleKind kind : {RuleKind::vertex, RuleKind::edge, RuleKind::edge_end,
+                              RuleKind::edge_third, RuleKind::face, RuleKind::corner}) {
     const std::optional<Rule>& rule = scheme.rule(kind);
     if (!rule) continue;
     for (const RuleCase& one : *rule)

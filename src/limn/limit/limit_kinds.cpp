@@ -23,12 +23,12 @@ SharedSites::SharedSites(const Mesh& mesh, std::vector<LimitSite>& sites) {
 }
 
 bool LimitKinds::at_boundary(const Mesh& mesh, Index at) const {
-  return !scheme_.split->births.corners && mesh.is_boundary_vertex(at);
+  return !scheme_.split->is_dual() && mesh.is_boundary_vertex(at);
 }
 
 /// Edges at an interior vertex, corners of a face, or faces at a boundary vertex.
 int LimitKinds::size_of(const Mesh& mesh, Index at) const {
-  if (scheme_.split->births.corners) return mesh.degree(mesh.face(at));
+  if (scheme_.split->is_dual()) return mesh.degree(mesh.face(at));
   return mesh.valence(at) - (mesh.is_boundary_vertex(at) ? 1 : 0);
 }
 
@@ -71,10 +71,11 @@ Status LimitKinds::check_rules(bool boundary, int size) const {
     return Done{};
   };
   const Split& split = *scheme_.split;
-  if (split.births.corners) return check(RuleKind::corner, size);
+  if (split.is_dual()) return check(RuleKind::corner, size);
   if (!boundary) return check(RuleKind::vertex, size);
   if (Status status = check(RuleKind::boundary_vertex, size + 1); !status) return status;
-  return check(split.odd_step_cut == 3 ? RuleKind::boundary_edge_end : RuleKind::boundary_edge, 0);
+  const bool thirds = split.births.thirds || split.odd_step_cut == 3;
+  return check(thirds ? RuleKind::boundary_edge_end : RuleKind::boundary_edge, 0);
 }
 
 Pattern LimitKinds::pattern(bool boundary, int size, int shape) const {

@@ -94,7 +94,7 @@ std::vector<bool> surroundings(const Split& split, const Mesh& mesh,
       vertices[mesh.origin(h)] = true;
   };
   for (const LimitSite& site : sites) {
-    if (split.births.corners)
+    if (split.is_dual())
       mark_corners(mesh.face(site.at));
     else
       vertices[site.at] = true;
@@ -171,7 +171,7 @@ Result<LimitPatch<Value>> refined_patch(const Scheme& scheme, const Mesh& mesh,
                                         const std::vector<Value>& values,
                                         const std::vector<LimitSite>& sites, int rings, int step,
                                         RuleTables<double>& tables) {
-  const bool dual = scheme.split->births.corners;
+  const bool dual = scheme.split->is_dual();
   Part part(mesh, surroundings(*scheme.split, mesh, sites, rings));
   std::vector<Value> part_values;
   part_values.reserve(part.old_vertex.size());

@@ -42,6 +42,7 @@ std::optional<HopFlag> flag_hops(RuleKind kind, int flag) {
       if (flag < 2) return HopFlag{{}, flag == 1};
       return HopFlag{{Hop::twin}, flag == 3};
     case RuleKind::edge_end:
+    case RuleKind::edge_third:
       if (flag == 0) return HopFlag{{}, false};
       return HopFlag{{Hop::twin}, true};
     case RuleKind::boundary_vertex:
@@ -220,8 +221,7 @@ Status RuleTables<Number>::prepare_vertices(const Mesh& mesh, bool boundary_refi
 }
 
 template <class Number>
-Status RuleTables<Number>::prepare_faces(const Mesh& mesh) {
-  const RuleKind kind = scheme_->split->births.faces ? RuleKind::face : RuleKind::corner;
+Status RuleTables<Number>::prepare_faces(const Mesh& mesh, RuleKind kind) {
   for (Index f = 0; f < mesh.face_count(); ++f)
     if (Status status = add(kind, mesh.degree(f), f); !status) return status;
   return Done{};
@@ -237,8 +237,10 @@ Status RuleTables<Number>::prepare_edges(const Mesh& mesh, const Births& births)
   for (Index e = 0; e < mesh.edge_count() && !(interior && boundary); ++e)
     (mesh.is_boundary_edge(e) ? boundary : interior) = true;
   if (interior)
-    if (Status status = add(RuleKind::edge, 0, 0); !status) return status;
-  if (boundary) return add(RuleKind::boundary_edge, 0, 0);
+    if (Status status = add(births.thirds ? RuleKind::edge_third : RuleKind::edge, 0, 0); !status)
+      return status;
+  if (boundary)
+    return add(births.thirds ? RuleKind::boundary_edge_end : RuleKind::boundary_edge, 0, 0);
   return Done{};
 }
 
@@ -248,8 +250,10 @@ Status RuleTables<Number>::prepare(const Mesh& mesh, const Births& births) {
   const bool boundary_refined = !split.boundary_rests() || births.from_edges > 0;
   if (split.births.vertices)
     if (Status status = prepare_vertices(mesh, boundary_refined); !status) return status;
-  if (split.births.faces || split.births.corners)
-    if (Status status = prepare_faces(mesh); !status) return status;
+  if (split.births.faces)
+    if (Status status = prepare_faces(mesh, RuleKind::face); !status) return status;
+  if (split.births.corners)
+    if (Status status = prepare_faces(mesh, RuleKind::corner); !status) return status;
   return prepare_edges(mesh, births);
 }
 

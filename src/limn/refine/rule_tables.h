@@ -100,7 +100,7 @@ class RuleTables {
  private:
   Status add(RuleKind kind, Index n, Index example);
   Status prepare_vertices(const Mesh& mesh, bool boundary_refined);
-  Status prepare_faces(const Mesh& mesh);
+  Status prepare_faces(const Mesh& mesh, RuleKind kind);
   Status prepare_edges(const Mesh& mesh, const Births& births);
 
   const Scheme* scheme_;

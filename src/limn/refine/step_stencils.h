@@ -151,14 +151,27 @@ class StepStencils {
     return row.program ? &row : nullptr;
   }
 
+  /// One of the two new vertices of an edge that is cut in three.
+  template <class Sink>
+  void visit_third(const EdgeChild& child, Sink& sink) const {
+    const Index twin = mesh_.twin(child.halfedge);
+    if (twin == kNone)
+      return visit_row(RuleKind::boundary_edge_end, child.halfedge, child.at_target,
+                       tables_.row(RuleKind::boundary_edge_end, 0), sink);
+    const Index h = child.at_target ? twin : child.halfedge;  // out of the near end
+    if (ends_) {
+      const Index near = mesh_.origin(h);
+      const Row<Number>* row = end_rows_.empty() ? end_row(near) : end_rows_[near];
+      if (row != nullptr) return visit_row(RuleKind::edge_end, h, false, *row, sink);
+    }
+    visit_row(RuleKind::edge_third, h, false, tables_.row(RuleKind::edge_third, 0), sink);
+  }
+
   template <class Sink>
   void visit_edge(Index i, Sink& sink) const {
-    if (!births_.edge_ends.empty()) {
-      const Index end = births_.edge_ends[i];
-      return visit_row(RuleKind::boundary_edge_end, end / 2, end % 2 != 0,
-                       tables_.row(RuleKind::boundary_edge_end, 0), sink);
-    }
-    const Index h = mesh_.halfedge_of_edge(births_.edges.empty() ? i : births_.edges[i]);
+    const EdgeChild child = edge_child(mesh_, births_, i);
+    if (child.third) return visit_third(child, sink);
+    const Index h = child.halfedge;
     const Index twin = mesh_.twin(h);
     if (twin == kNone)
       return visit_row(RuleKind::boundary_edge, h, false, tables_.row(RuleKind::boundary_edge, 0),

@@ -126,7 +126,8 @@ std::vector<Moves> flag_words(RuleKind kind) {
     case RuleKind::corner: return {{}, {Move::edge}};
     case RuleKind::face: return {{}, {Move::vertex}};
     case RuleKind::edge: return {{}, {Move::vertex}, {Move::face, Move::vertex}, {Move::face}};
-    case RuleKind::edge_end: return {{}, {Move::face}};
+    case RuleKind::edge_end:
+    case RuleKind::edge_third: return {{}, {Move::face}};
     default: return {};  // at the boundary every flag stands for itself
   }
 }
@@ -325,7 +326,8 @@ AnchorFlags anchor_flags(RuleKind kind, const Mesh& mesh, Index h, bool at_targe
       const Index twin = mesh.twin(h);
       return {{{h, false}, {h, true}, {twin, false}, {twin, true}}, 4};
     }
-    case RuleKind::edge_end: return {{{h, at_target}, {mesh.twin(h), !at_target}}, 2};
+    case RuleKind::edge_end:
+    case RuleKind::edge_third: return {{{h, at_target}, {mesh.twin(h), !at_target}}, 2};
     case RuleKind::boundary_vertex: return {{{h, false}, other_boundary_flag(mesh, {h, false})}, 2};
     case RuleKind::boundary_edge_end: return {{{h, at_target}}, 1};
   }

@@ -29,14 +29,15 @@ enum class RuleKind : unsigned char {
   vertex,             ///< a vertex; per face round it, the flags of its two edges there
   edge,               ///< an interior edge; 2 ends × 2 faces
   edge_end,           ///< an interior edge seen from one of its ends; 2 faces
+  edge_third,         ///< an interior edge cut in three, seen from the end that is near; 2 faces
   face,               ///< a face; per edge of it, 2 ends
-  corner,             ///< a corner of a face (dual splits); its 2 edges
+  corner,             ///< a corner of a face; its 2 edges
   boundary_vertex,    ///< a boundary vertex; its 2 boundary edges
   boundary_edge,      ///< a boundary edge; 2 ends
-  boundary_edge_end,  ///< a boundary edge that is trisected, seen from one end; 1 flag
+  boundary_edge_end,  ///< a boundary edge that is cut in three, seen from one end; 1 flag
 };
 /// How many kinds there are.
-inline constexpr int kRuleKinds = 8;
+inline constexpr int kRuleKinds = 9;
 
 /// "vertex", "edge-end", "boundary.vertex", …: as scheme files write it.
 [[nodiscard]] std::string_view rule_name(RuleKind kind);
