@@ -40,7 +40,8 @@ TEST_P(Proved, AtSmallAndLargeValences) {
 
 INSTANTIATE_TEST_SUITE_P(Schemes, Proved,
                          testing::Values("loop", "loop-warren", "catmull-clark", "doo-sabin",
-                                         "sqrt3", "butterfly-modified", "interpolating-loop"));
+                                         "sqrt3", "butterfly-modified", "interpolating-loop",
+                                         "loop-ternary"));
 
 TEST(Certify, RefutesTheButterflyFromEightOn) {
   const Certificate certificate = certified(test::shipped("butterfly"), 3, 12);

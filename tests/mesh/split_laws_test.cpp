@@ -42,6 +42,10 @@ Counts expected_counts(const Split& split, const Mesh& mesh, int step) {
     return {corners + isolated_count(mesh), corners + 2 * inner - squeezed,
             f + inner + inner_vertices(mesh, 3)};
   }
+  if (split.name == "midedge") {
+    const Index squeezed = inner_vertices(mesh, 2) - inner_vertices(mesh, 3);
+    return {e + isolated_count(mesh), corners - squeezed, f + inner_vertices(mesh, 3)};
+  }
   if (split.name == "triangle-ternary") return {v + 2 * e + f, 3 * e + 9 * f, 9 * f};
   if (split.name == "quad-ternary") return {v + 2 * e + 4 * f, 3 * e + 12 * f, 9 * f};
   const Index cuts = cut_faces(mesh, step);

@@ -276,6 +276,49 @@ TEST(QuadSqrt2, AnOddFirstStepCutsOnlyTrianglesWithOneBoundaryEdge) {
   EXPECT_EQ(strip.mesh.face_count(), 6);
 }
 
+TEST(MidEdge, CubeGivesTheCuboctahedron) {
+  const Mesh mesh = find_split("midedge")->apply(cube(), 0).mesh;
+  EXPECT_EQ(mesh.vertex_count(), 12);
+  EXPECT_EQ(mesh.edge_count(), 24);
+  Index triangles = 0, quads = 0;
+  for (Index f = 0; f < mesh.face_count(); ++f) {
+    triangles += mesh.degree(f) == 3;
+    quads += mesh.degree(f) == 4;
+  }
+  EXPECT_EQ(triangles, 8);
+  EXPECT_EQ(quads, 6);
+}
+
+/// Where no edge has both ends on the boundary nothing parts.
+TEST(MidEdge, GivesBoundaryVerticesNoFace) {
+  const Mesh mesh = star(Lattice::quad, 4, 3);
+  const SplitResult refined = find_split("midedge")->apply(mesh, 0);
+  EXPECT_EQ(refined.mesh.check(), "");
+  EXPECT_EQ(refined.mesh.face_count(), mesh.face_count() + 25);
+  // two quads side by side part, each with a vertex of its own on the edge between them
+  const SplitResult two =
+      find_split("midedge")->apply(must_build(6, {{0, 1, 2, 3}, {1, 4, 5, 2}}), 0);
+  EXPECT_EQ(two.mesh.check(), "");
+  EXPECT_EQ(two.births.from_edges, 8);
+  EXPECT_EQ(two.births.edges.size(), 8U);
+  EXPECT_EQ(boundary_loops(two.mesh), 2);
+}
+
+TEST(MidEdge, TwoStepsAreOneOfQuadDual) {
+  EXPECT_TRUE(rc::check([](unsigned seed) {
+    const Split& midedge = *find_split("midedge");
+    const Mesh mesh = random_control(midedge, seed);
+    for (Index v = 0; v < mesh.vertex_count(); ++v)
+      RC_PRE(mesh.is_isolated(v) || mesh.valence(v) > 2);  // 2-gons are squeezed, a step apart
+    const Mesh middle = midedge.apply(mesh, 0).mesh;
+    const Mesh twice = midedge.apply(middle, 1).mesh;
+    const Mesh dual = find_split("quad-dual")->apply(mesh, 0).mesh;
+    RC_ASSERT(twice.face_count() == dual.face_count());
+    RC_ASSERT(twice.edge_count() == dual.edge_count());
+    RC_ASSERT(twice.vertex_count() == dual.vertex_count());
+  }));
+}
+
 TEST(QuadDual, CubeGivesTheRhombicuboctahedron) {
   const Mesh mesh = find_split("quad-dual")->apply(cube(), 0).mesh;
   EXPECT_EQ(mesh.vertex_count(), 24);

@@ -53,6 +53,25 @@ TEST(CheckRefinable, NamesTheEstimateWhereMemoryIsShort) {
   EXPECT_NE(status.error().message.find("MiB"), std::string::npos);
 }
 
+TEST(CheckRefinable, NamesWhatTheSplitDoesNotTake) {
+  const auto message = [](const Scheme& scheme, const Mesh& mesh) {
+    const Status status = check_refinable(scheme, mesh, 1, sizeof(Point3), kNoLimit);
+    return status ? std::string() : status.error().message;
+  };
+  Scheme quads = find_scheme("catmull-clark").value();
+  quads.split = find_split("quad-ternary");
+  EXPECT_EQ(message(quads, torus(Lattice::quad, 5, 4)), "");
+  EXPECT_NE(message(quads, torus(Lattice::triangle, 5, 4)).find("refines quads"),
+            std::string::npos);
+  const Scheme triangles = find_scheme("loop-ternary").value();
+  EXPECT_NE(message(triangles, torus(Lattice::quad, 5, 4)).find("refines triangles"),
+            std::string::npos);
+  const Scheme midedge = find_scheme("midedge").value();
+  EXPECT_EQ(message(midedge, torus(Lattice::quad, 5, 4)), "");
+  EXPECT_NE(message(midedge, star(Lattice::quad, 4, 2)).find("closed meshes only"),
+            std::string::npos);
+}
+
 TEST(CheckRefinable, RefusesMoreHalfedgesThanAnIndexHolds) {
   const Scheme scheme = find_scheme("catmull-clark").value();
   const Mesh mesh = torus(Lattice::quad, 5, 4);

@@ -150,6 +150,14 @@ TEST(Regularity, OfFourEightIsKnownFromItsDirections) {
   EXPECT_NE(found.holder.exact_reason.find("8 directions"), std::string::npos);
 }
 
+/// [PetersReif1997]: the Zwart–Powell element, a quadratic box spline whose shifts are dependent.
+TEST(Regularity, OfMidEdgeIsKnownFromItsDirections) {
+  const Regularity found = of("midedge");
+  EXPECT_EQ(found.holder.lower, 2);
+  EXPECT_EQ(found.holder.exact, "2");
+  EXPECT_FALSE(found.holder.upper.has_value());
+}
+
 TEST(Regularity, OfUnstableShiftsHasALowerEndOnly) {
   const Regularity found = of("box-spline-quad", {"i=1", "j=1", "p=2", "q=1"});
   EXPECT_EQ(found.stable, Truth::undecided);

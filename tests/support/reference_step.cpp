@@ -208,6 +208,16 @@ class Reference {
     return std::move(fresh_);
   }
 
+  /// Peters and Reif: the middle of every edge.
+  std::vector<double> midedge() {
+    for (Index i = 0; i < births_.from_edges; ++i) {
+      const Index h = mesh_.halfedge_of_edge(births_.edges.empty() ? i : births_.edges[i]);
+      push((at(mesh_.origin(h)) + at(mesh_.target(h))) / 2);
+    }
+    for (const Index v : births_.isolated) push(at(v));
+    return std::move(fresh_);
+  }
+
   /// Schemes that cut triangles' edges in three. The weights of a stencil on the lattice are given
   /// by how far the old vertices lie off, going round from the edge.
   struct TernaryRules {
@@ -482,7 +492,7 @@ std::optional<Reference::TernaryRules> ternary_rules(const std::string& scheme,
 bool has_reference(const std::string& scheme) {
   return triangle_rules(scheme, {}) || ternary_rules(scheme, {}) || scheme == "catmull-clark" ||
          scheme == "doo-sabin" || scheme == "sqrt3" || scheme == "four-eight" ||
-         scheme == "box-spline-quad";
+         scheme == "midedge" || scheme == "box-spline-quad";
 }
 
 std::vector<double> reference_step(const std::string& scheme, std::optional<double> parameter,
@@ -493,6 +503,7 @@ std::vector<double> reference_step(const std::string& scheme, std::optional<doub
   if (scheme == "doo-sabin") return reference.doo_sabin();
   if (scheme == "sqrt3") return reference.sqrt3();
   if (scheme == "four-eight") return reference.four_eight();
+  if (scheme == "midedge") return reference.midedge();
   if (const auto rules = ternary_rules(scheme, parameter))
     return reference.triangle_ternary(*rules);
   return reference.triangle_dyadic(*triangle_rules(scheme, parameter));

@@ -72,7 +72,7 @@ std::vector<Offset> birth_places(const Mesh& mesh, const Births& births) {
 /// of a dyadic split are half of those, of a ternary one a third; those of √2 go half the way along
 /// the diagonals.
 Offset doubled_offset(const Split& split, Offset twelfths) {
-  if (split.name == "quad-sqrt2")
+  if (split.name == "quad-sqrt2" || split.name == "midedge")
     return {(twelfths[0] + twelfths[1]) / 6, (twelfths[1] - twelfths[0]) / 6};
   const int edge = split.name.ends_with("ternary") ? 3 : 2;
   return {twelfths[0] * edge / 6, twelfths[1] * edge / 6};

@@ -71,7 +71,8 @@ Status LimitKinds::check_rules(bool boundary, int size) const {
     return Done{};
   };
   const Split& split = *scheme_.split;
-  if (split.is_dual()) return check(RuleKind::corner, size);
+  if (split.is_dual())
+    return split.births.corners ? check(RuleKind::corner, size) : check(RuleKind::edge, 0);
   if (!boundary) return check(RuleKind::vertex, size);
   if (Status status = check(RuleKind::boundary_vertex, size + 1); !status) return status;
   const bool thirds = split.births.thirds || split.odd_step_cut == 3;

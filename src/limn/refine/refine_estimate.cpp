@@ -28,6 +28,13 @@ Counts after_step(const Split& split, const Counts& c, int step) {
     r.edges = 3 * (c.edges + c.halfedges);
     return r;
   }
+  if (split.is_dual() && split.births.edges) {
+    r.vertices = c.edges;
+    r.faces = c.vertices + c.faces;
+    r.halfedges = 2 * c.halfedges;
+    r.edges = c.halfedges;
+    return r;
+  }
   if (split.births.corners) {
     r.vertices = c.halfedges;
     r.faces = c.vertices + c.edges + c.faces;
@@ -135,6 +142,11 @@ Status check_refinable(const Scheme& scheme, const Mesh& mesh, int levels,
   const Split& split = *scheme.split;
   if (levels < 0) return Error{fmt::format("{} is no number of levels", levels), "give 0 or more"};
   if (Status status = check_faces(scheme, mesh); !status) return status;
+  // what new vertices of edges alone leave at a boundary falls apart (split_midedge.cpp)
+  if (split.is_dual() && split.births.edges && mesh.has_boundary())
+    return Error{fmt::format("scheme '{}' refines closed meshes only, and this one has a boundary",
+                             scheme.name),
+                 "doo-sabin, another dual scheme, takes meshes with boundaries"};
   const Forecast result = forecast(split, mesh, levels, bytes_per_value);
   if (result.last.halfedges > kLargestHalfedgeCount)
     return Error{

@@ -231,7 +231,7 @@ template <class Number>
 Status RuleTables<Number>::prepare_edges(const Mesh& mesh, const Births& births) {
   if (births.from_edges == 0) return Done{};
   if (!births.edge_ends.empty()) return add(RuleKind::boundary_edge_end, 0, 0);
-  if (!births.edges.empty()) return add(RuleKind::boundary_edge, 0, 0);
+  if (!scheme_->split->births.edges) return add(RuleKind::boundary_edge, 0, 0);
   bool interior = false;
   bool boundary = false;
   for (Index e = 0; e < mesh.edge_count() && !(interior && boundary); ++e)

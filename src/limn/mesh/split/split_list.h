@@ -14,6 +14,7 @@ SplitResult split_quad_dyadic(const Mesh& mesh, int step);
 SplitResult split_quad_dual(const Mesh& mesh, int step);
 SplitResult split_sqrt3(const Mesh& mesh, int step);
 SplitResult split_quad_sqrt2(const Mesh& mesh, int step);
+SplitResult split_midedge(const Mesh& mesh, int step);
 SplitResult split_triangle_ternary(const Mesh& mesh, int step);
 SplitResult split_quad_ternary(const Mesh& mesh, int step);
 
