@@ -6,6 +6,9 @@
 #include <map>
 #include <numbers>
 
+#include "support/old_values.h"
+#include "support/ternary_reference.h"
+
 namespace limn::test {
 namespace {
 
@@ -131,10 +134,10 @@ std::optional<TriangleRules> triangle_rules(const std::string& scheme, std::opti
   return std::nullopt;
 }
 
-class Reference {
+class Reference : OldValues {
  public:
   Reference(const Mesh& mesh, const Births& births, const std::vector<double>& old)
-      : mesh_(mesh), births_(births), old_(old) {}
+      : OldValues(mesh, old), births_(births) {}
 
   std::vector<double> triangle_dyadic(const TriangleRules& rules) {
     for (Index v = 0; v < births_.from_vertices; ++v) push(triangle_vertex(rules, v));
@@ -218,133 +221,11 @@ class Reference {
     return std::move(fresh_);
   }
 
-  /// Schemes that cut triangles' edges in three. The weights of a stencil on the lattice are given
-  /// by how far the old vertices lie off, going round from the edge.
-  struct TernaryRules {
-    double vertex;                                       ///< share of the neighbours' mean
-    double near, far, wing, outer, far_outer, straight;  ///< a third's
-    double self;                                         ///< a third's, near a special vertex
-    std::function<double(int n, int k)> spoke;           ///< and that of its neighbours
-    double corner, beyond, straight_on;                  ///< a face's
-    std::array<double, 2> boundary_vertex;               ///< itself, either neighbour
-    std::array<double, 4> boundary_third;                ///< beyond, near, far, beyond that
-  };
-
-  std::vector<double> triangle_ternary(const TernaryRules& rules) {
-    for (Index v = 0; v < births_.from_vertices; ++v) {
-      if (mesh_.is_isolated(v))
-        push(at(v));
-      else if (mesh_.is_boundary_vertex(v))
-        push(rules.boundary_vertex[0] * at(v) + rules.boundary_vertex[1] * boundary_neighbours(v));
-      else
-        push((1 - rules.vertex) * at(v) + rules.vertex * neighbours(v) / mesh_.valence(v));
-    }
-    for (Index e = 0; e < mesh_.edge_count(); ++e) {
-      const Index h = mesh_.halfedge_of_edge(e);
-      push(ternary_third(rules, h, false));
-      push(ternary_third(rules, h, true));
-    }
-    for (Index f = 0; f < mesh_.face_count(); ++f) push(ternary_face(rules, f));
-    return std::move(fresh_);
-  }
-
  private:
-  [[nodiscard]] double ternary_third(const TernaryRules& rules, Index h, bool at_target) const {
-    const Index v = mesh_.origin(h), w = mesh_.target(h);
-    if (mesh_.twin(h) == kNone) {
-      const auto& [beyond_near, near, far, beyond_far] = rules.boundary_third;
-      return near * at(at_target ? w : v) + far * at(at_target ? v : w) +
-             beyond_near * at(beyond(h, at_target)) + beyond_far * at(beyond(h, !at_target));
-    }
-    if (at_target) h = mesh_.twin(h);  // out of the near end
-    const Index end = mesh_.origin(h);
-    const int n = mesh_.valence(end);
-    if (!mesh_.is_boundary_vertex(end) && n != 6) {
-      double sum = rules.self * at(end);
-      Index spoke = h;
-      for (int k = 0; k < n; ++k, spoke = mesh_.rotate(spoke))
-        sum += rules.spoke(n, k) * at(mesh_.target(spoke));
-      return sum;
-    }
-    const Index t = mesh_.twin(h);
-    double sum = rules.near * at(end) + rules.far * at(mesh_.target(h)) +
-                 rules.wing * (at(apex(h)) + at(apex(t))) +
-                 rules.outer * (across(mesh_.prev(h)) + across(mesh_.next(t))) +
-                 rules.far_outer * (across(mesh_.next(h)) + across(mesh_.prev(t)));
-    return sum + rules.straight * (straight_on_left(t) + straight_on_right(t)) / 2;
-  }
-
-  [[nodiscard]] double ternary_face(const TernaryRules& rules, Index f) const {
-    double sum = 0;
-    for (Index h = 3 * f; h < 3 * f + 3; ++h) {
-      sum += rules.corner * at(mesh_.origin(h)) + rules.beyond * across(h);
-      // straight on from the origin of h over its target, and the other way
-      sum += rules.straight_on * (inner_straight_on(h) + inner_straight_back(h));
-    }
-    return sum;
-  }
-
-  /// The third vertex of the triangle beyond side h; past the boundary the parallelogram's corner.
-  [[nodiscard]] double across(Index h) const {
-    const Index out = mesh_.twin(h);
-    return out != kNone ? at(apex(out)) : at(mesh_.origin(h)) + at(mesh_.target(h)) - at(apex(h));
-  }
-
-  /// As straight_on_left, of one face: over the target of h, three faces on from h's face.
-  [[nodiscard]] double inner_straight_on(Index h) const { return straight_on_left(h); }
-  /// Over the origin of h, three faces on from h's face.
-  [[nodiscard]] double inner_straight_back(Index h) const {
-    Index side = mesh_.prev(h);  // into the origin
-    for (int i = 0; i < 2; ++i) {
-      if (mesh_.twin(side) == kNone) return 2 * at(mesh_.origin(h)) - at(mesh_.target(h));
-      side = mesh_.prev(mesh_.twin(side));
-    }
-    return at(mesh_.origin(side));
-  }
-
   void push(double value) { fresh_.push_back(value); }
-  [[nodiscard]] double at(Index v) const { return old_[static_cast<std::size_t>(v)]; }
-  [[nodiscard]] Index apex(Index h) const { return mesh_.target(mesh_.next(h)); }
-
-  [[nodiscard]] double mean(Index f) const {
-    double sum = 0;
-    for (Index h = mesh_.face_begin(f); h < mesh_.face_begin(f + 1); ++h)
-      sum += at(mesh_.origin(h));
-    return sum / mesh_.degree(f);
-  }
-
-  /// Sum over the edges at an interior vertex v of the value at their other ends.
-  [[nodiscard]] double neighbours(Index v) const {
-    double sum = 0;
-    const Index first = mesh_.halfedge_of_vertex(v);
-    Index h = first;
-    do {
-      sum += at(mesh_.target(h));
-      h = mesh_.rotate(h);
-    } while (h != first);
-    return sum;
-  }
-
   [[nodiscard]] double smoothed(Index v, double beta) const {
     if (mesh_.is_isolated(v)) return at(v);
     return (1 - mesh_.valence(v) * beta) * at(v) + beta * neighbours(v);
-  }
-
-  /// The other boundary edge's far end, where boundary half-edge h meets its origin or target.
-  [[nodiscard]] Index beyond(Index h, bool at_target) const {
-    if (at_target) {
-      Index out = mesh_.next(h);
-      while (mesh_.twin(out) != kNone) out = mesh_.next(mesh_.twin(out));
-      return mesh_.target(out);
-    }
-    Index in = mesh_.prev(h);
-    while (mesh_.twin(in) != kNone) in = mesh_.prev(mesh_.twin(in));
-    return mesh_.origin(in);
-  }
-
-  [[nodiscard]] double boundary_neighbours(Index v) const {
-    const Index out = mesh_.halfedge_of_vertex(v);
-    return at(mesh_.target(out)) + at(beyond(out, false));
   }
 
   [[nodiscard]] double triangle_vertex(const TriangleRules& rules, Index v) const {
@@ -395,26 +276,6 @@ class Reference {
     return sum + rules.opposite * (straight_on_left(h) + straight_on_right(h)) / 2;
   }
 
-  /// The vertex three faces on, turning round h's target on h's left: straight beyond it if the
-  /// target is regular. Where the mesh ends before: the edge prolonged.
-  [[nodiscard]] double straight_on_left(Index h) const {
-    Index spoke = mesh_.next(h);  // out of the target; faces crossed: one
-    for (int i = 0; i < 2; ++i) {
-      if (mesh_.twin(spoke) == kNone) return 2 * at(mesh_.target(h)) - at(mesh_.origin(h));
-      spoke = mesh_.next(mesh_.twin(spoke));
-    }
-    return at(mesh_.target(spoke));
-  }
-
-  [[nodiscard]] double straight_on_right(Index h) const {
-    Index spoke = mesh_.prev(mesh_.twin(h));  // into the target
-    for (int i = 0; i < 2; ++i) {
-      if (mesh_.twin(spoke) == kNone) return 2 * at(mesh_.target(h)) - at(mesh_.origin(h));
-      spoke = mesh_.prev(mesh_.twin(spoke));
-    }
-    return at(mesh_.origin(spoke));
-  }
-
   /// Q/n + 2R/n + S(n-3)/n: means of the new face points, of the edges' middles, the vertex.
   [[nodiscard]] double catmull_clark_vertex(Index v) const {
     if (mesh_.is_isolated(v)) return at(v);
@@ -431,66 +292,14 @@ class Reference {
     return (faces / n + 2 * middles / n + (n - 3) * at(v)) / n;
   }
 
-  const Mesh& mesh_;
   const Births& births_;
-  const std::vector<double>& old_;
   std::vector<double> fresh_;
 };
 
 }  // namespace
 
-namespace {
-
-/// A ring's weights from the eigenvalues of its frequencies 0, 1, 2, … (and back from n - 1), by
-/// the Fourier sum over all n of them.
-double ring_weight(const std::vector<double>& eigenvalues, int n, int k) {
-  double sum = 0;
-  for (int frequency = 0; frequency < n; ++frequency) {
-    const auto folded = static_cast<std::size_t>(std::min(frequency, n - frequency));
-    if (folded < eigenvalues.size())
-      sum += eigenvalues[folded] * std::cos(2 * kPi * frequency * k / n);
-  }
-  return sum / n;
-}
-
-std::optional<Reference::TernaryRules> ternary_rules(const std::string& scheme,
-                                                     std::optional<double> parameter) {
-  if (scheme == "loop-ternary") {
-    // frequency 3 has 1/54, and comes with no other below valence 6
-    const auto spoke = [](int n, int k) {
-      return n < 6 ? ring_weight({5 / 9., 1 / 3., 1 / 9.}, n, k)
-                   : ring_weight({5 / 9., 1 / 3., 1 / 9., 1 / 54.}, n, k);
-    };
-    return Reference::TernaryRules{4 / 9.,
-                                   36 / 81.,
-                                   20 / 81.,
-                                   10 / 81.,
-                                   2 / 81.,
-                                   0,
-                                   1 / 81.,
-                                   4 / 9.,
-                                   spoke,
-                                   24 / 81.,
-                                   3 / 81.,
-                                   0,
-                                   {19 / 27., 4 / 27.},
-                                   {1 / 27., 16 / 27., 10 / 27., 0}};
-  }
-  if (scheme != "butterfly-ternary") return std::nullopt;
-  // the curve scheme: weights of the points before, at, after and one more after
-  const double mu = parameter.value_or(1 / 11.);
-  const std::array<double, 4> a{-1 / 18. - mu / 6, 13 / 18. + mu / 2, 7 / 18. - mu / 2,
-                                -1 / 18. + mu / 6};
-  const auto spoke = [](int n, int k) { return ring_weight({1 / 9., 1 / 3., 1 / 9.}, n, k); };
-  return Reference::TernaryRules{
-      0,      a[1] + a[3], a[2] + a[0],       -(a[0] + a[3]), a[0],     a[3],     0,
-      8 / 9., spoke,       (a[1] - a[3]) / 2, a[0] - a[3],    a[3] / 2, {1., 0.}, a};
-}
-
-}  // namespace
-
 bool has_reference(const std::string& scheme) {
-  return triangle_rules(scheme, {}) || ternary_rules(scheme, {}) || scheme == "catmull-clark" ||
+  return triangle_rules(scheme, {}) || has_ternary_reference(scheme) || scheme == "catmull-clark" ||
          scheme == "doo-sabin" || scheme == "sqrt3" || scheme == "four-eight" ||
          scheme == "midedge" || scheme == "box-spline-quad";
 }
@@ -504,8 +313,8 @@ std::vector<double> reference_step(const std::string& scheme, std::optional<doub
   if (scheme == "sqrt3") return reference.sqrt3();
   if (scheme == "four-eight") return reference.four_eight();
   if (scheme == "midedge") return reference.midedge();
-  if (const auto rules = ternary_rules(scheme, parameter))
-    return reference.triangle_ternary(*rules);
+  if (has_ternary_reference(scheme))
+    return ternary_reference_step(scheme, parameter, mesh, births, old);
   return reference.triangle_dyadic(*triangle_rules(scheme, parameter));
 }
 

@@ -1,4 +1,4 @@
-// V' = V + 2E + H (H half-edges), E' = 3E + 3H, F' = 9F; all faces quads. [NiNasriPeters 2007]
+// V' = V + 2E + H (H half-edges), E' = 3E + 3H, F' = 9F; all faces quads. [NiNasriPeters2007]
 //
 // Every edge is cut in three. Half-edge h from v has the new vertices a, near v, and b, near its
 // target; its corner of the face has one, c, at a third of the way along either side. With p the
