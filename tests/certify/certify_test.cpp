@@ -46,7 +46,7 @@ INSTANTIATE_TEST_SUITE_P(Schemes, Proved,
                          testing::Values("loop", "loop-warren", "catmull-clark", "doo-sabin",
                                          "sqrt3", "four-eight", "butterfly-modified",
                                          "interpolating-loop", "laplacian-butterfly",
-                                         "laplacian-loop", "laplacian-loop-low"));
+                                         "laplacian-loop", "laplacian-loop-low", "loop-ternary"));
 
 TEST(Certify, RefutesTheButterflyFromEightOn) {
   const Certificate certificate = certified(test::shipped("butterfly"), 3, 12);

@@ -41,7 +41,7 @@ TEST_P(FileToFile, HasTheBytesOfTheWhole) {
     const Polygons control = *read_mesh(mesh);
     if (!refine_surface(scheme, *Mesh::build(control), control.positions, {.levels = 1}))
       continue;  // it lacks a rule
-    for (const int levels : {0, 1, 4})
+    for (const int levels : {0, 1, scheme.split->dilation.growth() > 4 ? 3 : 4})
       for (const bool limit : {false, true})
         for (const bool normals : {false, true}) {
           const SurfaceOptions options{

@@ -3,6 +3,7 @@
 /// begin, rules that look far.
 
 #include "fast/fast_check.h"
+#include "fast/ternary_rules.h"
 #include "refine/dual_meshes.h"
 #include "refine/dual_rules.h"
 
@@ -122,24 +123,24 @@ inline Starts start_dual(const Mesh& control, int /*levels*/, const Mesh& /*quic
   return starts;
 }
 
+/// The plain engine's quad at a corner has 8 times the corner's number.
+inline Starts start_quad_ternary(const Mesh& control, int levels, const Mesh& quick) {
+  Starts starts;
+  for (Index f = 0; f < control.face_count(); ++f) {
+    Index plain = control.face_begin(f);
+    for (int level = 0; level < levels; ++level) plain *= 8;
+    starts.emplace_back(plain, quick.face_begin(f * (quick.face_count() / control.face_count())));
+  }
+  return starts;
+}
+
 /// Where both refined meshes begin, for a split.
 inline StartMaker start_of(const Split& split) {
-  if (split.births.corners) return start_dual;
+  if (split.is_dual()) return start_dual;
+  if (split.births.thirds && split.lattice == Lattice::quad) return start_quad_ternary;
   if (split.odd_step_cut == 3) return start_sqrt3;
   if (split.odd_step_cut == 2) return start_sqrt2;
   return start_each_face;
-}
-
-/// Any mesh that the split takes.
-inline Mesh random_control(const Split& split, unsigned seed) {
-  RandomMesh random(seed);
-  return split.any_polygons ? random.polygons() : random.triangles();
-}
-
-/// Quads only, with other numbers than a split gives where that is possible.
-inline Mesh random_quads(unsigned seed) {
-  const Mesh mesh = RandomMesh(seed).polygons();
-  return mesh.uniform_degree() == 4 ? mesh : find_split("quad-dyadic")->apply(mesh, 0).mesh;
 }
 
 /// Rules that look as far as two rings, at edges' ends too, and differ by valence.

@@ -159,7 +159,7 @@ inline int expect_same(const Scheme& scheme, const Mesh& control, int levels, un
   const std::vector<Index> partner = match(plain->mesh, *mesh, start(control, levels, *mesh));
   const std::vector<Point3> doubles = as_points(evaluate<double>(*quick, points));
   const std::vector<Point3> floats = as_points(evaluate<float>(*quick, points));
-  const bool keeps_vertices = !scheme.split->births.corners;
+  const bool keeps_vertices = !scheme.split->is_dual();
   double worst = 0, worst_float = 0;
   for (Index v = 0; v < plain->mesh.vertex_count(); ++v) {
     if (partner[v] == kNone) return -1;

@@ -50,7 +50,8 @@ TEST(CharacteristicMap, IsMappedToItsMultipleByRefinement) {
 }
 
 TEST(CharacteristicMap, IsRegularWhereTheLiteratureSaysSo) {
-  for (const std::string name : {"loop", "catmull-clark", "sqrt3", "doo-sabin", "four-eight"})
+  for (const std::string name : {"loop", "catmull-clark", "sqrt3", "doo-sabin", "four-eight",
+                                 "loop-ternary", "butterfly-ternary"})
     for (const int n : {3, 4, 5, 8, 12, 20}) {
       const CharacteristicMap map = approx_characteristic_map(shipped(name), n).value();
       EXPECT_EQ(map.regular, Truth::yes) << name << ' ' << n << ": " << map.reason;

@@ -32,7 +32,7 @@ TEST(Dilation, PutsEveryNewVertexOnTheRefinedLatticeOnce) {
     for (Index v = 0; v < fine.mesh.vertex_count(); ++v) {
       const Twelfths place = torus_birth_place(mesh, kSide, kSide, fine.births, v);
       const LatticeVector refined = split.dilation.apply(place);
-      const int shift = split.births.corners ? 6 : 0;  // dual: half a refined edge off
+      const int shift = split.is_dual() ? 6 : 0;  // dual: half a refined edge off
       EXPECT_EQ((refined[0] - shift) % 12, 0) << split.name;
       EXPECT_EQ((refined[1] - shift) % 12, 0) << split.name;
       places.insert({refined[0], refined[1]});

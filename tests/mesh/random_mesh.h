@@ -223,4 +223,19 @@ inline std::array<std::vector<Index>, 5> snapshot(const Mesh& mesh) {
   return all;
 }
 
+/// Quads only, with other numbers than a split gives where that is possible.
+inline Mesh random_quads(unsigned seed) {
+  const Mesh mesh = RandomMesh(seed).polygons();
+  return mesh.uniform_degree() == 4 ? mesh : find_split("quad-dyadic")->apply(mesh, 0).mesh;
+}
+
+/// Any mesh that the split takes.
+inline Mesh random_control(const Split& split, unsigned seed) {
+  if (split.is_dual() && split.births.edges)  // closed ones only
+    for (;; seed += 7919)
+      if (Mesh mesh = RandomMesh(seed).polygons(); !mesh.has_boundary()) return mesh;
+  if (split.any_polygons) return RandomMesh(seed).polygons();
+  return split.lattice == Lattice::quad ? random_quads(seed) : RandomMesh(seed).triangles();
+}
+
 }  // namespace limn::test

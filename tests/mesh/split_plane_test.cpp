@@ -70,7 +70,7 @@ double total_area(const Placed& p) {
 }
 
 /// Vertices stay, edge points in the middle (or at the thirds), face points at the centroid,
-/// corner points half way from the vertex to the centroid.
+/// corner points half way from the vertex to the centroid, two thirds of it where vertices stay.
 Placed place(const Placed& old, SplitResult refined) {
   const Births& births = refined.births;
   std::vector<Point3> at(old.at.begin(), old.at.begin() + births.from_vertices);
@@ -78,16 +78,15 @@ Placed place(const Placed& old, SplitResult refined) {
     return (1 - t) * old.at[old.mesh.origin(h)] + t * old.at[old.mesh.target(h)];
   };
   for (Index i = 0; i < births.from_edges; ++i) {
-    if (births.edge_ends.empty())
-      at.push_back(
-          along(old.mesh.halfedge_of_edge(births.edges.empty() ? i : births.edges[i]), 0.5));
-    else
-      at.push_back(along(births.edge_ends[i] / 2, births.edge_ends[i] % 2 == 0 ? 1 / 3. : 2 / 3.));
+    const EdgeChild child = edge_child(old.mesh, births, i);
+    at.push_back(along(child.halfedge, !child.third ? 0.5 : child.at_target ? 2 / 3. : 1 / 3.));
   }
   for (Index i = 0; i < births.from_faces; ++i)
     at.push_back(centroid(old, births.faces.empty() ? i : births.faces[i]));
+  const double inwards = births.from_vertices > 0 ? 2 / 3. : 0.5;
   for (Index h = 0; h < births.from_corners; ++h)
-    at.push_back(0.5 * (old.at[old.mesh.origin(h)] + centroid(old, old.mesh.face(h))));
+    at.push_back((1 - inwards) * old.at[old.mesh.origin(h)] +
+                 inwards * centroid(old, old.mesh.face(h)));
   for (const Index v : births.isolated) at.push_back(old.at[v]);
   return {std::move(refined.mesh), std::move(at)};
 }
@@ -105,7 +104,7 @@ TEST_P(SplitPlane, FacesTileThePieceCounterclockwise) {
   const bool keeps_the_piece = split.births.vertices;
   EXPECT_TRUE(rc::check([&](unsigned seed) {
     Placed piece = planar_piece(seed, split.lattice);
-    for (int step = 0; step < 3; ++step) {
+    for (int step = 0; step < (split.dilation.growth() > 4 ? 2 : 3); ++step) {
       Placed fine = place(piece, split.apply(piece.mesh, step));
       RC_ASSERT(fine.at.size() == static_cast<std::size_t>(fine.mesh.vertex_count()));
       RC_ASSERT(least_area(fine) > 0);
@@ -132,6 +131,41 @@ TEST(TriangleDyadic, ChildrenAreQuartersNextToTheirParent) {
     EXPECT_NEAR(centroid(fine, 4 * f + 3).x, centroid(piece, f).x, 1e-12);
     EXPECT_EQ(fine.mesh.origin(12 * f + 3), piece.mesh.origin(3 * f + 1));
   }
+}
+
+TEST(Ternary, ChildrenAreNinths) {
+  for (const char* name : {"triangle-ternary", "quad-ternary"}) {
+    const Split& split = *find_split(name);
+    const bool triangles = split.lattice == Lattice::triangle;
+    const Placed one =
+        triangles
+            ? Placed{must_build(3, {{0, 1, 2}}), {{0, 0, 0}, {3, 0, 0}, {0, 3, 0}}}
+            : Placed{must_build(4, {{0, 1, 2, 3}}), {{0, 0, 0}, {3, 0, 0}, {3, 3, 0}, {0, 3, 0}}};
+    const Placed fine = place(one, split.apply(one.mesh, 0));
+    // the points with integer coordinates, in congruent faces
+    std::set<std::pair<long, long>> points;
+    for (const Point3& p : fine.at) {
+      EXPECT_NEAR(p.x, std::round(p.x), 1e-12);
+      EXPECT_NEAR(p.y, std::round(p.y), 1e-12);
+      points.insert({std::lround(p.x), std::lround(p.y)});
+    }
+    EXPECT_EQ(points.size(), triangles ? 10U : 16U);
+    ASSERT_EQ(fine.mesh.face_count(), 9);
+    for (Index f = 0; f < 9; ++f) EXPECT_NEAR(area(fine, f), triangles ? 0.5 : 1, 1e-12);
+  }
+}
+
+TEST(TriangleTernary, IsTwoStepsOfSqrt3) {
+  EXPECT_TRUE(rc::check([](unsigned seed) {
+    const Placed piece = planar_piece(seed, Lattice::triangle);
+    const Placed ternary = place(piece, find_split("triangle-ternary")->apply(piece.mesh, 0));
+    const Split& sqrt3 = *find_split("sqrt3");
+    const Placed middle = place(piece, sqrt3.apply(piece.mesh, 0));
+    const Placed twice = place(middle, sqrt3.apply(middle.mesh, 1));
+    RC_ASSERT(twice.mesh.vertex_count() == ternary.mesh.vertex_count());
+    RC_ASSERT(twice.mesh.face_count() == ternary.mesh.face_count());
+    RC_ASSERT(twice.mesh.edge_count() == ternary.mesh.edge_count());
+  }));
 }
 
 TEST(Sqrt3, TwoStepsTrisectATriangle) {
@@ -240,6 +274,49 @@ TEST(QuadSqrt2, AnOddFirstStepCutsOnlyTrianglesWithOneBoundaryEdge) {
   EXPECT_EQ(strip.births.faces, (std::vector<Index>{0, 2}));
   EXPECT_EQ(strip.births.edges.size(), 1U);
   EXPECT_EQ(strip.mesh.face_count(), 6);
+}
+
+TEST(MidEdge, CubeGivesTheCuboctahedron) {
+  const Mesh mesh = find_split("midedge")->apply(cube(), 0).mesh;
+  EXPECT_EQ(mesh.vertex_count(), 12);
+  EXPECT_EQ(mesh.edge_count(), 24);
+  Index triangles = 0, quads = 0;
+  for (Index f = 0; f < mesh.face_count(); ++f) {
+    triangles += mesh.degree(f) == 3;
+    quads += mesh.degree(f) == 4;
+  }
+  EXPECT_EQ(triangles, 8);
+  EXPECT_EQ(quads, 6);
+}
+
+/// Where no edge has both ends on the boundary nothing parts.
+TEST(MidEdge, GivesBoundaryVerticesNoFace) {
+  const Mesh mesh = star(Lattice::quad, 4, 3);
+  const SplitResult refined = find_split("midedge")->apply(mesh, 0);
+  EXPECT_EQ(refined.mesh.check(), "");
+  EXPECT_EQ(refined.mesh.face_count(), mesh.face_count() + 25);
+  // two quads side by side part, each with a vertex of its own on the edge between them
+  const SplitResult two =
+      find_split("midedge")->apply(must_build(6, {{0, 1, 2, 3}, {1, 4, 5, 2}}), 0);
+  EXPECT_EQ(two.mesh.check(), "");
+  EXPECT_EQ(two.births.from_edges, 8);
+  EXPECT_EQ(two.births.edges.size(), 8U);
+  EXPECT_EQ(boundary_loops(two.mesh), 2);
+}
+
+TEST(MidEdge, TwoStepsAreOneOfQuadDual) {
+  EXPECT_TRUE(rc::check([](unsigned seed) {
+    const Split& midedge = *find_split("midedge");
+    const Mesh mesh = random_control(midedge, seed);
+    for (Index v = 0; v < mesh.vertex_count(); ++v)
+      RC_PRE(mesh.is_isolated(v) || mesh.valence(v) > 2);  // 2-gons are squeezed, a step apart
+    const Mesh middle = midedge.apply(mesh, 0).mesh;
+    const Mesh twice = midedge.apply(middle, 1).mesh;
+    const Mesh dual = find_split("quad-dual")->apply(mesh, 0).mesh;
+    RC_ASSERT(twice.face_count() == dual.face_count());
+    RC_ASSERT(twice.edge_count() == dual.edge_count());
+    RC_ASSERT(twice.vertex_count() == dual.vertex_count());
+  }));
 }
 
 TEST(QuadDual, CubeGivesTheRhombicuboctahedron) {

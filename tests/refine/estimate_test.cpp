@@ -12,11 +12,12 @@ constexpr double kNoLimit = std::numeric_limits<double>::infinity();
 
 Mesh control_mesh(const Scheme& scheme) {
   // an open disc: boundaries must be counted too
-  return scheme.split->births.corners ? face_star(5, 3) : star(scheme.split->lattice, 5, 3);
+  return scheme.split->is_dual() ? face_star(5, 3) : star(scheme.split->lattice, 5, 3);
 }
 
 TEST(RefineEstimate, BoundsTheCountsAndIsNearThem) {
-  for (const std::string name : {"loop", "catmull-clark", "doo-sabin", "sqrt3", "four-eight"}) {
+  for (const std::string name :
+       {"loop", "catmull-clark", "doo-sabin", "sqrt3", "four-eight", "loop-ternary"}) {
     const Scheme scheme = find_scheme(name).value();
     const Mesh mesh = control_mesh(scheme);
     for (int levels = 0; levels <= 4; ++levels) {
@@ -50,6 +51,25 @@ TEST(CheckRefinable, NamesTheEstimateWhereMemoryIsShort) {
   EXPECT_NE(status.error().message.find("1.31e+06 vertices"), std::string::npos)
       << status.error().message;
   EXPECT_NE(status.error().message.find("MiB"), std::string::npos);
+}
+
+TEST(CheckRefinable, NamesWhatTheSplitDoesNotTake) {
+  const auto message = [](const Scheme& scheme, const Mesh& mesh) {
+    const Status status = check_refinable(scheme, mesh, 1, sizeof(Point3), kNoLimit);
+    return status ? std::string() : status.error().message;
+  };
+  Scheme quads = find_scheme("catmull-clark").value();
+  quads.split = find_split("quad-ternary");
+  EXPECT_EQ(message(quads, torus(Lattice::quad, 5, 4)), "");
+  EXPECT_NE(message(quads, torus(Lattice::triangle, 5, 4)).find("refines quads"),
+            std::string::npos);
+  const Scheme triangles = find_scheme("loop-ternary").value();
+  EXPECT_NE(message(triangles, torus(Lattice::quad, 5, 4)).find("refines triangles"),
+            std::string::npos);
+  const Scheme midedge = find_scheme("midedge").value();
+  EXPECT_EQ(message(midedge, torus(Lattice::quad, 5, 4)), "");
+  EXPECT_NE(message(midedge, star(Lattice::quad, 4, 2)).find("closed meshes only"),
+            std::string::npos);
 }
 
 TEST(CheckRefinable, RefusesMoreHalfedgesThanAnIndexHolds) {

@@ -30,8 +30,7 @@ Mesh control_mesh(const Scheme& scheme, unsigned seed) {
     return torus(scheme.split->lattice, 3 + static_cast<Index>(seed % 5),
                  3 + static_cast<Index>(seed / 5 % 5));
   for (;; ++seed) {
-    Mesh mesh =
-        scheme.split->any_polygons ? RandomMesh(seed).polygons() : RandomMesh(seed).triangles();
+    Mesh mesh = random_control(*scheme.split, seed);
     if (!has_vertex_of_valence_two(mesh)) return mesh;
   }
 }
@@ -207,11 +206,11 @@ std::vector<std::vector<Index>> parents(const Mesh& mesh, const Births& births) 
   std::vector<std::vector<Index>> all;
   all.reserve(static_cast<std::size_t>(births.from_vertices + births.from_edges));
   for (Index v = 0; v < births.from_vertices; ++v) all.push_back({v});
-  for (Index e = 0; e < births.from_edges; ++e) {
-    const Index h = births.edge_ends.empty()
-                        ? mesh.halfedge_of_edge(births.edges.empty() ? e : births.edges[e])
-                        : births.edge_ends[e] / 2;
-    all.push_back({mesh.origin(h), mesh.target(h)});
+  for (Index i = 0; i < births.from_edges; ++i) {
+    const EdgeChild child = edge_child(mesh, births, i);
+    const Index v = mesh.origin(child.halfedge), w = mesh.target(child.halfedge);
+    all.push_back({v, w});
+    if (child.third) all.back().push_back(child.at_target ? w : v);
   }
   for (Index i = 0; i < births.from_faces; ++i) {
     const Index f = births.faces.empty() ? i : births.faces[i];
@@ -252,8 +251,8 @@ TEST_P(Laws, AVertexMovesOnlyWhatIsBornNextToIt) {
 
 // --- the regular lattice --------------------------------------------------------------------
 
-/// Where a new vertex of the lattice lies: at the mean of its parents; a corner's child half way
-/// from its vertex to the middle of its face.
+/// Where a new vertex of the lattice lies: at the mean of its parents, of a third's the near one
+/// twice; a corner's child half way from its vertex to the middle of its face.
 std::vector<Point3> lattice_places(const Mesh& mesh, const Births& births,
                                    const std::vector<Point3>& at) {
   const auto mean = [&](const std::vector<Index>& vertices) {

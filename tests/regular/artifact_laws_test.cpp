@@ -15,7 +15,8 @@ namespace limn::test {
 namespace {
 
 const std::set<std::string> kInterpolating = {"butterfly", "butterfly-modified",
-                                              "interpolating-loop", "laplacian-butterfly"};
+                                              "butterfly-ternary", "interpolating-loop",
+                                              "laplacian-butterfly"};
 
 Frequency any_frequency() {
   const auto coordinate = [] { return *rc::gen::inRange(-100000, 100001) * 0.8123e-5; };

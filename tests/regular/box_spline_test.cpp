@@ -37,6 +37,7 @@ TEST(BoxSpline, HasTheExponentThatDifferencesFindWhereShiftsAreStable) {
     EXPECT_EQ(exponent("box-spline-triangle", counts),
               *enclose_regularity(mask_of("box-spline-triangle", counts)).value().holder.upper);
   EXPECT_EQ(exponent("loop", {}), 3);
+  EXPECT_EQ(exponent("loop-ternary", {}), 3);
   EXPECT_EQ(exponent("doo-sabin", {}), 2);
   EXPECT_EQ(exponent("catmull-clark", {}), 3);
   for (const char* other : {"butterfly", "sqrt3", "optimal"}) EXPECT_EQ(exponent(other, {}), -1);

@@ -33,7 +33,7 @@ TEST(RegularMask, SumsToTheDeterminantAndToOneOverEachCoset) {
   for (const std::string& name : shipped_schemes()) {
     const Scheme scheme = find_scheme(name).value();
     const int growth = scheme.split->dilation.growth();
-    const int parity = scheme.split->births.corners ? 1 : 0;
+    const int parity = scheme.split->is_dual() ? 1 : 0;
     Rational sum = 0;
     std::map<int, Rational> sums;
     for (const auto& [offset, value] : mask_of(name).coefficients) {

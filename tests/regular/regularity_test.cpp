@@ -122,6 +122,20 @@ TEST(Regularity, OfSqrtThreeIsC2) {
   EXPECT_EQ(found.orders.sum_rules, 3);
 }
 
+/// Loop's box spline, cut in three. The curve that the ternary butterfly is made from is C2 for
+/// 1/15 < μ < 1/9 [HassanIvrissimtzisDodgsonSabin2002], the surface is not.
+TEST(Regularity, OfTernarySchemes) {
+  const Regularity loop = of("loop-ternary");
+  expect_smooth(loop, kYes, kYes, kYes);
+  expect_holder(loop, 3, 3);
+  const Regularity butterfly = of("butterfly-ternary");
+  EXPECT_EQ(butterfly.orders.sum_rules, 3);
+  expect_smooth(butterfly, kYes, kYes, kNo);
+  expect_holder(butterfly, 1.69, 1.70);
+  const Regularity smoothest = of("butterfly-ternary", {"mu=1/27"});
+  EXPECT_EQ(smoothest.holder.exact, "log3(81/11)");
+}
+
 /// [VelhoZorin2001]: C4. Its shifts are dependent, and its sum rules end at 4.
 TEST(Regularity, OfFourEightIsKnownFromItsDirections) {
   const Regularity found = of("four-eight");
@@ -134,6 +148,14 @@ TEST(Regularity, OfFourEightIsKnownFromItsDirections) {
   for (std::size_t r = 0; r <= 4; ++r) EXPECT_EQ(found.smoothness[r].verdict, kYes) << r;
   EXPECT_EQ(found.smoothness[5].verdict, kNo);
   EXPECT_NE(found.holder.exact_reason.find("8 directions"), std::string::npos);
+}
+
+/// [PetersReif1997]: the Zwart–Powell element, a quadratic box spline whose shifts are dependent.
+TEST(Regularity, OfMidEdgeIsKnownFromItsDirections) {
+  const Regularity found = of("midedge");
+  EXPECT_EQ(found.holder.lower, 2);
+  EXPECT_EQ(found.holder.exact, "2");
+  EXPECT_FALSE(found.holder.upper.has_value());
 }
 
 TEST(Regularity, OfUnstableShiftsHasALowerEndOnly) {

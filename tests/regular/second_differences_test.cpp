@@ -37,6 +37,7 @@ TEST(RegularPart, IsAsTheLiteratureSays) {
            {"catmull-clark", {}, Truth::yes, "above 2"},
            {"sqrt3", {}, Truth::yes, "above 2"},
            {"doo-sabin", {}, Truth::yes, "a step multiplies them by 1 at most"},
+           {"midedge", {}, Truth::yes, "box spline of 4 directions"},
            {"butterfly", {}, Truth::no, "Jordan block"},
            {"butterfly-modified", {}, Truth::no, "Jordan block"},
            {"laplacian-loop", {"a=-1/8"}, Truth::no, "at most 1.77760"},

@@ -35,13 +35,16 @@ void TorusWave::refine_once() {
   std::vector<Place> fresh;
   for (Index v = 0; v < split.births.from_vertices; ++v)
     fresh.push_back(at_[static_cast<std::size_t>(v)]);
-  for (Index e = 0; e < split.births.from_edges; ++e)
-    fresh.push_back(between(mesh_.halfedge_of_edge(e), 1, 2));
+  for (Index i = 0; i < split.births.from_edges; ++i) {
+    const EdgeChild child = edge_child(mesh_, split.births, i);
+    const Index h = child.at_target ? mesh_.twin(child.halfedge) : child.halfedge;
+    fresh.push_back(between(h, 1, child.third ? 3 : 2));
+  }
   for (Index f = 0; f < split.births.from_faces; ++f)
     fresh.push_back(between(mesh_.face_begin(f), mesh_.degree(f) - 1, mesh_.degree(f)));
   for (Index h = 0; h < split.births.from_corners; ++h) {
     const Index degree = mesh_.degree(mesh_.face(h));
-    fresh.push_back(between(h, degree - 1, 2. * degree));
+    fresh.push_back(between(h, degree - 1, (scheme_.split->is_dual() ? 2 : 1.5) * degree));
   }
   Refined<Complex> refined = refine<Complex>(scheme_, mesh_, values_, 1).value();
   mesh_ = std::move(refined.mesh);

@@ -11,9 +11,9 @@
 namespace limn::test {
 namespace {
 
-const std::vector<std::string> kSchemes = {"loop",           "butterfly", "interpolating-loop",
-                                           "sqrt3",          "doo-sabin", "catmull-clark",
-                                           "laplacian-loop", "four-eight"};
+const std::vector<std::string> kSchemes = {
+    "loop",          "butterfly",      "interpolating-loop", "sqrt3",        "doo-sabin",
+    "catmull-clark", "laplacian-loop", "four-eight",         "loop-ternary", "butterfly-ternary", "midedge"};
 
 void expect_components(const TorusWave& torus, const std::vector<Frequency>& waves,
                        const std::vector<double>& predicted, const std::string& what) {
@@ -88,11 +88,10 @@ double distance_from_limit(const Scheme& scheme, const ArtifactAnalysis& analysi
   const std::vector<double> limit = all(analysis.in_limit(f));
   const std::vector<Frequency> waves = all_frequencies(analysis, f);
   double largest = 0;
-  for (std::size_t v = 0; v < first; v += scheme.split->births.corners ? 7 : 1) {
+  for (std::size_t v = 0; v < first; v += scheme.split->is_dual() ? 7 : 1) {
     Complex expected = 0;
     for (std::size_t c = 0; c < waves.size(); ++c) expected += limit[c] * wave(waves[c], places[v]);
-    const Complex found =
-        scheme.split->births.corners ? torus.value_near(places[v]) : torus.values()[v];
+    const Complex found = scheme.split->is_dual() ? torus.value_near(places[v]) : torus.values()[v];
     largest = std::max(largest, std::abs(found - expected));
   }
   return largest;

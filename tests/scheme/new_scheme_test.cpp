@@ -224,7 +224,7 @@ TEST_P(GivenByMask, HasTheRulesOfTheShippedScheme) {
 
 TEST_P(GivenByMask, SaysWhichRuleAnIrregularMeshLacks) {
   const Scheme scheme = must_parse(GetParam().text);
-  const bool dual = scheme.split->births.corners;
+  const bool dual = scheme.split->is_dual();
   const Mesh mesh = dual ? face_star(5, 2) : star(scheme.split->lattice, 5, 3);
   const Result<Refined<double>> result = refined(scheme, mesh);
   ASSERT_FALSE(result.ok());

@@ -123,6 +123,19 @@ TEST(FrequencyBlocks, OfFourEightAreWhatItsStencilsSay) {
   EXPECT_FALSE(FrequencyAnalysis(shipped("four-eight"), 1).blocks(5).ok());
 }
 
+/// [PetersReif1997] The ring round a face is refined by its edges' middles alone.
+TEST(FrequencyBlocks, OfMidEdgeHaveTheCosinesOfItsRing) {
+  FrequencyAnalysis analysis(shipped("midedge"));
+  for (int n = 3; n <= 12; ++n) {
+    const FrequencyBlocks blocks = analysis.blocks(n).value();
+    for (int omega = 0; omega <= n / 2; ++omega) {
+      const Eigen::MatrixXcd& block = blocks.blocks[static_cast<std::size_t>(omega)];
+      EXPECT_NEAR(block(0, 0).real(), std::cos(M_PI * omega / n), 1e-14) << n << ' ' << omega;
+      for (Eigen::Index i = 1; i < block.cols(); ++i) EXPECT_EQ(std::abs(block(0, i)), 0);
+    }
+  }
+}
+
 TEST(FrequencyBlocks, FindTheRingsThatControlTheSurface) {
   const auto rings = [](const std::string& name, int n) {
     const Result<FrequencyBlocks> blocks = FrequencyAnalysis(shipped(name)).blocks(n);

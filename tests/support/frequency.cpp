@@ -19,7 +19,9 @@ T must(Result<T> result) {
 bool has_center(const Split& split) { return split.births.vertices; }
 
 /// A step by half a sector.
-bool turns(const Split& split) { return split.name == "sqrt3" || split.name == "quad-sqrt2"; }
+bool turns(const Split& split) {
+  return split.name == "sqrt3" || split.name == "quad-sqrt2" || split.name == "midedge";
+}
 
 }  // namespace
 

@@ -7,6 +7,8 @@
 #include <numbers>
 
 #include "support/corner_reference.h"
+#include "support/old_values.h"
+#include "support/ternary_reference.h"
 
 namespace limn::test {
 namespace {
@@ -133,10 +135,10 @@ std::optional<TriangleRules> triangle_rules(const std::string& scheme, std::opti
   return std::nullopt;
 }
 
-class Reference {
+class Reference : OldValues {
  public:
   Reference(const Mesh& mesh, const Births& births, const std::vector<double>& old)
-      : mesh_(mesh), births_(births), old_(old) {}
+      : OldValues(mesh, old), births_(births) {}
 
   std::vector<double> triangle_dyadic(const TriangleRules& rules) {
     for (Index v = 0; v < births_.from_vertices; ++v) push(triangle_vertex(rules, v));
@@ -210,50 +212,21 @@ class Reference {
     return std::move(fresh_);
   }
 
+  /// Peters and Reif: the middle of every edge.
+  std::vector<double> midedge() {
+    for (Index i = 0; i < births_.from_edges; ++i) {
+      const Index h = mesh_.halfedge_of_edge(births_.edges.empty() ? i : births_.edges[i]);
+      push((at(mesh_.origin(h)) + at(mesh_.target(h))) / 2);
+    }
+    for (const Index v : births_.isolated) push(at(v));
+    return std::move(fresh_);
+  }
+
  private:
   void push(double value) { fresh_.push_back(value); }
-  [[nodiscard]] double at(Index v) const { return old_[static_cast<std::size_t>(v)]; }
-  [[nodiscard]] Index apex(Index h) const { return mesh_.target(mesh_.next(h)); }
-
-  [[nodiscard]] double mean(Index f) const {
-    double sum = 0;
-    for (Index h = mesh_.face_begin(f); h < mesh_.face_begin(f + 1); ++h)
-      sum += at(mesh_.origin(h));
-    return sum / mesh_.degree(f);
-  }
-
-  /// Sum over the edges at an interior vertex v of the value at their other ends.
-  [[nodiscard]] double neighbours(Index v) const {
-    double sum = 0;
-    const Index first = mesh_.halfedge_of_vertex(v);
-    Index h = first;
-    do {
-      sum += at(mesh_.target(h));
-      h = mesh_.rotate(h);
-    } while (h != first);
-    return sum;
-  }
-
   [[nodiscard]] double smoothed(Index v, double beta) const {
     if (mesh_.is_isolated(v)) return at(v);
     return (1 - mesh_.valence(v) * beta) * at(v) + beta * neighbours(v);
-  }
-
-  /// The other boundary edge's far end, where boundary half-edge h meets its origin or target.
-  [[nodiscard]] Index beyond(Index h, bool at_target) const {
-    if (at_target) {
-      Index out = mesh_.next(h);
-      while (mesh_.twin(out) != kNone) out = mesh_.next(mesh_.twin(out));
-      return mesh_.target(out);
-    }
-    Index in = mesh_.prev(h);
-    while (mesh_.twin(in) != kNone) in = mesh_.prev(mesh_.twin(in));
-    return mesh_.origin(in);
-  }
-
-  [[nodiscard]] double boundary_neighbours(Index v) const {
-    const Index out = mesh_.halfedge_of_vertex(v);
-    return at(mesh_.target(out)) + at(beyond(out, false));
   }
 
   [[nodiscard]] double triangle_vertex(const TriangleRules& rules, Index v) const {
@@ -304,26 +277,6 @@ class Reference {
     return sum + rules.opposite * (straight_on_left(h) + straight_on_right(h)) / 2;
   }
 
-  /// The vertex three faces on, turning round h's target on h's left: straight beyond it if the
-  /// target is regular. Where the mesh ends before: the edge prolonged.
-  [[nodiscard]] double straight_on_left(Index h) const {
-    Index spoke = mesh_.next(h);  // out of the target; faces crossed: one
-    for (int i = 0; i < 2; ++i) {
-      if (mesh_.twin(spoke) == kNone) return 2 * at(mesh_.target(h)) - at(mesh_.origin(h));
-      spoke = mesh_.next(mesh_.twin(spoke));
-    }
-    return at(mesh_.target(spoke));
-  }
-
-  [[nodiscard]] double straight_on_right(Index h) const {
-    Index spoke = mesh_.prev(mesh_.twin(h));  // into the target
-    for (int i = 0; i < 2; ++i) {
-      if (mesh_.twin(spoke) == kNone) return 2 * at(mesh_.target(h)) - at(mesh_.origin(h));
-      spoke = mesh_.prev(mesh_.twin(spoke));
-    }
-    return at(mesh_.origin(spoke));
-  }
-
   /// Q/n + 2R/n + S(n-3)/n: means of the new face points, of the edges' middles, the vertex.
   [[nodiscard]] double catmull_clark_vertex(Index v) const {
     if (mesh_.is_isolated(v)) return at(v);
@@ -340,17 +293,16 @@ class Reference {
     return (faces / n + 2 * middles / n + (n - 3) * at(v)) / n;
   }
 
-  const Mesh& mesh_;
   const Births& births_;
-  const std::vector<double>& old_;
   std::vector<double> fresh_;
 };
 
 }  // namespace
 
 bool has_reference(const std::string& scheme) {
-  return triangle_rules(scheme, {}) || has_corner_reference(scheme) || scheme == "catmull-clark" ||
-         scheme == "doo-sabin" || scheme == "sqrt3" || scheme == "four-eight" ||
+  return triangle_rules(scheme, {}) || has_corner_reference(scheme) ||
+         has_ternary_reference(scheme) || scheme == "catmull-clark" || scheme == "doo-sabin" ||
+         scheme == "sqrt3" || scheme == "four-eight" || scheme == "midedge" ||
          scheme == "box-spline-quad";
 }
 
@@ -364,6 +316,9 @@ std::vector<double> reference_step(const std::string& scheme, std::optional<doub
   if (scheme == "doo-sabin") return reference.doo_sabin();
   if (scheme == "sqrt3") return reference.sqrt3();
   if (scheme == "four-eight") return reference.four_eight();
+  if (scheme == "midedge") return reference.midedge();
+  if (has_ternary_reference(scheme))
+    return ternary_reference_step(scheme, parameter, mesh, births, old);
   return reference.triangle_dyadic(*triangle_rules(scheme, parameter));
 }
 

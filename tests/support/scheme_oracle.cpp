@@ -46,6 +46,7 @@ std::optional<Setting> other_setting(const std::string& scheme) {
   if (scheme == "laplacian-butterfly") return Setting{"b", 3, 16};
   if (scheme == "laplacian-loop") return Setting{"a", -1, 10};
   if (scheme == "laplacian-loop-low") return Setting{"a", 1, 3};
+  if (scheme == "butterfly-ternary") return Setting{"mu", 1, 9};
   if (scheme == "loop-type") return Setting{"b", 2, 5};
   return std::nullopt;
 }

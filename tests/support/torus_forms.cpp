@@ -23,17 +23,17 @@ int nearest(int step, int period) {
   return rest <= period / 2 ? rest : rest - period;
 }
 
-/// Four times the mean of the face's corners, or of the edge's ends, unwrapped near the first.
-Offset four_times_mean(const std::vector<Index>& vertices) {
+/// 12 times the mean of the face's corners, or of the edge's ends, unwrapped near the first.
+Offset twelve_times_mean(const std::vector<Index>& vertices) {
   const Offset first = place_of(vertices.front());
   Offset sum{0, 0};
   for (const Index v : vertices)
     for (std::size_t d = 0; d < 2; ++d) sum[d] += nearest(place_of(v)[d] - first[d], kSide);
-  const int share = 4 / static_cast<int>(vertices.size());
-  return {4 * first[0] + share * sum[0], 4 * first[1] + share * sum[1]};
+  const int share = 12 / static_cast<int>(vertices.size());
+  return {12 * first[0] + share * sum[0], 12 * first[1] + share * sum[1]};
 }
 
-/// Four times the places of the new vertices in control edges (so: twice the refined place).
+/// 12 times the places of the new vertices in control edges.
 std::vector<Offset> birth_places(const Mesh& mesh, const Births& births) {
   std::vector<Offset> places;
   places.reserve(static_cast<std::size_t>(births.from_vertices + births.from_edges));
@@ -43,29 +43,39 @@ std::vector<Offset> birth_places(const Mesh& mesh, const Births& births) {
       all.push_back(mesh.origin(h));
     return all;
   };
-  for (Index v = 0; v < births.from_vertices; ++v) places.push_back(four_times_mean({v}));
-  for (Index e = 0; e < births.from_edges; ++e) {
-    const Index h = mesh.halfedge_of_edge(e);
-    places.push_back(four_times_mean({mesh.origin(h), mesh.target(h)}));
+  for (Index v = 0; v < births.from_vertices; ++v) places.push_back(twelve_times_mean({v}));
+  for (Index i = 0; i < births.from_edges; ++i) {
+    const EdgeChild child = edge_child(mesh, births, i);
+    const Index v = mesh.origin(child.halfedge), w = mesh.target(child.halfedge);
+    if (!child.third)
+      places.push_back(twelve_times_mean({v, w}));
+    else
+      places.push_back(child.at_target ? twelve_times_mean({w, w, v})
+                                       : twelve_times_mean({v, v, w}));
   }
-  for (Index f = 0; f < births.from_faces; ++f) places.push_back(four_times_mean(corners(f)));
+  for (Index f = 0; f < births.from_faces; ++f) places.push_back(twelve_times_mean(corners(f)));
   for (Index h = 0; h < births.from_corners; ++h) {
     std::vector<Index> all = corners(mesh.face(h));
     const Offset vertex = place_of(mesh.origin(h));
-    const Offset mean = four_times_mean(all);
+    const Offset mean = twelve_times_mean(all);
     Offset place{};
-    for (std::size_t d = 0; d < 2; ++d)  // half way from the vertex to the mean
-      place[d] = 4 * vertex[d] + nearest(mean[d] - 4 * vertex[d], 4 * kSide) / 2;
+    for (std::size_t d = 0; d < 2; ++d) {
+      const int way = nearest(mean[d] - 12 * vertex[d], 12 * kSide);
+      place[d] = 12 * vertex[d] + (births.from_vertices > 0 ? 2 * way / 3 : way / 2);
+    }
     places.push_back(place);
   }
   return places;
 }
 
-/// Twice the offset on the refined lattice, from four times that in control edges. The refined
-/// edges of a dyadic split are half of those; those of √2 go half the way along the diagonals.
-Offset doubled_offset(const Split& split, Offset quarters) {
-  if (split.name != "quad-sqrt2") return quarters;
-  return {(quarters[0] + quarters[1]) / 2, (quarters[1] - quarters[0]) / 2};
+/// Twice the offset on the refined lattice, from 12 times that in control edges. The refined edges
+/// of a dyadic split are half of those, of a ternary one a third; those of √2 go half the way along
+/// the diagonals.
+Offset doubled_offset(const Split& split, Offset twelfths) {
+  if (split.name == "quad-sqrt2" || split.name == "midedge")
+    return {(twelfths[0] + twelfths[1]) / 6, (twelfths[1] - twelfths[0]) / 6};
+  const int edge = split.name.ends_with("ternary") ? 3 : 2;
+  return {twelfths[0] * edge / 6, twelfths[1] * edge / 6};
 }
 
 }  // namespace
@@ -85,7 +95,7 @@ Result<Mask> refined_mask(const Scheme& scheme) {
       if (weight.is_zero()) continue;
       Offset offset{};
       for (std::size_t d = 0; d < 2; ++d)
-        offset[d] = nearest(places[i][d] - 4 * place_of(vertex)[d], 4 * kSide);
+        offset[d] = nearest(places[i][d] - 12 * place_of(vertex)[d], 12 * kSide);
       offset = doubled_offset(*scheme.split, offset);
       if (!weight.is_rational()) return Error{"an irrational coefficient"};
       const auto [entry, is_new] = mask.coefficients.emplace(offset, weight.rational());

@@ -14,7 +14,7 @@ constexpr int kWider = 3;
 
 /// How many rings of limits tell a quadratic's shape: the corners of a square, a dual split's first
 /// ring, lie on its diagonals, where u² − v² is 0; a cropped star's on the axes, where 2uv is.
-int fitted_rings(const Split& split) { return split.births.corners ? 2 : least_star_rings(split); }
+int fitted_rings(const Split& split) { return split.is_dual() ? 2 : least_star_rings(split); }
 
 constexpr int kQuadraticFrequencies = 3;  // 0, 1 and 2
 

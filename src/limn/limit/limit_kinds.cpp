@@ -24,12 +24,12 @@ SharedSites::SharedSites(const Mesh& mesh, std::vector<LimitSite>& sites) {
 }
 
 bool LimitKinds::at_boundary(const Mesh& mesh, Index at) const {
-  return !scheme_.split->births.corners && mesh.is_boundary_vertex(at);
+  return !scheme_.split->is_dual() && mesh.is_boundary_vertex(at);
 }
 
 /// Edges at an interior vertex, corners of a face, or faces at a boundary vertex.
 int LimitKinds::size_of(const Mesh& mesh, Index at) const {
-  if (scheme_.split->births.corners) return mesh.degree(mesh.face(at));
+  if (scheme_.split->is_dual()) return mesh.degree(mesh.face(at));
   return mesh.valence(at) - (mesh.is_boundary_vertex(at) ? 1 : 0);
 }
 
@@ -72,11 +72,12 @@ Status LimitKinds::check_rules(bool boundary, int size) const {
     return Done{};
   };
   const Split& split = *scheme_.split;
-  if (split.births.corners) return check(RuleKind::corner, size);
+  if (split.is_dual())
+    return split.births.corners ? check(RuleKind::corner, size) : check(RuleKind::edge, 0);
   if (!boundary) return check(RuleKind::vertex, size);
   if (Status status = check(RuleKind::boundary_vertex, size + 1); !status) return status;
-  if (split.odd_step_cut == 3) return check(RuleKind::boundary_edge_end, size + 1);
-  return check(RuleKind::boundary_edge, 0);
+  const bool thirds = split.births.thirds || split.odd_step_cut == 3;
+  return thirds ? check(RuleKind::boundary_edge_end, size + 1) : check(RuleKind::boundary_edge, 0);
 }
 
 Pattern LimitKinds::pattern(bool boundary, int size, int shape) const {

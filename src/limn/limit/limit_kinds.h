@@ -144,7 +144,7 @@ class LimitSearch {
   LimitSearch(const Scheme& scheme, LimitKinds& kinds, const LimitOptions& options, Limit limit,
               Curvature curvature)
       : scheme_(scheme),
-        dual_(scheme.split->births.corners),
+        dual_(scheme.split->is_dual()),
         kinds_(kinds),
         options_(options),
         limit_(limit),

@@ -148,7 +148,7 @@ Result<LimitPoints> approx_limit_points(const Scheme& scheme, const Mesh& mesh,
       if (options.curvatures) out.no_curvature[v] = NoCurvature::no_limit;
     }
   LimitKinds kinds(scheme, options.curvatures && bounded);
-  const bool dual = scheme.split->births.corners;
+  const bool dual = scheme.split->is_dual();
   const auto limit = [&](const Spot& at) { take_limit(at, dual, out); };
   const auto curvature = [&](const Spot& at) {
     if (options.curvatures && bounded) take_curvature(at, out);

@@ -94,7 +94,7 @@ std::vector<bool> surroundings(const Split& split, const Mesh& mesh,
       vertices[mesh.origin(h)] = true;
   };
   for (const LimitSite& site : sites) {
-    if (split.births.corners)
+    if (split.is_dual())
       mark_corners(mesh.face(site.at));
     else
       vertices[site.at] = true;
@@ -111,13 +111,16 @@ std::vector<bool> surroundings(const Split& split, const Mesh& mesh,
 
 /// In the mesh of a dual split, after its first step: the half-edge of the face that stands for an
 /// old vertex, or for the place on the surface that is nearest to it.
-Index dual_site(const Mesh& old, const Mesh& fine, Index v) {
+Index dual_site(const Split& split, const Mesh& old, const Mesh& fine, Index v) {
+  // the new vertex at the origin of h: its corner's, or that of its edge
+  const auto child = [&](Index h) { return split.births.corners ? h : old.edge(h); };
   const Index first = old.halfedge_of_vertex(v);
-  const auto crossing = [&](Index h, Index to) {  // the new half-edge from corner h to corner `to`
-    for (Index g = fine.halfedge_of_vertex(h); g != kNone;) {
-      if (fine.target(g) == to) return g;
+  const auto crossing = [&](Index h, Index to) {  // the new half-edge from child to child
+    const Index begin = fine.halfedge_of_vertex(child(h));
+    for (Index g = begin; g != kNone;) {
+      if (fine.target(g) == child(to)) return g;
       g = fine.rotate(g);
-      if (g == fine.halfedge_of_vertex(h)) break;
+      if (g == begin) break;
     }
     return kNone;
   };
@@ -129,7 +132,7 @@ Index dual_site(const Mesh& old, const Mesh& fine, Index v) {
   const Index faces = old.valence(v) - 1;
   Index h = first;
   for (Index i = 0; i < faces / 2; ++i) h = old.rotate(h);
-  if (faces % 2 != 0) return h;  // a face keeps its half-edges' numbers
+  if (faces % 2 != 0 || !split.births.corners) return h;  // a face keeps its half-edges' numbers
   return crossing(h, old.next(old.twin(h)));
 }
 
@@ -162,7 +165,8 @@ Result<LimitPatch<Value>> dual_patch(const Scheme& scheme, const Mesh& mesh,
   Result<LimitPatch<Value>> patch = refined(scheme, mesh, values, step, tables);
   if (!patch) return patch;
   for (const Index v : vertices)
-    if (!mesh.is_isolated(v)) patch->sites.push_back({v, dual_site(mesh, patch->mesh, v), false});
+    if (!mesh.is_isolated(v))
+      patch->sites.push_back({v, dual_site(*scheme.split, mesh, patch->mesh, v), false});
   return patch;
 }
 
@@ -171,7 +175,7 @@ Result<LimitPatch<Value>> refined_patch(const Scheme& scheme, const Mesh& mesh,
                                         const std::vector<Value>& values,
                                         const std::vector<LimitSite>& sites, int rings, int step,
                                         RuleTables<double>& tables) {
-  const bool dual = scheme.split->births.corners;
+  const bool dual = scheme.split->is_dual();
   Part part(mesh, surroundings(*scheme.split, mesh, sites, rings));
   std::vector<Value> part_values;
   part_values.reserve(part.old_vertex.size());

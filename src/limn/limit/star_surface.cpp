@@ -37,11 +37,11 @@ std::vector<bool> within(const Mesh& mesh, bool dual, int rings) {
   return near;
 }
 
-/// Whole cycles where steps turn the star: sqrt3's of two steps each, sqrt2's, which are as one
-/// step of a dyadic split, as many as these.
+/// Cycles that cut an edge in two, or half as many that cut it in three; a cycle is two steps where
+/// these turn the star.
 int steps_made(const Split& split, int steps) {
-  if (!split.boundary_rests()) return steps;
-  return 2 * (split.odd_step_cut == 2 ? steps : steps / 2);
+  const int cycles = arity(split.dilation) == 2 ? steps : steps / 2;
+  return split.dilation.turns() ? 2 * cycles : cycles;
 }
 
 /// The faces all of whose vertices are kept, and those vertices' limit points.
@@ -75,7 +75,7 @@ Result<StarSurface> kept_part(const Mesh& mesh, const std::vector<bool>& kept,
 Result<StarSurface> approx_star_surface(const Scheme& scheme, int n, int rings,
                                         const std::vector<Point3>& values, int steps) {
   const Split& split = *scheme.split;
-  const bool dual = split.births.corners;
+  const bool dual = split.is_dual();
   const int step_count = steps_made(split, steps);
   Refined<Point3> fine{split_star(split, n, rings), values};
   RuleTables<double> tables(scheme, Boundary::left_out);

@@ -22,7 +22,8 @@ namespace limn {
 using Twelfths = std::array<Index, 2>;
 
 /// Where a split of `torus(lattice, nx, ny)` puts its new vertex number `vertex` on the plane, if
-/// edges give their midpoints, faces their centroids, and corners the points halfway to those;
+/// edges give their midpoints or thirds, faces their centroids, and corners the points halfway to
+/// those, or on quads, where old vertices stay, two thirds of the way;
 /// modulo (12 nx, 12 ny).
 [[nodiscard]] Twelfths torus_birth_place(const Mesh& torus, Index nx, Index ny,
                                          const Births& births, Index vertex);

@@ -34,14 +34,19 @@ Twelfths torus_birth_place(const Mesh& torus, Index nx, Index ny, const Births& 
                            Index vertex) {
   if (vertex < births.from_vertices) return of_vertex(vertex, nx);
   vertex -= births.from_vertices;
-  if (vertex < births.from_edges)
-    return towards(torus, nx, ny, torus.halfedge_of_edge(vertex), 1, 2);
+  if (vertex < births.from_edges) {
+    const EdgeChild child = edge_child(torus, births, vertex);
+    if (!child.third) return towards(torus, nx, ny, child.halfedge, 1, 2);
+    const Index h = child.at_target ? torus.twin(child.halfedge) : child.halfedge;
+    return towards(torus, nx, ny, h, 1, 3);
+  }
   vertex -= births.from_edges;
   const Index degree = torus.uniform_degree();
   if (vertex < births.from_faces)
     return towards(torus, nx, ny, torus.face_begin(vertex), degree - 1, degree);
   vertex -= births.from_faces;
-  return towards(torus, nx, ny, vertex, degree - 1, 2 * degree);
+  return towards(torus, nx, ny, vertex, degree - 1,
+                 births.from_vertices > 0 ? 3 * degree / 2 : 2 * degree);
 }
 
 }  // namespace limn

@@ -20,6 +20,21 @@ struct Counts {
 /// and where a mesh at an odd step is not one that an even step has made.
 Counts after_step(const Split& split, const Counts& c, int step) {
   Counts r;
+  if (split.births.thirds) {
+    r.vertices = c.vertices + 2 * c.edges + (split.births.faces ? c.faces : 0) +
+                 (split.births.corners ? c.halfedges : 0);
+    r.faces = 9 * c.faces;
+    r.halfedges = 9 * c.halfedges;
+    r.edges = 3 * (c.edges + c.halfedges);
+    return r;
+  }
+  if (split.is_dual() && split.births.edges) {
+    r.vertices = c.edges;
+    r.faces = c.vertices + c.faces;
+    r.halfedges = 2 * c.halfedges;
+    r.edges = c.halfedges;
+    return r;
+  }
   if (split.births.corners) {
     r.vertices = c.halfedges;
     r.faces = c.vertices + c.edges + c.faces;
@@ -103,16 +118,35 @@ Status check_memory(const RefineEstimate& estimate, int levels, double memory_li
                "use fewer levels"};
 }
 
+namespace {
+
+/// That all faces are the lattice's where the split takes no others.
+Status check_faces(const Scheme& scheme, const Mesh& mesh) {
+  const bool triangles = scheme.split->lattice == Lattice::triangle;
+  const Index corners = triangles ? 3 : 4;
+  if (scheme.split->any_polygons || mesh.uniform_degree() == corners) return Done{};
+  for (Index f = 0; f < mesh.face_count(); ++f)
+    if (mesh.degree(f) != corners)
+      return Error{
+          fmt::format("scheme '{}' refines {}, but face {} has {} corners", scheme.name,
+                      triangles ? "triangles" : "quads", f, mesh.degree(f)),
+          triangles ? "--triangulate cuts polygons into triangles"
+                    : "one step of catmull-clark (-n 1) makes a mesh of quads from any polygons"};
+  return Done{};
+}
+
+}  // namespace
+
 Status check_refinable(const Scheme& scheme, const Mesh& mesh, int levels,
                        std::size_t bytes_per_value, double memory_limit) {
   const Split& split = *scheme.split;
   if (levels < 0) return Error{fmt::format("{} is no number of levels", levels), "give 0 or more"};
-  if (!split.any_polygons && mesh.uniform_degree() != 3)
-    for (Index f = 0; f < mesh.face_count(); ++f)
-      if (mesh.degree(f) != 3)
-        return Error{fmt::format("scheme '{}' refines triangles, but face {} has {} corners",
-                                 scheme.name, f, mesh.degree(f)),
-                     "--triangulate cuts polygons into triangles"};
+  if (Status status = check_faces(scheme, mesh); !status) return status;
+  // what new vertices of edges alone leave at a boundary falls apart (split_midedge.cpp)
+  if (split.is_dual() && split.births.edges && mesh.has_boundary())
+    return Error{fmt::format("scheme '{}' refines closed meshes only, and this one has a boundary",
+                             scheme.name),
+                 "doo-sabin, another dual scheme, takes meshes with boundaries"};
   const Forecast result = forecast(split, mesh, levels, bytes_per_value);
   if (result.last.halfedges > kLargestHalfedgeCount)
     return Error{

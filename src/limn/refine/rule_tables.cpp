@@ -43,6 +43,7 @@ std::optional<HopFlag> flag_hops(RuleKind kind, int flag) {
       if (flag < 2) return HopFlag{{}, flag == 1};
       return HopFlag{{Hop::twin}, flag == 3};
     case RuleKind::edge_end:
+    case RuleKind::edge_third:
       if (flag == 0) return HopFlag{{}, false};
       return HopFlag{{Hop::twin}, true};
     case RuleKind::boundary_vertex:
@@ -232,8 +233,7 @@ Status RuleTables<Number>::add_seen_from(bool boundary, Index n, Index example) 
 }
 
 template <class Number>
-Status RuleTables<Number>::prepare_faces(const Mesh& mesh) {
-  const RuleKind kind = scheme_->split->births.faces ? RuleKind::face : RuleKind::corner;
+Status RuleTables<Number>::prepare_faces(const Mesh& mesh, RuleKind kind) {
   for (Index f = 0; f < mesh.face_count(); ++f)
     if (Status status = add(kind, mesh.degree(f), f); !status) return status;
   return Done{};
@@ -242,22 +242,29 @@ Status RuleTables<Number>::prepare_faces(const Mesh& mesh) {
 template <class Number>
 Status RuleTables<Number>::prepare_edges(const Mesh& mesh, const Births& births) {
   if (births.from_edges == 0) return Done{};
+  const auto add_thirds = [&](Index v) {
+    return add(RuleKind::boundary_edge_end, mesh.valence(v), v);
+  };
   if (!births.edge_ends.empty()) {
-    for (const Index end : births.edge_ends) {
-      const Index v = end % 2 == 0 ? mesh.origin(end / 2) : mesh.target(end / 2);
-      if (Status status = add(RuleKind::boundary_edge_end, mesh.valence(v), v); !status)
+    for (const Index end : births.edge_ends)
+      if (Status status = add_thirds(end % 2 == 0 ? mesh.origin(end / 2) : mesh.target(end / 2));
+          !status)
         return status;
-    }
     return Done{};
   }
-  if (!births.edges.empty()) return add(RuleKind::boundary_edge, 0, 0);
+  if (!scheme_->split->births.edges) return add(RuleKind::boundary_edge, 0, 0);
   bool interior = false;
   bool boundary = false;
   for (Index e = 0; e < mesh.edge_count() && !(interior && boundary); ++e)
     (mesh.is_boundary_edge(e) ? boundary : interior) = true;
   if (interior)
-    if (Status status = add(RuleKind::edge, 0, 0); !status) return status;
-  if (boundary) return add(RuleKind::boundary_edge, 0, 0);
+    if (Status status = add(births.thirds ? RuleKind::edge_third : RuleKind::edge, 0, 0); !status)
+      return status;
+  if (!boundary) return Done{};
+  if (!births.thirds) return add(RuleKind::boundary_edge, 0, 0);
+  for (Index v = 0; v < mesh.vertex_count(); ++v)
+    if (mesh.is_boundary_vertex(v))
+      if (Status status = add_thirds(v); !status) return status;
   return Done{};
 }
 
@@ -267,8 +274,10 @@ Status RuleTables<Number>::prepare(const Mesh& mesh, const Births& births) {
   const bool boundary_refined = !split.boundary_rests() || births.from_edges > 0;
   if (split.births.vertices)
     if (Status status = prepare_vertices(mesh, boundary_refined); !status) return status;
-  if (split.births.faces || split.births.corners)
-    if (Status status = prepare_faces(mesh); !status) return status;
+  if (split.births.faces)
+    if (Status status = prepare_faces(mesh, RuleKind::face); !status) return status;
+  if (split.births.corners)
+    if (Status status = prepare_faces(mesh, RuleKind::corner); !status) return status;
   return prepare_edges(mesh, births);
 }
 

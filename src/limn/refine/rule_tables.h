@@ -107,7 +107,7 @@ class RuleTables {
   /// What stands in for a rule, seen from a vertex of valence n.
   Status add_seen_from(bool boundary, Index n, Index example);
   Status prepare_vertices(const Mesh& mesh, bool boundary_refined);
-  Status prepare_faces(const Mesh& mesh);
+  Status prepare_faces(const Mesh& mesh, RuleKind kind);
   Status prepare_edges(const Mesh& mesh, const Births& births);
 
   const Scheme* scheme_;

@@ -10,16 +10,16 @@ namespace {
 
 /// Whether corners of quad rings count to the ring beyond.
 bool crops_corners(const Split& split) {
-  return split.lattice == Lattice::quad && !split.births.corners && split.dilation.turns();
+  return split.lattice == Lattice::quad && !split.is_dual() && split.dilation.turns();
 }
 
 constexpr int kMargin = 4;  // rings round the neighbourhood, so that no row meets the rim
 
 /// The half-edge of the refined mesh that plays the part of half-edge 0 of the star.
 Index refined_start(const Split& split, const Mesh& coarse, const SplitResult& fine) {
-  if (split.births.corners) return 0;  // the face's first half-edge keeps its number
+  if (split.is_dual()) return 0;  // the face's first half-edge keeps its number
   const Index toward = split.births.edges
-                           ? fine.births.from_vertices + coarse.edge(0)
+                           ? child_along(coarse, fine.births, 0)
                            : fine.births.from_vertices + fine.births.from_edges + coarse.face(0);
   Index h = fine.mesh.halfedge_of_vertex(0);
   while (fine.mesh.target(h) != toward) h = fine.mesh.rotate(h);
@@ -30,14 +30,14 @@ Index refined_start(const Split& split, const Mesh& coarse, const SplitResult& f
 
 Mesh split_star(const Split& split, Index n, Index rings) {
   if (crops_corners(split)) return cropped_star(n, rings);
-  return split.births.corners ? face_star(n, rings) : star(split.lattice, n, rings);
+  return split.is_dual() ? face_star(n, rings) : star(split.lattice, n, rings);
 }
 
 int least_star_rings(const Split& split) { return crops_corners(split) ? 2 : 1; }
 
 Index split_star_size(const Split& split, Index n, Index rings) {
   if (crops_corners(split)) return cropped_star_size(n, rings);
-  return split.births.corners ? face_star_size(n, rings) : star_size(split.lattice, n, rings);
+  return split.is_dual() ? face_star_size(n, rings) : star_size(split.lattice, n, rings);
 }
 
 StarStep star_step(const Split& split, int n, int rings) {

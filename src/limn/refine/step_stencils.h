@@ -250,14 +250,31 @@ class StepStencils {
   }
 
   template <class Sink>
-  void visit_edge(Index i, Sink& sink) const {
-    if (!births_.edge_ends.empty()) {
-      const Index end = births_.edge_ends[i];
-      const Index near = end % 2 != 0 ? mesh_.target(end / 2) : mesh_.origin(end / 2);
-      return visit_row(RuleKind::boundary_edge_end, end / 2, end % 2 != 0,
-                       tables_.row(RuleKind::boundary_edge_end, valence(near)), sink);
+  void visit_boundary_third(const EdgeChild& child, Sink& sink) const {
+    const Index near = child.at_target ? mesh_.target(child.halfedge) : mesh_.origin(child.halfedge);
+    visit_row(RuleKind::boundary_edge_end, child.halfedge, child.at_target,
+              tables_.row(RuleKind::boundary_edge_end, valence(near)), sink);
+  }
+
+  /// One of the two new vertices of an edge that is cut in three.
+  template <class Sink>
+  void visit_third(const EdgeChild& child, Sink& sink) const {
+    const Index twin = mesh_.twin(child.halfedge);
+    if (twin == kNone) return visit_boundary_third(child, sink);
+    const Index h = child.at_target ? twin : child.halfedge;  // out of the near end
+    if (spokes_) {
+      const Index near = mesh_.origin(h);
+      const Row<Number>* row = end_rows_.empty() ? end_row(near) : end_rows_[near];
+      if (row != nullptr) return visit_row(RuleKind::edge_end, h, false, *row, sink);
     }
-    const Index h = mesh_.halfedge_of_edge(births_.edges.empty() ? i : births_.edges[i]);
+    visit_row(RuleKind::edge_third, h, false, tables_.row(RuleKind::edge_third, 0), sink);
+  }
+
+  template <class Sink>
+  void visit_edge(Index i, Sink& sink) const {
+    const EdgeChild child = edge_child(mesh_, births_, i);
+    if (child.third) return visit_third(child, sink);
+    const Index h = child.halfedge;
     const Index twin = mesh_.twin(h);
     if (twin == kNone) return visit_boundary_edge(h, sink);
     if (spokes_) {

@@ -33,7 +33,7 @@ Result<SubdivisionMatrix<Number>> subdivision_matrix(const Scheme& scheme, int n
 
   SubdivisionMatrix<Number> matrix;
   matrix.size = step.size;
-  matrix.center = split.births.corners ? 0 : 1;
+  matrix.center = split.is_dual() ? 0 : 1;
   matrix.entries.assign(static_cast<std::size_t>(step.size) * static_cast<std::size_t>(step.size),
                         Number(0));
   for (Index i = 0; i < step.size; ++i)

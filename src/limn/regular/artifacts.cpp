@@ -162,13 +162,16 @@ double ArtifactAnalysis::energy(Frequency f) const {
   double sum = 0;
   double signal = 1;
   constexpr int kMostSteps = 200;
+  // where steps turn the lattice, every second one may make nothing of a wave along a diagonal
+  int negligible = 0;
   for (int step = 0; step < kMostSteps; ++step) {
     const double term = signal * made_by_one_step(t, inner_products_);
     sum += term;
     t = mask_.dilation.refined_phase(t);
     signal *= square(symbol_(t));
     const bool near_constant = std::max(std::abs(t[0]), std::abs(t[1])) < 1;
-    if (signal == 0 || (near_constant && term <= 1e-17 * sum)) break;
+    negligible = near_constant && term <= 1e-17 * sum ? negligible + 1 : 0;
+    if (signal == 0 || negligible == 2) break;
   }
   return std::max(0.0, sum);
 }

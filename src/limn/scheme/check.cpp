@@ -209,8 +209,12 @@ bool is_exhausted() { return !Exact::multiply(Exact(1), Exact(1)).ok(); }
 
 /// The valences at which a rule is checked.
 std::pair<int, int> checked_valences(const Scheme& scheme, RuleKind kind) {
-  const bool only_triangles = kind == RuleKind::face && !scheme.split->any_polygons;
-  if (only_triangles || !rule_has_valence(kind)) return {3, 3};
+  if (!rule_has_valence(kind)) return {3, 3};
+  const bool of_face = kind == RuleKind::face || kind == RuleKind::corner;
+  if (of_face && !scheme.split->any_polygons) {
+    const int only = regular_valence(kind, scheme.split->lattice);
+    return {only, only};
+  }
   const bool at_corner = kind == RuleKind::boundary_vertex || kind == RuleKind::boundary_edge_end;
   return {at_corner ? kSmallestValence - 1 : kSmallestValence, kLargestCheckedValence};
 }

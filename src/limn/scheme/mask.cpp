@@ -79,17 +79,20 @@ Result<Laurent> polynomial_from_rows(const Scheme& scheme, const Rows& rows) {
 /// What the new points of a coset are, by one of its members.
 std::string points_of_coset(const Scheme& scheme, LatticeVector member) {
   const auto [x, y] = member;
-  if (scheme.split->births.corners) return "of one corner";
+  const Split& split = *scheme.split;
+  if (split.is_dual()) return split.births.corners ? "of one corner" : "on one kind of edge";
   if (x == 0 && y == 0) return "at the vertices";
-  if (!scheme.split->births.edges)
-    return scheme.split->dilation.growth() > 2 ? "of one kind of face" : "of the faces";
-  if (y == 0) return "on the edges along (1, 0)";
-  if (x == 0) return "on the edges along (0, 1)";
-  return scheme.split->births.faces ? "of the faces" : "on the edges along (1, 1)";
+  if (!split.births.edges)
+    return split.dilation.growth() > 2 ? "of one kind of face" : "of the faces";
+  const std::string ends = split.births.thirds ? ", near one of their ends" : "";
+  if (y == 0) return "on the edges along (1, 0)" + ends;
+  if (x == 0) return "on the edges along (0, 1)" + ends;
+  if (x == y && split.lattice == Lattice::triangle) return "on the edges along (1, 1)" + ends;
+  return split.births.corners ? "of one corner" : "of the faces";
 }
 
 Status check_cosets(const Scheme& scheme, const Mask& mask, const Place& place) {
-  const int parity = scheme.split->births.corners ? 1 : 0;
+  const int parity = scheme.split->is_dual() ? 1 : 0;
   const std::vector<LatticeVector> members = cosets(mask.dilation);
   std::vector<Rational> sums(members.size());
   for (const auto& [offset, value] : mask.coefficients) {
@@ -102,13 +105,13 @@ Status check_cosets(const Scheme& scheme, const Mask& mask, const Place& place) 
                 fmt::format("the mask's coefficients for the new points {} sum to {}, not 1",
                             points_of_coset(scheme, members[i]), to_string(sums[i])),
                 "a coset of the mask makes one kind of new point: in a dyadic scheme, every second "
-                "coefficient of every second row");
+                "coefficient of every second row (in a ternary one, every third of every third)");
   return Done{};
 }
 
 /// All offsets must have the parity that the split needs, and each coset must sum to 1.
 Result<Mask> checked(const Scheme& scheme, Laurent polynomial, const Place& place) {
-  const int parity = scheme.split->births.corners ? 1 : 0;
+  const int parity = scheme.split->is_dual() ? 1 : 0;
   const auto fits = [parity](int doubled) { return std::abs(doubled % 2) == parity; };
   const auto far = [](int doubled) { return std::abs(doubled) > 2 * kLargestReach; };
   Mask mask{scheme.split->lattice, scheme.split->dilation, {}};

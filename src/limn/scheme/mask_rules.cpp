@@ -20,9 +20,10 @@ constexpr int kSide = 64;  // of the torus; masks reach less than half of it
 /// The new vertex that the anchor named by h gives birth to.
 Index birth_of(RuleKind kind, const Mesh& mesh, const Births& births, Index h) {
   switch (kind) {
-    case RuleKind::edge: return births.from_vertices + mesh.edge(h);
+    case RuleKind::edge:
+    case RuleKind::edge_third: return child_along(mesh, births, h);
     case RuleKind::face: return births.from_vertices + births.from_edges + mesh.face(h);
-    case RuleKind::corner: return h;
+    case RuleKind::corner: return births.from_vertices + births.from_edges + births.from_faces + h;
     default: return mesh.origin(h);
   }
 }
@@ -130,7 +131,8 @@ Status add_rules_from_mask(Scheme& scheme) {
   const Split& split = *scheme.split;
   std::vector<RuleKind> kinds;
   if (split.births.vertices) kinds.push_back(RuleKind::vertex);
-  if (split.births.edges) kinds.push_back(RuleKind::edge);
+  if (split.births.edges)
+    kinds.push_back(split.births.thirds ? RuleKind::edge_third : RuleKind::edge);
   if (split.births.faces) kinds.push_back(RuleKind::face);
   if (split.births.corners) kinds.push_back(RuleKind::corner);
   const Mesh mesh = torus(split.lattice, kSide, kSide);

@@ -127,6 +127,7 @@ std::vector<Moves> flag_words(RuleKind kind) {
     case RuleKind::face: return {{}, {Move::vertex}};
     case RuleKind::edge: return {{}, {Move::vertex}, {Move::face, Move::vertex}, {Move::face}};
     case RuleKind::edge_end:
+    case RuleKind::edge_third:
     case RuleKind::boundary_spoke: return {{}, {Move::face}};
     default: return {};  // at the boundary every flag stands for itself
   }
@@ -330,6 +331,7 @@ AnchorFlags anchor_flags(RuleKind kind, const Mesh& mesh, Index h, bool at_targe
       return {{{h, false}, {h, true}, {twin, false}, {twin, true}}, 4};
     }
     case RuleKind::edge_end:
+    case RuleKind::edge_third:
     case RuleKind::boundary_spoke: return {{{h, at_target}, {mesh.twin(h), !at_target}}, 2};
     case RuleKind::boundary_vertex: return {{{h, false}, other_boundary_flag(mesh, {h, false})}, 2};
     case RuleKind::boundary_edge_end: return {{{h, at_target}}, 1};

@@ -42,8 +42,8 @@ struct Placement {
 /// The flags of an anchor, in the order of RuleKind. `h` names the anchor:
 ///   vertex: any half-edge out of it (its sector); face: any of its half-edges (its sector);
 ///   corner: the half-edge out of it in its face; edge, boundary_edge: a half-edge of it;
-///   face_end: the half-edge out of the corner in the face; edge_end, boundary_edge_end and
-///   boundary_spoke: see `at_target`; boundary_vertex: its boundary half-edge.
+///   face_end: the half-edge out of the corner in the face; edge_end, edge_third, boundary_edge_end
+///   and boundary_spoke: see `at_target`; boundary_vertex: its boundary half-edge.
 struct AnchorFlags {
   Flag flags[4];
   int count = 0;

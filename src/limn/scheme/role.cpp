@@ -6,8 +6,9 @@ namespace {
 constexpr std::size_t kLongestWalk = 24;  // farther than any stencil in use; bounds the lattices
 
 constexpr std::array<std::string_view, kRuleKinds> kRuleNames{
-    "vertex",          "edge",          "edge-end",          "face",          "face-end", "corner",
-    "boundary.vertex", "boundary.edge", "boundary.edge-end", "boundary.spoke"};
+    "vertex",   "edge",   "edge-end",        "edge-third",    "face",
+    "face-end", "corner", "boundary.vertex", "boundary.edge", "boundary.edge-end",
+    "boundary.spoke"};
 
 constexpr unsigned bit(RuleKind kind) { return 1U << static_cast<unsigned>(kind); }
 constexpr unsigned kTriangle = 1;
@@ -24,6 +25,8 @@ struct Row {
 constexpr unsigned kSpokes = bit(RuleKind::edge_end) | bit(RuleKind::boundary_spoke);
 constexpr unsigned kOwnVertex = bit(RuleKind::vertex) | kSpokes | bit(RuleKind::face_end) |
                                 bit(RuleKind::corner) | bit(RuleKind::boundary_vertex);
+constexpr unsigned kWholeEdge = bit(RuleKind::edge) | bit(RuleKind::edge_third);
+constexpr unsigned kThird = bit(RuleKind::edge_third) | bit(RuleKind::boundary_edge_end);
 const std::array kRoles{
     Row{kOwnVertex, kAny, {"self", "", "the vertex itself"}},
     Row{bit(RuleKind::vertex), kAny, {"ring", "v", "its neighbours along edges"}},
@@ -35,11 +38,29 @@ const std::array kRoles{
         kAny,
         {"face", "F", "the new vertices of its faces"}},
     Row{bit(RuleKind::edge) | bit(RuleKind::boundary_edge), kAny, {"end", "", "its ends"}},
-    Row{bit(RuleKind::edge), kTriangle, {"wing", "ev", "the third vertices of its two faces"}},
+    Row{kWholeEdge, kTriangle, {"wing", "ev", "the third vertices of its two faces"}},
     Row{bit(RuleKind::edge), kQuad, {"wing", "ev", "the other vertices of its two faces"}},
+    Row{bit(RuleKind::edge_third),
+        kQuad,
+        {"wing", "ev", "the vertices of its two faces next to the near end"}},
+    Row{bit(RuleKind::edge_third),
+        kQuad,
+        {"far-wing", "vev", "the vertices of its two faces next to the far end"}},
     Row{bit(RuleKind::edge),
         kTriangle,
         {"outer", "efev", "the vertices beyond the other edges of its faces"}},
+    Row{bit(RuleKind::edge_third),
+        kTriangle,
+        {"outer", "efev", "the vertices beyond the other edges at the near end"}},
+    Row{bit(RuleKind::edge_third),
+        kTriangle,
+        {"far-outer", "vefev", "the vertices beyond the other edges at the far end"}},
+    Row{bit(RuleKind::edge_third),
+        kTriangle,
+        {"opposite", "efefev", "the vertex straight beyond the near end"}},
+    Row{bit(RuleKind::edge_third),
+        kQuad,
+        {"opposite", "efev", "the vertex straight beyond the near end"}},
     Row{bit(RuleKind::edge),
         kTriangle,
         {"opposite", "efefev", "the vertices straight beyond its ends"}},
@@ -74,8 +95,8 @@ const std::array kRoles{
     Row{bit(RuleKind::boundary_edge) | bit(RuleKind::boundary_edge_end),
         kAny,
         {"beyond", "bv", "the next vertex of the boundary, past the end"}},
-    Row{bit(RuleKind::boundary_edge_end), kAny, {"near", "", "the near end"}},
-    Row{bit(RuleKind::boundary_edge_end), kAny, {"far", "v", "the far end"}},
+    Row{kThird, kAny, {"near", "", "the near end"}},
+    Row{kThird, kAny, {"far", "v", "the far end"}},
 };
 
 constexpr std::string_view kMoveLetters = "vefb";
@@ -115,16 +136,17 @@ std::optional<RuleKind> find_rule(std::string_view name) {
 }
 
 bool rule_has_valence(RuleKind kind) {
-  return kind != RuleKind::edge && kind != RuleKind::boundary_edge;
+  return kind != RuleKind::edge && kind != RuleKind::edge_third && kind != RuleKind::boundary_edge;
 }
 
 std::optional<RuleKind> stands_in_for(RuleKind kind, const Split& split) {
   switch (kind) {
     case RuleKind::edge_end:
-    case RuleKind::boundary_spoke: return RuleKind::edge;
+    case RuleKind::boundary_spoke:
+      return split.births.thirds ? RuleKind::edge_third : RuleKind::edge;
     case RuleKind::face_end: return RuleKind::face;
     case RuleKind::boundary_edge_end:
-      if (split.odd_step_cut == 3) break;
+      if (split.births.thirds || split.odd_step_cut == 3) break;
       return RuleKind::boundary_edge;
     default: break;
   }

@@ -29,16 +29,17 @@ enum class RuleKind : unsigned char {
   vertex,             ///< a vertex; per face round it, the flags of its two edges there
   edge,               ///< an interior edge; 2 ends × 2 faces
   edge_end,           ///< an interior edge seen from one of its ends; 2 faces
+  edge_third,         ///< an interior edge cut in three, seen from the end that is near; 2 faces
   face,               ///< a face; per edge of it, 2 ends
   face_end,           ///< a face seen from one of its corners; its 2 edges there
-  corner,             ///< a corner of a face (dual splits); its 2 edges
+  corner,             ///< a corner of a face; its 2 edges
   boundary_vertex,    ///< a boundary vertex; its 2 boundary edges
   boundary_edge,      ///< a boundary edge; 2 ends
   boundary_edge_end,  ///< a boundary edge seen from one of its ends; 1 flag
   boundary_spoke,     ///< an interior edge seen from its end on the boundary; 2 faces
 };
 /// How many kinds there are.
-inline constexpr int kRuleKinds = 10;
+inline constexpr int kRuleKinds = 11;
 
 /// "vertex", "edge-end", "boundary.vertex", …: as scheme files write it.
 [[nodiscard]] std::string_view rule_name(RuleKind kind);

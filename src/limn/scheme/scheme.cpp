@@ -30,13 +30,15 @@ bool has_use_for(const Split& split, RuleKind kind) {
     case RuleKind::vertex:
     case RuleKind::boundary_vertex: return split.births.vertices;
     case RuleKind::edge:
-    case RuleKind::edge_end:
-    case RuleKind::boundary_spoke: return split.births.edges;
-    case RuleKind::boundary_edge: return split.births.edges || split.odd_step_cut == 2;
-    case RuleKind::face:
-    case RuleKind::face_end: return split.births.faces;
+    case RuleKind::boundary_spoke: return split.halves_edges();
+    case RuleKind::edge_end: return split.births.edges && split.births.vertices;
+    case RuleKind::edge_third: return split.births.thirds;
+    case RuleKind::boundary_edge: return split.halves_edges() || split.odd_step_cut == 2;
+    case RuleKind::face: return split.births.faces;
+    case RuleKind::face_end: return split.births.faces && split.births.vertices;
     case RuleKind::corner: return split.births.corners;
-    case RuleKind::boundary_edge_end: return split.births.edges || split.boundary_rests();
+    case RuleKind::boundary_edge_end:
+      return split.births.vertices && (split.births.edges || split.boundary_rests());
   }
   return false;
 }

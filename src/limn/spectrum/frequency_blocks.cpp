@@ -170,7 +170,7 @@ Result<FrequencyBlocks> FrequencyAnalysis::blocks(int n, int frequencies) {
 Result<FrequencyBlocks> FrequencyAnalysis::blocks(int n, const std::vector<int>& frequencies) {
   if (const int least = least_valence(*scheme_->split); n < least)
     return Error{fmt::format("valence {} is below {}: {}", n, least,
-                             scheme_->split->births.corners
+                             scheme_->split->is_dual()
                                  ? "under a dual split it is the number of a face's corners"
                                  : "an interior vertex has two faces or more")};
   const Result<const SectorPattern*> pattern = pattern_at(n);

@@ -11,7 +11,7 @@ namespace limn {
 /// splits n is the number of a face's corners, of which it has at least 3. Rules are checked from
 /// kSmallestValence on when they are read; below, when they are needed.
 [[nodiscard]] inline int least_valence(const Split& split) {
-  return split.births.corners ? kSmallestValence : 2;
+  return split.is_dual() ? kSmallestValence : 2;
 }
 
 }  // namespace limn

@@ -35,7 +35,7 @@ struct OrbitPosition {
 
 class OrbitPositions {
  public:
-  OrbitPositions(const Split& split, int rings) : center_(!split.births.corners) {
+  OrbitPositions(const Split& split, int rings) : center_(!split.is_dual()) {
     for (int ring = 1; ring <= rings; ++ring) {
       first_orbit_.push_back(static_cast<int>(orbits_.size()));
       const int size =
@@ -297,7 +297,8 @@ Result<StarForms> refined_star(const Scheme& scheme, const CenterCases& cases, i
 }  // namespace
 
 std::vector<RuleKind> center_rules(const Split& split) {
-  if (split.births.corners) return {RuleKind::corner};
+  if (split.is_dual())
+    return split.births.corners ? std::vector{RuleKind::corner} : std::vector<RuleKind>{};
   std::vector<RuleKind> kinds{RuleKind::vertex};
   if (split.births.edges) kinds.push_back(RuleKind::edge_end);
   if (split.births.faces) kinds.push_back(RuleKind::face_end);
@@ -368,7 +369,7 @@ Result<SectorPattern> sector_pattern(const Scheme& scheme, const CenterCases& ca
   if (!star) return star.error();
   const OrbitPositions places(split, rings);
   const double turn = split.dilation.turns() ? 0.5 : 0;
-  SectorPattern pattern{rings, places.orbits(), !split.births.corners, star->namer.names, {}};
+  SectorPattern pattern{rings, places.orbits(), !split.is_dual(), star->namer.names, {}};
   for (Index v = 0; v < star->step.size; ++v) {
     const OrbitPosition place = places.of(v);
     if (place.sector != 0) continue;

@@ -29,7 +29,7 @@ RefineEstimate estimate_with_limit(const Split& split, const Mesh& control, int 
     return result;
   }
   // A dual split's vertices are taken to the centres of faces, one step further on.
-  const int steps = split.births.corners ? levels + 1 : levels;
+  const int steps = split.is_dual() ? levels + 1 : levels;
   const double last = estimate_refinement(split, control, steps, sizeof(Point3)).peak_bytes;
   double beside = 2 * kPoint + kPlainNumbers;
   if (work.curvatures) beside += sizeof(LimitPoints::Curvatures);

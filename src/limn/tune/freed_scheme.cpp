@@ -152,7 +152,7 @@ FreedScheme::FreedScheme(const Scheme& scheme, std::string name, bool everywhere
     : original_(std::make_unique<Scheme>(scheme)),
       name_(std::move(name)),
       everywhere_(everywhere),
-      regular_(regular_valence(scheme.split->births.corners ? RuleKind::corner : RuleKind::vertex,
+      regular_(regular_valence(scheme.split->is_dual() ? RuleKind::corner : RuleKind::vertex,
                                scheme.split->lattice)) {}
 FreedScheme::~FreedScheme() = default;
 FreedScheme::FreedScheme(FreedScheme&&) noexcept = default;

@@ -14,6 +14,18 @@ LatticeVector label_of(const CellMatrices& cells, LatticeVector k) {
   return fine;
 }
 
+/// The same as turned_into_sector, of places on the second spoke round, too, on triangles, where
+/// one way to it is shorter than the other: a face at the centre may weigh what lies over its
+/// edges.
+std::optional<SectorPlace> turned_to_spoke(Lattice lattice, LatticeVector place) {
+  std::optional<SectorPlace> found = turned_into_sector(lattice, place);
+  const auto [x, y] = place;
+  if (found || lattice != Lattice::triangle) return found;
+  if (x + y == 0 && y > 0) return SectorPlace{2, {y, 0}};
+  if (x == 0 && y < 0) return SectorPlace{-2, {-y, 0}};
+  return std::nullopt;
+}
+
 NetPoint turned(const NetPoint& p, const Turn<Ball>& by) {
   return {p.u * by.cosine - p.v * by.to_real, p.u * by.to_imaginary + p.v * by.cosine};
 }
@@ -87,7 +99,7 @@ Result<NetPoint> EigenNet::at(LatticeVector j) { return at(j, 0); }
 
 Result<NetPoint> EigenNet::at(LatticeVector j, int depth) {
   const int half = cells_.dual ? 1 : 0;
-  const auto found = turned_into_sector(cells_.lattice, {2 * j[0] + half, 2 * j[1] + half});
+  const auto found = turned_to_spoke(cells_.lattice, {2 * j[0] + half, 2 * j[1] + half});
   if (!found) return Error{"a control point lies more than a sector away"};
   const LatticeVector inside{(found->place[0] - half) / 2, (found->place[1] - half) / 2};
   Result<NetPoint> point = in_sector(inside, depth);

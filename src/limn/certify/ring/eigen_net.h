@@ -47,8 +47,9 @@ class EigenNet {
   EigenNet(const CellMatrices& cells, const RealBasis& basis, const EnclosedPair& pair,
            const Phase<Ball>& phase, Ball center = 0);
 
-  /// The control point j: at j, or j + (½, ½) (dual). Fails for places more than one sector away,
-  /// and where the mask does not reach outwards.
+  /// The control point j: at j, or j + (½, ½) (dual). Fails for places more than one sector
+  /// away, but for the spoke that ends the second one of triangles, and where the mask does not
+  /// reach outwards.
   [[nodiscard]] Result<NetPoint> at(LatticeVector j);
 
  private:

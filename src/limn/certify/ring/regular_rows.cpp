@@ -31,8 +31,9 @@ class Reach {
     const Distance face = of_face_rule();
     int reach = 0;
     std::string far;
-    for (const RuleKind kind :
-         {RuleKind::vertex, RuleKind::edge, RuleKind::edge_end, RuleKind::face, RuleKind::corner})
+    for (const RuleKind kind : {RuleKind::vertex, RuleKind::edge, RuleKind::edge_end,
+                                RuleKind::edge_third, RuleKind::face, RuleKind::face_end,
+                                RuleKind::corner})
       for_each_weight(kind, [&](const Weight& weight) {
         Distance way = of(weight.walk);
         if (weight.walk.reads_face)
@@ -62,7 +63,7 @@ class Reach {
         for (const Weight& weight : one.weights) visit(weight);
   }
 
-  [[nodiscard]] bool is_dual() const { return scheme_.split->births.corners; }
+  [[nodiscard]] bool is_dual() const { return scheme_.split->is_dual(); }
   [[nodiscard]] Move leaving() const { return is_dual() ? Move::face : Move::vertex; }
   [[nodiscard]] Move crossing() const { return is_dual() ? Move::vertex : Move::face; }
 
@@ -74,10 +75,11 @@ class Reach {
   /// What reading a face's new vertex adds to a walk.
   [[nodiscard]] Distance of_face_rule() const {
     Distance most;
-    for_each_weight(RuleKind::face, [&](const Weight& weight) {
-      const Distance way = of(weight.walk);
-      most = {std::max(most.leaves, way.leaves), std::max(most.crosses, way.crosses)};
-    });
+    for (const RuleKind kind : {RuleKind::face, RuleKind::face_end})
+      for_each_weight(kind, [&](const Weight& weight) {
+        const Distance way = of(weight.walk);
+        most = {std::max(most.leaves, way.leaves), std::max(most.crosses, way.crosses)};
+      });
     return most;
   }
 

@@ -167,11 +167,16 @@ class GridFamily final : public Family {
 
 std::optional<GridCycle> grid_cycle(const Split& split) {
   const bool quads = split.lattice == Lattice::quad;
-  if (split.births.corners) {
-    if (!quads || split.births.vertices || split.dilation.growth() != 4) return std::nullopt;
+  if (split.is_dual()) {
+    if (!quads || !split.births.corners || split.dilation.growth() != 4) return std::nullopt;
     return GridCycle{split.lattice, 2, 1, true};
   }
-  if (!split.births.vertices) return std::nullopt;
+  if (split.births.thirds) {
+    if (split.dilation.growth() != 9 || split.births.faces == quads ||
+        split.births.corners != quads)
+      return std::nullopt;
+    return GridCycle{split.lattice, 3, 1};
+  }
   if (split.births.edges) {
     if (split.dilation.growth() != 4 || split.births.faces != quads) return std::nullopt;
     return GridCycle{split.lattice, 2, 1};

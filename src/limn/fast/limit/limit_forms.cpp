@@ -86,7 +86,7 @@ Result<std::vector<std::optional<LimitForms>>> LimitReader::read(
     slot[vertices[i]] = static_cast<Index>(i);
     if (mesh.is_isolated(vertices[i])) found[i] = {Form::unit(vertices[i]), Form(), Form()};
   }
-  const bool dual = scheme_.split->births.corners;
+  const bool dual = scheme_.split->is_dual();
   const auto read = [&](const Spot& at) {
     const LimitStencil& limit = at.kind.limit;
     const Form position = at.weighted(limit.position);
@@ -107,7 +107,7 @@ Result<std::vector<std::optional<LimitForms>>> LimitReader::read(
 Result<LimitChain> LimitReader::read_chain(const Mesh& mesh, int steps_made, bool closed,
                                            Index vertex) {
   LimitChain chain;
-  const bool dual = scheme_.split->births.corners;
+  const bool dual = scheme_.split->is_dual();
   const auto read = [&](const Spot& at) {
     chain.forms = {at.weighted(at.kind.limit.position)};
     add_chain(at.mesh, at.values, at.start, dual, chain.forms);

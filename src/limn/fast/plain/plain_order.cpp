@@ -43,7 +43,7 @@ Index point_of_face(const Mesh& mesh, const Births& births, Index f) {
 /// edge; of two that halve them, its face e comes from edge e.
 Index next_along(const Mesh& coarse, const Mesh& middle, const GridCycle& cycle, const Births& last,
                  Index h) {
-  if (cycle.steps == 1) return last.from_vertices + coarse.edge(h);
+  if (cycle.steps == 1) return child_along(coarse, last, h);
   if (cycle.cut == 2) return point_of_face(middle, last, coarse.edge(h));
   const auto position = [](const std::vector<Index>& list, auto found) {
     return static_cast<Index>(std::distance(list.begin(), found));

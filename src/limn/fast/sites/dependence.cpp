@@ -54,6 +54,15 @@ class Explorer {
                         end);
   }
 
+  /// That of the point of an edge near one of its ends, or that of the end.
+  void explore_third(Index h, bool at_target) {
+    const Index twin = mesh_.twin(h);
+    if (twin == kNone) return explore(RuleKind::boundary_edge_end, h, at_target);
+    const Index near = at_target ? twin : h;
+    explore(RuleKind::edge_third, near);
+    if (!mesh_.is_boundary_vertex(mesh_.origin(near))) explore(RuleKind::edge_end, near);
+  }
+
   std::set<Index> seen;
 
  private:
@@ -113,12 +122,8 @@ Birth birth_of(const Mesh& mesh, const Births& births, Index made) {
   if (made < births.from_vertices) return {Birth::vertex, mesh.halfedge_of_vertex(made)};
   made -= births.from_vertices;
   if (made < births.from_edges) {
-    if (births.edge_ends.empty()) {
-      const Index e = births.edges.empty() ? made : births.edges[static_cast<std::size_t>(made)];
-      return {Birth::edge, mesh.halfedge_of_edge(e)};
-    }
-    const Index end = births.edge_ends[static_cast<std::size_t>(made)];
-    return {Birth::edge_end, end / 2, end % 2 != 0};
+    const EdgeChild child = edge_child(mesh, births, made);
+    return {child.third ? Birth::edge_end : Birth::edge, child.halfedge, child.at_target};
   }
   made -= births.from_edges;
   if (made < births.from_faces) {
@@ -131,10 +136,11 @@ Birth birth_of(const Mesh& mesh, const Births& births, Index made) {
 Births first_births(const Split& split, const Mesh& mesh) {
   Births births;
   if (split.births.vertices) births.from_vertices = mesh.vertex_count();
-  if (split.births.edges) births.from_edges = mesh.edge_count();
+  births.thirds = split.births.thirds;
+  if (split.births.edges) births.from_edges = (births.thirds ? 2 : 1) * mesh.edge_count();
   if (split.births.faces) births.from_faces = mesh.face_count();
-  if (!split.births.corners) return births;
-  births.from_corners = mesh.halfedge_count();
+  if (split.births.corners) births.from_corners = mesh.halfedge_count();
+  if (!split.is_dual()) return births;
   for (Index v = 0; v < mesh.vertex_count(); ++v)
     if (mesh.is_isolated(v)) births.isolated.push_back(v);
   return births;
@@ -158,7 +164,7 @@ std::set<Index> dependence(const Scheme& scheme, const Mesh& mesh, const Births&
       break;
     case Birth::edge: explorer.explore_edge(h); break;
     case Birth::face: explorer.explore_face(mesh.face(h)); break;
-    case Birth::edge_end: explorer.explore(RuleKind::boundary_edge_end, h, birth.at_target); break;
+    case Birth::edge_end: explorer.explore_third(h, birth.at_target); break;
     case Birth::corner: explorer.explore(RuleKind::corner, h); break;
   }
   return std::move(explorer.seen);

@@ -60,14 +60,16 @@ class PlaceSum {
 /// The old vertices that a birth lies between, with weights.
 using Parents = std::vector<std::pair<Index, Index>>;
 
-Parents parents(const Mesh& mesh, const Birth& birth) {
+/// `dual`: a corner's point lies half the way to the middle of its quad; else at thirds.
+Parents parents(const Mesh& mesh, const Birth& birth, bool dual) {
   const Index h = birth.halfedge;
   switch (birth.kind) {
     case Birth::vertex: return {{1, mesh.origin(h)}};
     case Birth::edge: return {{1, mesh.origin(h)}, {1, mesh.target(h)}};
     case Birth::edge_end:
       return {{birth.at_target ? 1 : 2, mesh.origin(h)}, {birth.at_target ? 2 : 1, mesh.target(h)}};
-    case Birth::corner:  // halfway to the middle of the face
+    case Birth::corner:
+      if (!dual) return {{2, mesh.origin(h)}, {1, mesh.target(mesh.next(h))}};
       return {{3, mesh.origin(h)}, {1, mesh.target(mesh.next(h))}};
     default: break;
   }
@@ -152,8 +154,8 @@ void Site::place_new(Step& step) const {
   step.made.reserve(at(count));
   for (Index v = 0; v < count; ++v) {
     const Birth birth = birth_of(step.mesh, births, v);
-    const Parents from = parents(step.mesh, birth);
-    if (birth.kind == Birth::corner && step.mesh.face(birth.halfedge) == 0) {
+    const Parents from = parents(step.mesh, birth, shape_.offset);
+    if (shape_.offset && step.mesh.face(birth.halfedge) == 0) {
       // the middle of the face is the middle of the site
       const SectorPoint& p = step.places[at(from.front().second)];
       step.made.push_back({p.sector, p.x / 2, p.y / 2});

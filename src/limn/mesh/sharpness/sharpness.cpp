@@ -64,8 +64,7 @@ ChildSharpness child_sharpness(const Mesh& mesh, const Sharpness& sharpness) {
 }
 
 Index halfedge_of_child(const Mesh& mesh, const Births& births, Index i) {
-  if (!births.edge_ends.empty()) return births.edge_ends[at(i)] / 2;
-  return mesh.halfedge_of_edge(births.edges.empty() ? i : births.edges[at(i)]);
+  return edge_child(mesh, births, i).halfedge;
 }
 
 namespace {

@@ -6,6 +6,7 @@ namespace limn {
 namespace {
 
 constexpr LatticeMatrix kDyadic{{{{2, 0}, {0, 2}}}};
+constexpr LatticeMatrix kTernary{{{{3, 0}, {0, 3}}}};
 /// The refined basis is (2 e1 + e2)/3, the way to the centroid of a triangle, and that turned by
 /// 120°.
 constexpr LatticeMatrix kSqrt3{{{{1, 1}, {-1, 2}}}};
@@ -51,6 +52,25 @@ const std::vector<Split>& splits() {
        .odd_step_cut = 2,
        .dilation = kSqrt2,
        .apply = detail::split_quad_sqrt2},
+      {.name = "midedge",
+       .description = "a face for each face and inner vertex; vertices from edges",
+       .lattice = Lattice::quad,
+       .any_polygons = true,
+       .births = {.edges = true},
+       .dilation = kSqrt2,
+       .apply = detail::split_midedge},
+      {.name = "triangle-ternary",
+       .description = "each triangle into nine, by two points on each edge and one of the face",
+       .lattice = Lattice::triangle,
+       .births = {.vertices = true, .edges = true, .thirds = true, .faces = true},
+       .dilation = kTernary,
+       .apply = detail::split_triangle_ternary},
+      {.name = "quad-ternary",
+       .description = "each quad into nine, by two points on each edge and one for each corner",
+       .lattice = Lattice::quad,
+       .births = {.vertices = true, .edges = true, .thirds = true, .corners = true},
+       .dilation = kTernary,
+       .apply = detail::split_quad_ternary},
   };
   return list;
 }

@@ -6,6 +6,7 @@
 /// in this order: from vertices, from edges, from faces, from corners. `Births` says which
 /// element each new vertex belongs to; the rules of a scheme (scheme/) say where it lies.
 
+#include <cstddef>
 #include <string_view>
 #include <vector>
 
@@ -17,9 +18,12 @@ namespace limn {
 /// Which old element each new vertex is born from, block by block.
 struct Births {
   Index from_vertices = 0;  ///< new vertices 0 … : child of old vertex i; or none (dual)
-  /// The next block: the number of new vertices born from edges. Where `edge_ends` is empty child i
-  /// belongs to edge i, or to edges[i] where that list is not empty.
+  /// The next block: the number of new vertices born from edges. `edge_child` says to which edge
+  /// each belongs: child i to edge i, or to what one of the following three says.
   Index from_edges = 0;
+  /// Every edge is cut in three and has two children: 2e near the origin of halfedge_of_edge(e),
+  /// 2e + 1 near its target.
+  bool thirds = false;
   std::vector<Index> edges;  ///< the boundary edges that have a child, or empty: all edges have
   /// A trisected boundary edge has two children, each named by the (boundary) half-edge it lies on
   /// and the end it is near: 2*halfedge + end with end 0 at the origin, 1 at the target.
@@ -27,11 +31,36 @@ struct Births {
   /// The next block, born from faces: face i, or faces[i] where that list is not empty.
   Index from_faces = 0;
   std::vector<Index> faces;  ///< the faces that have a child, or empty: all of them
-  /// Born from corners (dual splits): corner (half-edge) i.
+  /// Born from corners (half-edges): corner i. Under a dual split it lies half the way to the
+  /// middle of its face, under one that keeps old vertices two thirds of it.
   Index from_corners = 0;
   /// Isolated vertices that a dual split passes on, unchanged, at the end.
   std::vector<Index> isolated;
 };
+
+/// The place of a vertex that is born from an edge: on an edge that is not cut in three, its
+/// middle; else near one of its ends.
+struct EdgeChild {
+  Index halfedge;          ///< one of the edge's
+  bool third = false;      ///< whether the edge is cut in three
+  bool at_target = false;  ///< of a third: the end of the half-edge that it is near
+};
+/// Of the i-th vertex born from edges. Cost O(1).
+[[nodiscard]] inline EdgeChild edge_child(const Mesh& mesh, const Births& births, Index i) {
+  if (births.thirds) return {mesh.halfedge_of_edge(i / 2), true, i % 2 != 0};
+  if (!births.edge_ends.empty()) {
+    const Index end = births.edge_ends[static_cast<std::size_t>(i)];
+    return {end / 2, true, end % 2 != 0};
+  }
+  const Index e = births.edges.empty() ? i : births.edges[static_cast<std::size_t>(i)];
+  return {mesh.halfedge_of_edge(e)};
+}
+/// Of splits that give every edge children: the new vertex next to the origin of h on its edge.
+[[nodiscard]] inline Index child_along(const Mesh& mesh, const Births& births, Index h) {
+  const Index e = mesh.edge(h);
+  if (!births.thirds) return births.from_vertices + e;
+  return births.from_vertices + 2 * e + (mesh.halfedge_of_edge(e) == h ? 0 : 1);
+}
 
 /// One step of a split.
 struct SplitResult {
@@ -44,13 +73,14 @@ struct Split {
   std::string_view name;         ///< as scheme files write it: "triangle-dyadic", …
   std::string_view description;  ///< one line for listings
   Lattice lattice;               ///< what a regular mesh looks like
-  bool any_polygons = false;     ///< the first step takes any polygons; else only triangles
+  bool any_polygons = false;     ///< the first step takes any polygons; else those of the lattice
   /// Which old elements have a child.
   struct BirthPlaces {
-    bool vertices = false;  ///< old vertices
-    bool edges = false;     ///< edges
+    bool vertices = false;  ///< old vertices; where they have none the split is dual
+    bool edges = false;     ///< edges: one in the middle, or
+    bool thirds = false;    ///< two, each a third of the edge from one of its ends
     bool faces = false;     ///< faces
-    bool corners = false;   ///< corners (dual splits)
+    bool corners = false;   ///< corners
   } births;                 ///< which old elements have a child
   /// The boundary is left alone in even steps, and each of its edges cut into so many pieces, 2 or
   /// 3, in odd ones. 0: the boundary is refined in every step.
@@ -58,13 +88,17 @@ struct Split {
   /// Coordinates of old vertices in the refined lattice; the lattice may turn (sqrt3: by 30°).
   LatticeMatrix dilation;
   /// One step. `step` counts from 0: see odd_step_cut.
-  /// Preconditions: all faces are triangles unless any_polygons; dilation.growth() *
+  /// Preconditions: all faces are the lattice's unless any_polygons; dilation.growth() *
   /// halfedge_count() and the number of boundary edges are together below 2^31 (no split gives
   /// more half-edges than that). Cost O(V + H).
   SplitResult (*apply)(const Mesh& mesh, int step);
 
   /// Whether the boundary is refined in every second step only.
   [[nodiscard]] bool boundary_rests() const { return odd_step_cut > 0; }
+  /// Whether old vertices go: new points lie half a step beside the refined lattice of old ones.
+  [[nodiscard]] bool is_dual() const { return !births.vertices; }
+  /// Whether edges have each one child, in the middle.
+  [[nodiscard]] bool halves_edges() const { return births.edges && !births.thirds; }
 };
 
 /// All splits, in the order in which the documentation lists them.

@@ -14,6 +14,9 @@ SplitResult split_quad_dyadic(const Mesh& mesh, int step);
 SplitResult split_quad_dual(const Mesh& mesh, int step);
 SplitResult split_sqrt3(const Mesh& mesh, int step);
 SplitResult split_quad_sqrt2(const Mesh& mesh, int step);
+SplitResult split_midedge(const Mesh& mesh, int step);
+SplitResult split_triangle_ternary(const Mesh& mesh, int step);
+SplitResult split_quad_ternary(const Mesh& mesh, int step);
 
 /// A dyadic split cuts edge e into edge 2e, at the origin of the half-edge that stands for e,
 /// and edge 2e+1. These are the halves at the origin and at the target of h.
@@ -24,6 +27,24 @@ inline Index edge_at_origin(const Mesh& mesh, Index h) {
 inline Index edge_at_target(const Mesh& mesh, Index h) {
   const Index e = mesh.edge(h);
   return 2 * e + (mesh.halfedge_of_edge(e) == h ? 1 : 0);
+}
+
+/// A ternary split cuts edge e into the edges 3e, 3e+1, 3e+2 and gives it the new vertices V + 2e,
+/// V + 2e + 1, in the order from the origin of the half-edge that stands for e. Those at the origin
+/// and at the target of h:
+inline Index third_at_origin(const Mesh& mesh, Index h) {
+  const Index e = mesh.edge(h);
+  return 3 * e + (mesh.halfedge_of_edge(e) == h ? 0 : 2);
+}
+inline Index third_at_target(const Mesh& mesh, Index h) {
+  const Index e = mesh.edge(h);
+  return 3 * e + (mesh.halfedge_of_edge(e) == h ? 2 : 0);
+}
+inline Index third_vertex_at_origin(const Mesh& mesh, Index h) {
+  return mesh.vertex_count() + edge_at_origin(mesh, h);
+}
+inline Index third_vertex_at_target(const Mesh& mesh, Index h) {
+  return mesh.vertex_count() + edge_at_target(mesh, h);
 }
 
 /// Arrays with room for `halfedges` half-edges, no twin set.

@@ -12,6 +12,7 @@
 #include "limn/base/outward.h"
 #include "limn/regular/algebra/jordan.h"
 #include "limn/regular/regular_mask.h"
+#include "limn/regular/smoothness/box_spline.h"
 #include "limn/regular/smoothness/difference_norm.h"
 #include "limn/regular/smoothness/joint_spectral_radius.h"
 #include "limn/regular/smoothness/polynomial_orders.h"
@@ -150,6 +151,9 @@ class Decision {
                       "exactly",
                       *steps == 1 ? "a step" : fmt::format("{} steps", *steps),
                       *steps == 1 ? "ies" : "y")};
+    const std::optional<BoxSpline> spline = find_box_spline(mask_);
+    if (spline && spline->exponent() >= kOrder)
+      return {Truth::yes, spline->text() + ", whose second derivatives are bounded"};
     if (orders_.sum_rules <= kOrder) return of_low_order();
     if (side_of(radius_, growth_) == Side::equal)
       return {

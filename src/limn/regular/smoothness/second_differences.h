@@ -10,7 +10,8 @@
 /// There an exact norm ≤ 1 of some steps of the normalised scheme of second differences proves
 /// boundedness (quadratic splines), and a Jordan block at the critical eigenvalue of a product of
 /// the operators proves, for stable shifts, that second differences grow like a power of the level
-/// (the butterfly, the four-point scheme).
+/// (the butterfly, the four-point scheme). Where shifts are dependent, differences of the data may
+/// tell nothing; of a box spline (box_spline.h) it is known from its directions (midedge).
 
 #include "limn/scheme/mask.h"
 #include "limn/scheme/regular_part.h"
