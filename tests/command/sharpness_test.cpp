@@ -28,7 +28,11 @@ void expect_done(const Outcome& outcome) { EXPECT_EQ(outcome.code, 0) << outcome
 TEST(Sharpness, OfObjTagsIsRefinedAndWhatIsLeftIsWritten) {
   const Folder folder;
   folder.write("cube.obj", kCube + "t crease 2/1/0 0 1 4.0\nt corner 1/1/0 3 10\n");
-  expect_done(folder.limn("refine cube.obj -s catmull-clark -n 2 -o fine.obj"));
+  const Outcome outcome = folder.limn("refine cube.obj -s catmull-clark -n 2 -o fine.obj --json");
+  expect_done(outcome);
+  const auto json = nlohmann::json::parse(outcome.out);
+  EXPECT_EQ(json["sharp"]["edges"], 4);
+  EXPECT_EQ(json["sharp"]["vertices"], 1);
   const MeshFile fine = read(folder, "fine.obj");
   ASSERT_EQ(fine.tags.creases.size(), 4U);  // the edge in four parts
   for (const SharpnessTags::Crease& crease : fine.tags.creases) {

@@ -235,8 +235,11 @@ class CreaseLimit {
   Status find_on_cut() {
     const CutMesh cut = cut_along(mesh_, along_);
     std::vector<Point3> values;
+    values.reserve(cut.originals.size());
     for (const Index v : cut.originals) values.push_back(values_[at(v)]);
-    Result<LimitPoints> found = approx_limit_points(scheme_, cut.mesh, values, options_);
+    LimitOptions all = options_;  // copies have numbers of their own
+    all.vertices.clear();
+    Result<LimitPoints> found = approx_limit_points(scheme_, cut.mesh, values, all);
     if (!found) return found.error();
     std::vector<Index> copies(kinds_.size(), 0);
     for (const Index v : cut.originals) ++copies[at(v)];
@@ -276,8 +279,10 @@ class CreaseLimit {
 
   Status refine_round(const std::vector<Index>& vertices) {
     std::vector<Status> done(vertices.size(), Done{});
-    parallel_for_each(static_cast<Index>(vertices.size()),
-                      [&](Index i) { done[at(i)] = refine_round(vertices[at(i)]); });
+    const auto refine_some = [&](Index first, Index last) {
+      for (Index i = first; i < last; ++i) done[at(i)] = refine_round(vertices[at(i)]);
+    };
+    parallel_for(Index{0}, static_cast<Index>(vertices.size()), refine_some, 1);
     for (Status& status : done)
       if (!status) return status;
     return Done{};

@@ -12,8 +12,8 @@ namespace limn {
 /// a dart, and near darts and corners where a scheme's smooth rules go beyond the next neighbours,
 /// the neighbourhood is refined until the point rests. Normals and curvatures of vertices with more
 /// than one side, of darts, and where the neighbourhood is refined, are not given: zero, and NaN.
-/// Cost as without sharpness, and some ten milliseconds for each vertex whose neighbourhood is
-/// refined.
+/// LimitOptions::vertices is not heeded: all are done. Cost as without sharpness, and some ten
+/// milliseconds for each vertex whose neighbourhood is refined.
 [[nodiscard]] Result<LimitPoints> approx_limit_points(const Scheme& scheme, const Mesh& mesh,
                                                       const std::vector<Point3>& values,
                                                       const Sharpness& sharpness,
