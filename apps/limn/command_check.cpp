@@ -47,6 +47,19 @@ void print(const CheckOptions& options, const MeshCheck& check, const MeshRemark
     fmt::print(stderr, "{}", printable_lines(text));
 }
 
+/// Copies that a cut has made lie where they must.
+void leave_out_copies(const MeshSource& source, MeshSurvey& survey) {
+  std::vector<Index> vertices, first;
+  for (std::size_t k = 0; k < survey.coincident.size(); ++k) {
+    const Index v = survey.coincident[k], w = survey.coincident_with[k];
+    if (source.file_vertex(v) == source.file_vertex(w)) continue;
+    vertices.push_back(v);
+    first.push_back(w);
+  }
+  survey.coincident = std::move(vertices);
+  survey.coincident_with = std::move(first);
+}
+
 int check_mesh(const CheckOptions& options) {
   if (Status status = check_arguments(options); !status) return report(status.error());
   Result<MeshFile> file = read_mesh_argument(options.mesh, {.keep_faults = true});
@@ -62,6 +75,7 @@ int check_mesh(const CheckOptions& options) {
   if (!prepared) return report(prepared.error());
   report_remarks(*file);
   MeshSurvey survey = survey_mesh(file->polygons);
+  leave_out_copies(file->source, survey);
   const MeshCheck check{options.mesh, std::move(file->polygons), std::move(file->source),
                         std::move(survey), std::move(file->dropped)};
   const bool is_written = !options.output.path.empty() && check.survey.refinable;

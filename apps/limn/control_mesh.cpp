@@ -112,7 +112,9 @@ Result<ControlMesh> load_control_mesh(const std::string& path, const MeshPrepara
     if (Result<Mesh> polygons = build_mesh(uncut.polygons, uncut.source); !polygons)
       mesh = std::move(polygons);
   }
-  if (mesh && !preparation.repair().weld) warn_of_open_seams(*mesh, *file);
+  // a cut makes such seams
+  const RepairOptions asked = preparation.repair();
+  if (mesh && !asked.weld && !asked.cut) warn_of_open_seams(*mesh, *file);
   report_remarks(*file);
   if (!mesh) return mesh.error();
   return ControlMesh{

@@ -12,7 +12,7 @@ std::vector<CLI::Option*> MeshPreparation::declare(CLI::App& command) {
           .add_flag("--weld{1e-6}", weld_,
                     "join vertices that lie within 1e-6 of the mesh's diagonal (--weld=EPS: within "
                     "that part of it; 0: in one place)")
-          ->check(number_between(0, 1)),
+          ->check(number_between(0, 1).description("")),
       command.add_flag("--cut", cut_,
                        "give each sheet its own copies where an edge has more than two faces or "
                        "the faces round a vertex are not one fan; cut one-sided surfaces open"),

@@ -248,6 +248,15 @@ TEST(Repair, IsCountedAndNamedInEveryCommand) {
   }
 }
 
+TEST(Repair, WhatWasCutIsNotCalledUnwelded) {
+  const Folder folder;
+  const std::string band = case_file("22-moebius.obj") + " --cut";
+  const Outcome outcome = folder.limn("refine " + band + " -s catmull-clark -n 1 -o o.obj");
+  EXPECT_EQ(outcome.code, 0);
+  EXPECT_EQ(outcome.err.find("unwelded"), std::string::npos) << outcome.err;
+  EXPECT_EQ(check_json(folder, band, 0).at("coincident_vertices"), 0);
+}
+
 TEST(Repair, OptionsWithNothingToDoDoNothing) {
   const Folder folder;
   const std::string bracket = "'" LIMN_EXAMPLES "/bracket.obj'";

@@ -113,7 +113,8 @@ class Lister {
           "(--weld)",
           2 * survey_.seams.edges, survey_.boundary_edges);
     else
-      group.remedy = "--weld joins them";
+      group.remedy =
+          "--weld joins them; where sheets or parts touch, that makes the mesh non-manifold";
     group.fault = [this](std::size_t k) {
       const Index v = survey_.coincident[k], first = survey_.coincident_with[k];
       CheckedFault one;

@@ -1,5 +1,5 @@
 #pragma once
-/// Mesh files: OBJ, OFF, PLY (ascii and binary), STL (ascii and binary) and GLB in and out, glTF in.
+/// Mesh files: OBJ, OFF, PLY and STL (both ascii and binary) and GLB in and out, glTF in.
 /// A control mesh comes in exactly as given (order, quads and n-gons, coincident but distinct
 /// vertices), and what is written reads back equal: PLY binary and the text formats keep every
 /// double (PLY as `double`; text in the shortest form that reads back to the same double); STL
@@ -78,8 +78,8 @@ struct ReadOptions {
                                                const ReadOptions& options = {});
 
 /// The format that a content is in, by its first words (STL: by its size too): "obj", "off",
-/// "ply", "stl", "glb" or "gltf"; or why that cannot be told. Cost O(1) for what has a sign of its format near
-/// its head, else O(size).
+/// "ply", "stl", "glb" or "gltf"; or why that cannot be told. Cost O(1) for what has a sign of its
+/// format near its head, else O(size).
 [[nodiscard]] Result<std::string> format_of_content(std::string_view content);
 
 /// The mesh alone, without tags; `warnings` gets the warnings, then the notes, one for each kind.
