@@ -171,8 +171,9 @@ class RuleMutants {
     const auto there = positions(kind_, lattice_, less.walk);
     // the amount is one of the role's sum, so that both weights are the same multiple of n
     std::vector<std::string> amounts{kAmount};
+    const bool only_triangles = kind_ == RuleKind::face && lattice_ == Lattice::triangle;
     for (const int n : {3, 7})
-      if (rule_has_valence(kind_) && applies(rule_case, n))
+      if (rule_has_valence(kind_) && applies(rule_case, n) && (n == 3 || !only_triangles))
         amounts.push_back("(n == " + std::to_string(n) + ")*" + kAmount);
     for (const std::string& amount : amounts) {
       Scheme mutant = scheme_;
