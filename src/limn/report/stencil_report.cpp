@@ -85,7 +85,7 @@ std::string letters_of(const RulePicture& picture) {
   std::size_t widest = 3;
   for (const RulePicture::Spot& spot : picture.weights)
     widest = std::max(widest, spot.weight.size() + (spot.of_face ? 1 : 0));
-  const double columns = static_cast<double>(widest) + 3, rows = std::max(2., columns / 2.6);
+  const double columns = static_cast<double>(widest) + 6, rows = std::max(2., columns / 2.6);
   LetterGrid grid;
   bool marked = false;
   for (const bool at_new : {true, false})  // the new vertex keeps its place
