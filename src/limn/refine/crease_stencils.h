@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "limn/refine/crease_step.h"
+#include "limn/refine/refine_values.h"
 #include "limn/refine/step_stencils.h"
 
 namespace limn {
