@@ -90,13 +90,13 @@ TEST(Completion, OfBashCompletes) {
   EXPECT_EQ(completed("refine --lev"), "--levels\n");
   EXPECT_EQ(completed("--quiet refine --thr"), "--threads\n");
   EXPECT_EQ(completed("refine mes"), "mesh.obj\n");
-  EXPECT_EQ(completed("show catmull-cl"), "catmull-clark\n");
+  EXPECT_EQ(completed("show doo-s"), "doo-sabin\n");
   EXPECT_EQ(completed("show --lev"), "\n");
   // Values are no commands, and some are of a few words.
   EXPECT_EQ(completed("--threads 4 refi"), "refine\n");
   EXPECT_EQ(completed("--threads = 4 refi"), "refine\n");
-  EXPECT_EQ(completed("refine mesh.obj -s catm"), "catmull-clark\n");
-  EXPECT_EQ(completed("refine mesh.obj --scheme = catm"), "catmull-clark\n");
+  EXPECT_EQ(completed("refine mesh.obj -s doo"), "doo-sabin\n");
+  EXPECT_EQ(completed("refine mesh.obj --scheme = doo"), "doo-sabin\n");
   EXPECT_EQ(completed("refine mesh.obj --engine pl"), "plain\n");
   EXPECT_EQ(completed("draw --format sv"), "svg\n");
   EXPECT_EQ(completed("completion z"), "zsh\n");
