@@ -132,8 +132,8 @@ class Finder {
     const Birth birth = birth_of(mesh, site.births(index_), site.new_vertex(index_, {0, x, y}));
     const Index h = birth.halfedge;
     switch (birth.kind) {
-      case Birth::edge:
-      case Birth::edge_end: return is_one_of(mesh.origin(h)) || is_one_of(mesh.target(h));
+      case Birth::edge: return is_one_of(mesh.origin(h)) || is_one_of(mesh.target(h));
+      case Birth::edge_end: return is_one_of(birth.at_target ? mesh.target(h) : mesh.origin(h));
       case Birth::face: {
         const Index f = mesh.face(h);
         for (Index k = mesh.face_begin(f); k < mesh.face_begin(f + 1); ++k)

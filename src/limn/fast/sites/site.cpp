@@ -69,7 +69,11 @@ Parents parents(const Mesh& mesh, const Birth& birth, bool dual) {
     case Birth::edge_end:
       return {{birth.at_target ? 1 : 2, mesh.origin(h)}, {birth.at_target ? 2 : 1, mesh.target(h)}};
     case Birth::corner:
-      if (!dual) return {{2, mesh.origin(h)}, {1, mesh.target(mesh.next(h))}};
+      if (!dual)  // all corners: two opposite ones may lie on spokes of different sectors
+        return {{4, mesh.origin(h)},
+                {2, mesh.target(h)},
+                {2, mesh.origin(mesh.prev(h))},
+                {1, mesh.target(mesh.next(h))}};
       return {{3, mesh.origin(h)}, {1, mesh.target(mesh.next(h))}};
     default: break;
   }
