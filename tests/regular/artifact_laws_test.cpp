@@ -14,9 +14,9 @@
 namespace limn::test {
 namespace {
 
-const std::set<std::string> kInterpolating = {"butterfly", "butterfly-modified",
-                                              "butterfly-ternary", "interpolating-loop",
-                                              "laplacian-butterfly"};
+const std::set<std::string> kInterpolating = {
+    "butterfly",    "butterfly-modified",  "butterfly-ternary",  "interpolating-loop",
+    "kobbelt-quad", "laplacian-butterfly", "sqrt3-interpolating"};
 
 Frequency any_frequency() {
   const auto coordinate = [] { return *rc::gen::inRange(-100000, 100001) * 0.8123e-5; };
