@@ -89,7 +89,9 @@ Scene scene_of(RuleKind kind, const Split& split, int n) {
       if (lattice == Lattice::quad) return face_scene(n);
       return star_scene(lattice, regular_valence(RuleKind::vertex, lattice));
     case RuleKind::corner: return face_scene(n);
-    case RuleKind::edge: return star_scene(lattice, regular_valence(RuleKind::vertex, lattice));
+    case RuleKind::edge:
+    case RuleKind::edge_third:
+      return star_scene(lattice, regular_valence(RuleKind::vertex, lattice));
     case RuleKind::vertex:
     case RuleKind::edge_end:
     case RuleKind::face_end: return star_scene(lattice, n);
@@ -117,9 +119,15 @@ Place made_at(const Scene& scene, RuleKind kind, const Split& split) {
     case RuleKind::boundary_vertex: return from;
     case RuleKind::face:
     case RuleKind::face_end: return centre(scene, mesh.face(scene.anchor));
-    case RuleKind::corner: return combined(0.5, from, 0.5, centre(scene, mesh.face(scene.anchor)));
+    case RuleKind::corner: {
+      const double own = split.is_dual() ? 1 / 2. : 1 / 3.;  // else at thirds of the face's sides
+      return combined(own, from, 1 - own, centre(scene, mesh.face(scene.anchor)));
+    }
+    case RuleKind::edge_third: return combined(2 / 3., from, 1 / 3., to);
+    case RuleKind::edge_end:
     case RuleKind::boundary_edge_end:
-      if (!stands_in_for(kind, split)) return combined(2 / 3., from, 1 / 3., to);
+      if (split.births.thirds || !stands_in_for(kind, split))
+        return combined(2 / 3., from, 1 / 3., to);
       break;
     default: break;
   }
@@ -207,7 +215,8 @@ std::optional<int> shown_valence(const Scheme& scheme, RuleKind kind, const Rule
   const bool at_corner = kind == RuleKind::boundary_vertex || kind == RuleKind::boundary_edge_end;
   if (at_corner) candidates.push_back(2);
   for (int n = kSmallestValence; n <= kLargestCheckedValence; ++n) candidates.push_back(n);
-  if (kind == RuleKind::face && !scheme.split->any_polygons) candidates = {3};
+  const bool of_face = kind == RuleKind::face || kind == RuleKind::corner;
+  if (of_face && !scheme.split->any_polygons) candidates = {regular};
   for (const int n : candidates)
     if (const Result<const RuleCase*> found = applicable_case(scheme, kind, n);
         found && *found == &one)
