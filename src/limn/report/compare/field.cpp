@@ -1,6 +1,7 @@
 #include "limn/report/compare/field.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 
 #include <fmt/core.h>
@@ -38,6 +39,22 @@ std::string kind_of(const SchemeRecord& scheme) {
                      interpolating ? "interpolating" : "approximating");
 }
 
+/// Schemes at one place share labels, a few names in each.
+void add_point(ChartPanel::Series& series, double x, double y, const std::string& name) {
+  constexpr auto kNames = 3;  // of a label
+  const auto near = [](double a, double b) { return std::abs(a - b) < 1e-6; };
+  for (std::size_t i = 0; i < series.x.size(); ++i) {
+    std::string& label = series.labels[i];
+    if (!near(series.x[i], x) || !near(series.y[i], y)) continue;
+    if (std::count(label.begin(), label.end(), ',') + 1 >= kNames) continue;
+    label += ", " + name;
+    return;
+  }
+  series.x.push_back(x);
+  series.y.push_back(y);
+  series.labels.push_back(name);
+}
+
 }  // namespace
 
 std::string field_text(const Comparison& comparison) {
@@ -73,13 +90,10 @@ Figure field_figure(const Comparison& comparison) {
                        comparison.tolerance),
                    .y_label = "Hölder exponent on the regular lattice"};
   std::map<std::string, ChartPanel::Series> kinds;
-  for (const SchemeRecord& scheme : comparison.schemes) {
-    if (!scheme.sampling || !scheme.regularity) continue;
-    ChartPanel::Series& series = kinds[kind_of(scheme)];
-    series.x.push_back(scheme.sampling->worst.edges_per_wavelength);
-    series.y.push_back(scheme.regularity->holder.lower);
-    series.labels.push_back(scheme.label);
-  }
+  for (const SchemeRecord& scheme : comparison.schemes)
+    if (scheme.sampling && scheme.regularity)
+      add_point(kinds[kind_of(scheme)], scheme.sampling->worst.edges_per_wavelength,
+                std::max(scheme.regularity->holder.lower, 0.0), scheme.label);
   for (auto& [name, series] : kinds) {
     series.name = name;
     series.markers = true;
@@ -88,11 +102,11 @@ Figure field_figure(const Comparison& comparison) {
   }
   Figure figure(1);
   figure.title("Subdivision schemes: how smooth, and how densely to sample");
-  figure.add(
-      std::move(panel),
-      "Each scheme by the smoothness of its regular surfaces (the lower end of a proved "
-      "bracket) and by the number of control edges that a wave must be long for its artifacts "
-      "to stay below the bound. High and to the left is better.");
+  figure.add(std::move(panel),
+             "Each scheme by the smoothness of its regular surfaces (the lower end of a proved "
+             "bracket, 0 where none is proved) and by the number of control edges that a wave must "
+             "be long for its artifacts "
+             "to stay below the bound. High and to the left is better.");
   return figure;
 }
 
