@@ -52,7 +52,7 @@ void SharpnessOptions::declare(CLI::App& command) {
 
 namespace {
 
-/// What keeps a cut mesh's copies together [DeRoseKassTruong1998; OpenSubdiv].
+/// What keeps a cut mesh's copies together [DeRoseKassTruong1998].
 void add_cuts(ControlMesh& control, const Scheme& scheme, Sharpness& sharpness) {
   if (control.cut_tags.empty()) return;
   Status takes = apply_tags(control.mesh, {}, control.cut_tags, sharpness);

@@ -59,7 +59,7 @@ TEST(Eigencomponents, OfTheBoundedCatmullClarkAreBounded) {
   }
 }
 
-/// [Labsik, Greiner 2000]: (2/3)cos(π/n), and its square twice.
+/// (Labsik, Greiner 2000): (2/3)cos(π/n), and its square twice.
 TEST(Eigencomponents, OfTheInterpolatingSqrt3AreItsAuthors) {
   for (int n = 3; n <= 20; ++n) {
     const Eigencomponents components = at("sqrt3-interpolating", n);

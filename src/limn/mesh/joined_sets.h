@@ -1,6 +1,6 @@
 #pragma once
 /// Sets of things that are joined pair by pair; each thing has a parity relative to its set's root,
-/// which says whether it faces the other way. [Tarjan 1975: union-find, with path compression]
+/// which says whether it faces the other way. (union-find, with path compression)
 
 #include <numeric>
 #include <vector>

@@ -51,11 +51,11 @@ struct Repaired {
   std::vector<Index> vertex_of;  ///< the vertex of the input that each is, or is a copy of
   /// Of each vertex of the input the one in whose place it was joined, itself where it was not.
   std::vector<Index> joined_with;
-  std::vector<Index> face_of;    ///< the face of the input that each is, or is a part of
+  std::vector<Index> face_of;  ///< the face of the input that each is, or is a part of
   /// The corner of the input, of all its corners, that each is; kNone of a new one: where a facet
   /// without area lay on the longer side of its neighbour, that is cut.
   std::vector<Index> corner_of;
-  /// Copies of a cut vertex that OpenSubdiv holds sharp [DeRose, Kass, Truong 1998; OpenSubdiv]:
+  /// Copies of a cut vertex that OpenSubdiv holds sharp [DeRoseKassTruong1998]:
   /// all but those where two edges of more than two faces meet and go on as a crease. For those who
   /// refine with sharpness.
   std::vector<Index> sharp_vertices;
