@@ -13,7 +13,8 @@ namespace {
 
 const std::vector<std::string> kSchemes = {
     "loop",          "butterfly",      "interpolating-loop", "sqrt3",        "doo-sabin",
-    "catmull-clark", "laplacian-loop", "four-eight",         "loop-ternary", "butterfly-ternary", "midedge"};
+    "catmull-clark", "laplacian-loop", "four-eight",         "loop-ternary", "butterfly-ternary",
+    "midedge"};
 
 void expect_components(const TorusWave& torus, const std::vector<Frequency>& waves,
                        const std::vector<double>& predicted, const std::string& what) {

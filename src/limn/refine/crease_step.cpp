@@ -28,8 +28,8 @@ Status check_takes_sharpness(const Scheme& scheme, const Sharpness& sharpness) {
                              scheme.name, what, split.name),
                  "leave the tags out, or take a scheme that keeps old vertices"};
   if (split.births.thirds)
-    return Error{fmt::format("{} takes no {}: its split, {}, cuts edges in three", scheme.name, what,
-                             split.name),
+    return Error{fmt::format("{} takes no {}: its split, {}, cuts edges in three", scheme.name,
+                             what, split.name),
                  "leave the tags out, or take a scheme with a dyadic split"};
   if (split.boundary_rests() && sharpness.fades())
     return Error{fmt::format("{} takes infinite sharpness only, {} or more: its split, {}, divides "

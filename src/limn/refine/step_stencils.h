@@ -251,7 +251,8 @@ class StepStencils {
 
   template <class Sink>
   void visit_boundary_third(const EdgeChild& child, Sink& sink) const {
-    const Index near = child.at_target ? mesh_.target(child.halfedge) : mesh_.origin(child.halfedge);
+    const Index near =
+        child.at_target ? mesh_.target(child.halfedge) : mesh_.origin(child.halfedge);
     visit_row(RuleKind::boundary_edge_end, child.halfedge, child.at_target,
               tables_.row(RuleKind::boundary_edge_end, valence(near)), sink);
   }

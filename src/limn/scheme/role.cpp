@@ -6,8 +6,8 @@ namespace {
 constexpr std::size_t kLongestWalk = 24;  // farther than any stencil in use; bounds the lattices
 
 constexpr std::array<std::string_view, kRuleKinds> kRuleNames{
-    "vertex",   "edge",   "edge-end",        "edge-third",    "face",
-    "face-end", "corner", "boundary.vertex", "boundary.edge", "boundary.edge-end",
+    "vertex",        "edge",   "edge-end",        "edge-third",    "face",
+    "face-end",      "corner", "boundary.vertex", "boundary.edge", "boundary.edge-end",
     "boundary.spoke"};
 
 constexpr unsigned bit(RuleKind kind) { return 1U << static_cast<unsigned>(kind); }

@@ -31,9 +31,9 @@ class Reach {
     const Distance face = of_face_rule();
     int reach = 0;
     std::string far;
-    for (const RuleKind kind : {RuleKind::vertex, RuleKind::edge, RuleKind::edge_end,
-                                RuleKind::edge_third, RuleKind::face, RuleKind::face_end,
-                                RuleKind::corner})
+    for (const RuleKind kind :
+         {RuleKind::vertex, RuleKind::edge, RuleKind::edge_end, RuleKind::edge_third,
+          RuleKind::face, RuleKind::face_end, RuleKind::corner})
       for_each_weight(kind, [&](const Weight& weight) {
         Distance way = of(weight.walk);
         if (weight.walk.reads_face)

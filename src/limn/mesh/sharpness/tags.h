@@ -56,7 +56,8 @@ struct SharpnessTags {
 /// what is sharp comes first. Fails, with the line, where a number is that of no vertex or face, or
 /// where no edge joins two vertices of a crease. `source` tells faces and vertices of the mesh from
 /// those of its file, whose numbers the tags have: of a vertex that was joined with another, that
-/// one is meant; of one that was cut, all copies; of one that was dropped, nothing. Cost O(size of the tags, times the valence of their vertices; with holes, F).
+/// one is meant; of one that was cut, all copies; of one that was dropped, nothing. Cost O(size of
+/// the tags, times the valence of their vertices; with holes, F).
 [[nodiscard]] Status apply_tags(const Mesh& mesh, const MeshSource& source,
                                 const SharpnessTags& tags, Sharpness& sharpness);
 
