@@ -18,6 +18,18 @@ inline void check(bool holds, const char* what) {
   std::abort();
 }
 
+/// The invariants that every reader promises.
+inline void check_mesh(const Polygons& mesh) {
+  check(mesh.vertex_count() > 0 && mesh.face_count() > 0, "not empty");
+  check(mesh.face_begin.front() == 0 &&
+            mesh.face_begin.back() == static_cast<Index>(mesh.corners.size()),
+        "offsets span the corners");
+  for (Index face = 0; face < mesh.face_count(); ++face)
+    check(mesh.degree(face) >= 3, "three corners or more");
+  for (const Index vertex : mesh.corners)
+    check(vertex >= 0 && vertex < mesh.vertex_count(), "indices in range");
+}
+
 /// Read with its faults, a file is surveyed and repaired; repaired, it is a surface, unless corners
 /// are no vertices.
 inline void check_kept_faults(const std::string& content, const char* extension) {

@@ -14,23 +14,9 @@
 
 namespace {
 
-using limn::Index;
 using limn::Polygons;
 using limn::fuzz::check;
-
-/// The invariants that every reader promises.
-void check_mesh(const Polygons& mesh) {
-  check(mesh.vertex_count() > 0 && mesh.face_count() > 0, "not empty");
-  check(mesh.face_begin.front() == 0 &&
-            mesh.face_begin.back() == static_cast<Index>(mesh.corners.size()),
-        "offsets span the corners");
-  for (Index face = 0; face < mesh.face_count(); ++face) {
-    check(mesh.degree(face) >= 3, "three corners or more");
-  }
-  for (const Index vertex : mesh.corners) {
-    check(vertex >= 0 && vertex < mesh.vertex_count(), "indices in range");
-  }
-}
+using limn::fuzz::check_mesh;
 
 void check_round_trip(const Polygons& mesh, const char* extension) {
   const limn::Result<std::string> text = limn::format_mesh(extension, mesh);

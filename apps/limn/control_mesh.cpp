@@ -12,6 +12,7 @@
 #include "limn/mesh/mesh_faults.h"
 #include "limn/mesh/polygon/triangulate.h"
 #include "limn/mesh/repair/survey.h"
+#include "limn/mesh/sharpness/cut_tags.h"
 
 namespace limn::app {
 namespace {
@@ -41,19 +42,6 @@ Status check_mesh_path(const std::string& path) {
   return check_readable(path);
 }
 
-namespace {
-
-/// What a cut holds sharp, for ever.
-SharpnessTags sharp_cuts(const Repaired& repaired) {
-  SharpnessTags tags;
-  for (const Index v : repaired.sharp_vertices) tags.corners.push_back({v, kInfinitelySharp});
-  for (const auto& [a, b] : repaired.sharp_edges)
-    tags.creases.push_back({{a, b}, {kInfinitelySharp}});
-  return tags;
-}
-
-}  // namespace
-
 Result<MeshFile> read_mesh_argument(const std::string& path, const ReadOptions& options) {
   set_step("reading " + path);
   if (path != kStandardStream) return read_mesh_file(path, options);
@@ -72,7 +60,7 @@ Result<Prepared> prepare(MeshFile& file, const MeshPreparation& preparation) {
     }
     file.source = source_of(*repaired, file.source);
     file.polygons = std::move(repaired->polygons);
-    prepared = {std::move(repaired->done), sharp_cuts(*repaired)};
+    prepared = {std::move(repaired->done), cut_tags(*repaired)};
   }
   if (preparation.triangulate) {
     Result<Triangulation> cut = limn::triangulate(file.polygons);

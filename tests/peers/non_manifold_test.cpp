@@ -15,7 +15,7 @@
 #include "limn/mesh/flag.h"
 #include "limn/mesh/mesh_faults.h"
 #include "limn/mesh/repair/repair.h"
-#include "limn/mesh/sharpness/tags.h"
+#include "limn/mesh/sharpness/cut_tags.h"
 #include "limn/refine/refine.h"
 #include "peer_test.h"
 
@@ -45,12 +45,9 @@ PeerTags tags_of_cut(const Repaired& cut) {
 
 /// The cut mesh refined by limn, its copies joined again.
 Polygons refined_by_us(const char* scheme, const Repaired& cut) {
-  SharpnessTags tags;
-  for (const Index v : cut.sharp_vertices) tags.corners.push_back({v, kInfinitelySharp});
-  for (const auto& [a, b] : cut.sharp_edges) tags.creases.push_back({{a, b}, {kInfinitelySharp}});
   const Mesh mesh = Mesh::build(cut.polygons).value();
   Sharpness sharpness;
-  EXPECT_TRUE(apply_tags(mesh, {}, tags, sharpness).ok());
+  EXPECT_TRUE(apply_tags(mesh, {}, cut_tags(cut), sharpness).ok());
   const auto fine =
       refine(find_scheme(scheme).value(), mesh, cut.polygons.positions, kLevels, {}, sharpness)
           .value();

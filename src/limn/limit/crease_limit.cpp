@@ -177,7 +177,7 @@ class CreaseLimit {
   }
 
  private:
-  enum class Kind : std::uint8_t { smooth, dart, crease, corner };
+  using Kind = CreaseStep::Rule;
 
   void classify() {
     std::vector<Index> count(at(mesh_.vertex_count()), 0);
@@ -191,12 +191,8 @@ class CreaseLimit {
     const bool far = goes_far(scheme_);
     std::vector<Index> near;
     for (Index v = 0; v < mesh_.vertex_count(); ++v) {
-      const bool own = !sharpness_.vertices.empty() && sharpness_.vertices[at(v)] > 0;
-      const Index n = count[at(v)];
-      kinds_.push_back(own || n > 2 ? Kind::corner
-                       : n == 2     ? Kind::crease
-                       : n == 1     ? Kind::dart
-                                    : Kind::smooth);
+      const double own = sharpness_.vertices.empty() ? 0 : sharpness_.vertices[at(v)];
+      kinds_.push_back(CreaseStep::rule_of(own, count[at(v)]));
       if (kinds_.back() == Kind::dart || (far && kinds_.back() == Kind::corner)) near.push_back(v);
       if (kinds_.back() == Kind::dart) local_.push_back(v);
     }

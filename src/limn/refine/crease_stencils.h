@@ -130,7 +130,7 @@ class CreaseStencils {
     const CreaseStep::View& view = step_.now();
     const bool sides = view.next[view.first[i]] != kNone;
     if (!sides) return visit_smooth(i, 1, sink);
-    const Index h = halfedge_of_child(step_.mesh(), births_, i - edges_at_);
+    const Index h = edge_child(step_.mesh(), births_, i - edges_at_).halfedge;
     const CreaseStep::EdgeRules rules = step_.rules_of_edge(step_.mesh().edge(h));
     visit_now(i, rules.part, sink);
     if (rules.part != 1) visit_after(rules.view, i, 1 - rules.part, sink);

@@ -82,12 +82,6 @@ class CreaseStep::Maker {
   /// Whether just one of the edge's children is sharp.
   [[nodiscard]] bool is_mixed(Index e) const { return (child(e, 0) > 0) != (child(e, 1) > 0); }
 
-  static Rule rule_of(double own, Index sharp_edges) {
-    if (own > 0 || sharp_edges > 2) return Rule::corner;
-    if (sharp_edges == 2) return Rule::crease;
-    return sharp_edges == 1 ? Rule::dart : Rule::smooth;
-  }
-
   /// The rules of all vertices.
   void classify() {
     struct Count {
@@ -293,7 +287,7 @@ double CreaseStep::part_near(Index fine_vertex) const {
       h = mesh_->rotate(h);
     } while (h != first && h != kNone);
   } else if (face < 0) {
-    const Index h = halfedge_of_child(*mesh_, births, edge);
+    const Index h = edge_child(*mesh_, births, edge).halfedge;
     add(mesh_->origin(h));
     add(mesh_->target(h));
   } else {

@@ -28,8 +28,9 @@
 namespace limn {
 
 /// Whether a scheme can take the sharpness of a mesh: it has rules for boundaries (the error names
-/// the first that is missing), its split is no dual one, and where the split leaves the boundary
-/// alone in every second step, there are no holes, and what is sharp is infinitely so.
+/// the first that is missing), its split is no dual one, that split does not cut edges in
+/// three, and where it leaves the boundary alone in every second step, there are no holes, and what
+/// is sharp is infinitely so.
 [[nodiscard]] Status check_takes_sharpness(const Scheme& scheme, const Sharpness& sharpness);
 
 /// One step; it keeps the meshes that it was made of.
@@ -44,6 +45,12 @@ class CreaseStep {
   };
   /// What makes a vertex's child.
   enum class Rule : std::uint8_t { smooth, dart, crease, corner };
+  /// By the vertex's own sharpness, and the number of sharp edges at it.
+  [[nodiscard]] static Rule rule_of(double own, Index sharp_edges) {
+    if (own > 0 || sharp_edges > 2) return Rule::corner;
+    if (sharp_edges == 2) return Rule::crease;
+    return sharp_edges == 1 ? Rule::dart : Rule::smooth;
+  }
   struct VertexRules {
     Rule now = Rule::smooth, after = Rule::smooth;  ///< by its sharpness, and by its child's
     Index view = 0;                                 ///< of `after`, among `afters`

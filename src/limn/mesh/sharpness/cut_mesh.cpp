@@ -85,19 +85,18 @@ class Joining {
     number_.assign(cut_.originals.begin(), cut_.originals.end());
     std::map<Index, Index> of_place;  // twice the half-edge that stands for the edge, + the end
     for (Index i = 0; i < old.from_edges; ++i) {
-      const Index h = halfedge_of_child(cut_.mesh, old, i);
-      const Index stands = mesh_.halfedge_of_edge(mesh_.edge(h));
-      const bool ends = !old.edge_ends.empty();
-      const Index end = ends ? old.edge_ends[at(i)] % 2 : 0;
-      const Index place = 2 * stands + (ends && stands != h ? 1 - end : end);
+      const EdgeChild child = edge_child(cut_.mesh, old, i);
+      const Index stands = mesh_.halfedge_of_edge(mesh_.edge(child.halfedge));
+      const bool turned = child.third && stands != child.halfedge;
+      const Index place = 2 * stands + (child.at_target != turned ? 1 : 0);
       const auto [found, fresh] = of_place.try_emplace(place, births_.from_edges);
       number_.push_back(births_.from_vertices + found->second);
       if (!fresh) continue;
       ++births_.from_edges;
-      if (ends)
+      if (child.third)
         births_.edge_ends.push_back(place);
       else
-        births_.edges.push_back(mesh_.edge(h));
+        births_.edges.push_back(mesh_.edge(child.halfedge));
     }
     births_.from_faces = old.from_faces;
     births_.faces = old.faces;

@@ -63,10 +63,6 @@ ChildSharpness child_sharpness(const Mesh& mesh, const Sharpness& sharpness) {
   return result;
 }
 
-Index halfedge_of_child(const Mesh& mesh, const Births& births, Index i) {
-  return edge_child(mesh, births, i).halfedge;
-}
-
 namespace {
 
 /// Which old edges and faces the refined ones lie on.
@@ -106,7 +102,7 @@ class Heritage {
   [[nodiscard]] Index halfedge_of(Index vertex) const {
     const Index i = vertex - fine_.births.from_vertices;
     if (i < 0 || i >= fine_.births.from_edges) return kNone;
-    return halfedge_of_child(mesh_, fine_.births, i);
+    return edge_child(mesh_, fine_.births, i).halfedge;
   }
   /// Between two children of one edge: they are numbered along halfedge_of_edge.
   [[nodiscard]] Index oriented_like_children(Index h, Index a, Index b) const {

@@ -82,9 +82,6 @@ struct ChildSharpness {
 [[nodiscard]] Sharpness inherit(const Mesh& mesh, const Sharpness& sharpness,
                                 const ChildSharpness& children, const SplitResult& fine);
 
-/// The old edge, by one of its half-edges, of the i-th of the vertices born from edges.
-[[nodiscard]] Index halfedge_of_child(const Mesh& mesh, const Births& births, Index i);
-
 /// How a boundary is read where nothing more is stated; the names are USD's.
 enum class BoundaryMode : std::uint8_t {
   none,            ///< the faces at it are holes, but for vertices whose boundary edges are sharp

@@ -4,6 +4,8 @@
 #include <cassert>
 #include <cstddef>
 #include <limits>
+#include <utility>
+#include <vector>
 
 #include "limn/mesh/split/split.h"
 
@@ -61,6 +63,11 @@ inline Mesh::Arrays make_arrays(Index vertices, Index edges, Index degree,
   arrays.edge.resize(size);
   return arrays;
 }
+
+/// Each of these pairs of half-edges, the two sides of a 2-gon, becomes one edge, the one with the
+/// lower number; the numbers of edges close up over those that are gone. Cost O(half-edges) where
+/// there is one.
+void squeeze_two_gons(Mesh::Arrays& arrays, const std::vector<std::pair<Index, Index>>& sides);
 
 /// True where the triangle splits may be applied: every face (if any) has three corners.
 inline bool is_triangular(const Mesh& mesh) {

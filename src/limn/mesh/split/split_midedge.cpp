@@ -11,7 +11,6 @@
 // one point only; each has a copy of it then (the second ones follow the E first vertices, in order
 // of edges), and they part. So meshes that are to stay in one piece must be closed.
 
-#include <algorithm>
 #include <numeric>
 
 #include "limn/base/parallel.h"
@@ -38,7 +37,7 @@ class MidEdge {
     parallel_for_each(mesh_.vertex_count(), [&](Index v) {
       if (vertex_begin_[v] != kNone) make_vertex_face(v);
     });
-    squeeze_two_gons();
+    squeeze();
     out_.face_begin = std::move(face_begin_);
     return {Mesh::from_arrays(std::move(out_)), std::move(births_)};
   }
@@ -100,24 +99,13 @@ class MidEdge {
     }
   }
 
-  // the two sides of each 2-gon become one edge; edge ids close up over the lost ones
-  void squeeze_two_gons() {
-    std::vector<Index> lost;
+  void squeeze() {
+    std::vector<std::pair<Index, Index>> sides;
     for (const Index v : two_gons_) {
       const Index h = mesh_.halfedge_of_vertex(v);
-      const Index a = mesh_.prev(h), b = mesh_.prev(mesh_.rotate(h));
-      out_.twin[a] = b;
-      out_.twin[b] = a;
-      lost.push_back(std::max(a, b));
-      out_.edge[a] = out_.edge[b] = std::min(a, b);
+      sides.emplace_back(mesh_.prev(h), mesh_.prev(mesh_.rotate(h)));
     }
-    if (lost.empty()) return;
-    std::sort(lost.begin(), lost.end());
-    out_.edge_count -= static_cast<Index>(lost.size());
-    parallel_for_each(static_cast<Index>(out_.edge.size()), [&](Index i) {
-      const auto below = std::lower_bound(lost.begin(), lost.end(), out_.edge[i]);
-      out_.edge[i] -= static_cast<Index>(below - lost.begin());
-    });
+    squeeze_two_gons(out_, sides);
   }
 
   const Mesh& mesh_;

@@ -11,8 +11,6 @@
 // An inner vertex of valence 2 would give a 2-gon. It gives no face either: the two E-faces at
 // it meet directly, as if the 2-gon were squeezed to one edge.
 
-#include <algorithm>
-
 #include "limn/base/parallel.h"
 #include "limn/mesh/split/split_list.h"
 
@@ -64,7 +62,7 @@ class DualSplit {
     parallel_for_each(mesh_.vertex_count(), [&](Index v) {
       if (plan_.vertex_valence[v] >= 3) make_vertex_face(v);
     });
-    squeeze_two_gons();
+    squeeze();
   }
 
  private:
@@ -106,25 +104,14 @@ class DualSplit {
     }
   }
 
-  // the two sides of each 2-gon become one edge; edge ids close up over the lost ones
-  void squeeze_two_gons() {
-    std::vector<Index> lost;
+  void squeeze() {
+    std::vector<std::pair<Index, Index>> sides;
     for (Index v = 0; v < mesh_.vertex_count(); ++v) {
       if (plan_.vertex_valence[v] != 2) continue;
       const Index h = mesh_.halfedge_of_vertex(v);
-      const Index a = crossing(h), b = crossing(mesh_.rotate(h));
-      out_.twin[a] = b;
-      out_.twin[b] = a;
-      lost.push_back(std::max(out_.edge[a], out_.edge[b]));
-      out_.edge[a] = out_.edge[b] = std::min(out_.edge[a], out_.edge[b]);
+      sides.emplace_back(crossing(h), crossing(mesh_.rotate(h)));
     }
-    if (lost.empty()) return;
-    std::sort(lost.begin(), lost.end());
-    out_.edge_count -= static_cast<Index>(lost.size());
-    parallel_for_each(static_cast<Index>(out_.edge.size()), [&](Index i) {
-      const auto below = std::lower_bound(lost.begin(), lost.end(), out_.edge[i]);
-      out_.edge[i] -= static_cast<Index>(below - lost.begin());
-    });
+    squeeze_two_gons(out_, sides);
   }
 
   const Mesh& mesh_;

@@ -105,8 +105,7 @@ Figure field_figure(const Comparison& comparison) {
   figure.add(std::move(panel),
              "Each scheme by the smoothness of its regular surfaces (the lower end of a proved "
              "bracket, 0 where none is proved) and by the number of control edges that a wave must "
-             "be long for its artifacts "
-             "to stay below the bound. High and to the left is better.");
+             "be long for its artifacts to stay below the bound. High and to the left is better.");
   return figure;
 }
 

@@ -16,9 +16,9 @@ namespace limn {
 [[nodiscard]] std::string field_markdown(const Comparison& comparison);
 
 /// Each scheme at its sampling density (control edges per wavelength, by all artifacts, in the
-/// worst direction) and the lower end of the bracket of its Hölder exponent (0 where
-/// that is less). Schemes of which one
-/// is missing are left out. Marks tell on which lattice and whether the scheme interpolates.
+/// worst direction) and the lower end of the bracket of its Hölder exponent (0 where that
+/// is less). Schemes of which one is missing are left out. Marks tell on which lattice and whether
+/// the scheme interpolates.
 [[nodiscard]] Figure field_figure(const Comparison& comparison);
 
 }  // namespace limn
