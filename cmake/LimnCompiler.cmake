@@ -73,7 +73,9 @@ endif()
 # limn_flags(TARGET): C++20 without extensions, warnings, and the sanitizers that are on.
 function(limn_flags target)
   target_compile_features(${target} PUBLIC cxx_std_20)
-  set_target_properties(${target} PROPERTIES CXX_EXTENSIONS OFF)
+  # Code that can also be linked into the Python module; hidden, so that it costs the others nothing.
+  set_target_properties(${target} PROPERTIES CXX_EXTENSIONS OFF
+    POSITION_INDEPENDENT_CODE ON CXX_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON)
   target_compile_options(${target} PRIVATE
     -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -Wcast-qual -Woverloaded-virtual
     $<$<BOOL:${LIMN_WERROR}>:-Werror>)
