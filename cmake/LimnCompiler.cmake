@@ -65,9 +65,10 @@ endfunction()
 set(LIMN_SANITIZERS -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer)
 if(LIMN_SANITIZE STREQUAL thread)
   set(LIMN_SANITIZERS -fsanitize=thread -fno-omit-frame-pointer)
-  if(LIMN_SANITIZE_FOLDERS)
-    message(FATAL_ERROR "The thread sanitizer must see all of the library: leave LIMN_SANITIZE_FOLDERS empty")
-  endif()
+endif()
+if(NOT LIMN_FUZZ)
+  # Instrumented, code of std::regex looks to GCC 12 as though it read what was never written.
+  list(APPEND LIMN_SANITIZERS -Wno-maybe-uninitialized)
 endif()
 
 # limn_flags(TARGET): C++20 without extensions, warnings, and the sanitizers that are on.
@@ -85,8 +86,6 @@ function(limn_flags target)
       $<$<NOT:$<CONFIG:Debug>>:-Wno-restrict -Wno-maybe-uninitialized>)
   endif()
   if(LIMN_SANITIZE)
-    # Instrumented, code of std::regex looks to GCC 12 as though it read what was never written.
-    target_compile_options(${target} PRIVATE -Wno-maybe-uninitialized)
     if(NOT LIMN_SANITIZE_FOLDERS)
       target_compile_options(${target} PRIVATE ${LIMN_SANITIZERS})
     endif()
@@ -100,14 +99,24 @@ endfunction()
 
 # limn_sanitize_folders(TARGET): where LIMN_SANITIZE_FOLDERS says which, its sources in these are
 # compiled with the sanitizers. The others are what any other build makes, so that a cache has them.
+# The thread sanitizer must see all that synchronises, and need not see tests, which run on one
+# thread.
 function(limn_sanitize_folders target)
   if(NOT LIMN_SANITIZE OR NOT LIMN_SANITIZE_FOLDERS)
     return()
   endif()
   list(JOIN LIMN_SANITIZE_FOLDERS "|" folders)
   get_target_property(sources ${target} SOURCES)
+  set(trees "src/limn|tests")
+  set(synchronises "")
+  if(LIMN_SANITIZE STREQUAL thread)
+    set(trees "src/limn")
+  endif()
   foreach(source IN LISTS sources)
-    if(source MATCHES "/(src/limn|tests)/(${folders})/"
+    if(LIMN_SANITIZE STREQUAL thread AND source MATCHES "/src/limn/")
+      file(STRINGS ${source} synchronises REGEX "std::(atomic|mutex|thread|jthread|condition_variable|call_once)")
+    endif()
+    if(source MATCHES "/(${trees})/(${folders})/" OR synchronises
        OR (source MATCHES "/apps/" AND "command" IN_LIST LIMN_SANITIZE_FOLDERS))
       set_property(SOURCE ${source} APPEND PROPERTY COMPILE_OPTIONS ${LIMN_SANITIZERS})
     endif()

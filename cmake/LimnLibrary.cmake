@@ -51,7 +51,8 @@ limn_precompile(limn <Eigen/Dense> <fmt/core.h>)
 
 if(LIMN_SANITIZE STREQUAL thread)
   # It does not see how TBB's tasks synchronise.
-  target_compile_definitions(limn PRIVATE LIMN_PLAIN_THREADS=1)
+  set_source_files_properties(${PROJECT_SOURCE_DIR}/src/limn/base/parallel.cpp
+    PROPERTIES COMPILE_DEFINITIONS LIMN_PLAIN_THREADS=1)
 elseif(LIMN_HAS_TBB)
   target_compile_definitions(limn PRIVATE LIMN_HAS_TBB=1)
   target_link_libraries(limn PRIVATE TBB::tbb)
