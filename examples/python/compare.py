@@ -42,7 +42,7 @@ for name in NAMES:
         for tolerance in tolerances
     ]
     print(name, [round(density, 2) for density in densities])
-    axis.loglog(tolerances, densities, "o-", label=name)
+    axis.semilogx(tolerances, densities, "o-", label=name)
 axis.set_xlabel("artifacts allowed, percent of the signal")
 axis.set_ylabel("control edges per wavelength")
 axis.legend()
