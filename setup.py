@@ -1,7 +1,7 @@
 """Builds the Python module by CMake: pip install --no-build-isolation .
 
 The compiler, CMake, Ninja and the libraries of packages.txt ([product]) must be there. The build
-folder is build/wheel, and stays.
+folder is build/wheel, and stays. LIMN_BUILT=FOLDER: another one, whose module is taken as it is.
 """
 
 import os
@@ -22,15 +22,18 @@ class CMakeBuild(build_ext):
     """The extension, made by the target limn_python."""
 
     def build_extension(self, ext):
-        configure = ["cmake", "--preset", "release", "-B", str(BUILD)]
-        configure += [f"-DLIMN_PYTHON_EXECUTABLE={sys.executable}", "-DLIMN_PYTHON=ON"]
-        subprocess.run(configure, cwd=ROOT, check=True)
-        jobs = os.environ.get("LIMN_JOBS", str(os.cpu_count() or 1))
-        build = ["cmake", "--build", str(BUILD), "--target", "limn_python", "--parallel", jobs]
-        subprocess.run(build, cwd=ROOT, check=True)
+        built = os.environ.get("LIMN_BUILT")
+        folder = pathlib.Path(built).resolve() if built else BUILD
+        if not built:
+            configure = ["cmake", "--preset", "release", "-B", str(folder)]
+            configure += [f"-DLIMN_PYTHON_EXECUTABLE={sys.executable}", "-DLIMN_PYTHON=ON"]
+            subprocess.run(configure, cwd=ROOT, check=True)
+            jobs = os.environ.get("LIMN_JOBS", str(os.cpu_count() or 1))
+            build = ["cmake", "--build", str(folder), "--target", "limn_python"]
+            subprocess.run([*build, "--parallel", jobs], cwd=ROOT, check=True)
         made = pathlib.Path(self.get_ext_fullpath(ext.name)).resolve()
         made.parent.mkdir(parents=True, exist_ok=True)
-        found = BUILD / "python" / "limn" / made.name
+        found = folder / "python" / "limn" / made.name
         if not found.is_file():
             sys.exit(f"CMake made no {found}: are pybind11 and NumPy there?")
         shutil.copyfile(found, made)

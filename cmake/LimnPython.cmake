@@ -31,8 +31,10 @@ target_compile_definitions(limn_python PRIVATE LIMN_VERSION="${PROJECT_VERSION}"
 target_include_directories(limn_python SYSTEM PRIVATE ${LIMN_PYBIND11_INCLUDE_DIR})
 target_link_libraries(limn_python PRIVATE
   limn::limn Python3::NumPy nlohmann_json::nlohmann_json)
-# What pybind11 inlines looks to GCC 12 as though it went beyond arrays.
-target_compile_options(limn_python PRIVATE -Wno-array-bounds -Wno-stringop-overflow)
+if(CMAKE_CXX_COMPILER_ID STREQUAL GNU AND NOT LIMN_LINT)
+  # What pybind11 inlines looks to GCC 12 as though it went beyond arrays.
+  target_compile_options(limn_python PRIVATE -Wno-array-bounds -Wno-stringop-overflow)
+endif()
 limn_optimise_less(limn_python)
 limn_precompile(limn_python <pybind11/numpy.h> <pybind11/stl.h> <nlohmann/json.hpp>)
 
