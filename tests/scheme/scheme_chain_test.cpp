@@ -163,5 +163,25 @@ TEST(SetParameters, EachOnce) {
             find_scheme("butterfly")->parameters.front().value.expression.text());
 }
 
+TEST(SchemeChain, FromItsOwnTextsAlone) {
+  const Files files{{"root", kRoot},
+                    {"middle", "extends = \"root\"\n"},
+                    {"leaf", "extends = \"middle\"\ntitle = \"leaf\"\n"}};
+  const Result<Scheme> read = read_of(files, "leaf");
+  ASSERT_TRUE(read.ok()) << read.error().text();
+  ASSERT_EQ(read->texts.size(), 3U);
+  const Result<Scheme> again = parse_texts(read->texts);
+  ASSERT_TRUE(again.ok()) << again.error().text();
+  EXPECT_EQ(again->title, "leaf");
+  EXPECT_EQ(again->name, read->name);
+  std::vector<SourceText> texts = read->texts;
+  texts.pop_back();
+  EXPECT_FALSE(parse_texts(texts).ok());
+  texts = read->texts;
+  texts.push_back(texts.back());
+  EXPECT_FALSE(parse_texts(texts).ok());
+  EXPECT_FALSE(parse_texts({}).ok());
+}
+
 }  // namespace
 }  // namespace limn

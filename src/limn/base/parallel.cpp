@@ -2,6 +2,9 @@
 
 #include <atomic>
 #include <memory>
+#include <utility>
+
+#include "limn/base/interrupt.h"
 
 #if defined(LIMN_PLAIN_THREADS)
 #include <exception>
@@ -17,9 +20,13 @@ namespace limn {
 namespace {
 
 std::atomic<int> limit{0};
+thread_local InterruptCheck interrupt_check = nullptr;
 
 void run_serially(std::ptrdiff_t count, void (*chunk)(void*, std::ptrdiff_t), void* context) {
-  for (std::ptrdiff_t c = 0; c < count; ++c) chunk(context, c);
+  for (std::ptrdiff_t c = 0; c < count; ++c) {
+    check_interrupt();
+    chunk(context, c);
+  }
 }
 
 #if defined(LIMN_PLAIN_THREADS)
@@ -72,18 +79,30 @@ void set_thread_limit(int threads) { limit = threads > 0 ? threads : 0; }
 
 int thread_limit() { return limit; }
 
+InterruptCheck set_interrupt_check(InterruptCheck check) {
+  return std::exchange(interrupt_check, check);
+}
+
+void check_interrupt() {
+  if (interrupt_check != nullptr) interrupt_check();
+}
+
 namespace detail {
 
 void run_chunks(std::ptrdiff_t count, void (*chunk)(void* context, std::ptrdiff_t c),
                 void* context) {
   const int most = limit;
 #if defined(LIMN_PLAIN_THREADS)
+  check_interrupt();  // as none of the threads is the calling one
   if (count > 1 && most != 1 && !inside_a_loop)
     return run_on_plain_threads(count, most == 0 ? 4 : most, chunk, context);
 #elif defined(LIMN_HAS_TBB)
   if (count > 1 && most != 1) {
     const auto loop = [&] {
-      tbb::parallel_for(std::ptrdiff_t{0}, count, [&](std::ptrdiff_t c) { chunk(context, c); });
+      tbb::parallel_for(std::ptrdiff_t{0}, count, [&](std::ptrdiff_t c) {
+        check_interrupt();  // of the thread that called; others have none
+        chunk(context, c);
+      });
     };
     if (most == 0) return loop();
     return arena(most)->execute(loop);

@@ -187,18 +187,8 @@ Status check_all(const Scheme& scheme, const RegularProof& regular,
 }
 
 Result<Scheme> scheme_of(const Certificate& certificate) {
-  if (certificate.texts.empty()) return Error{"there is no text of a scheme in it"};
-  std::size_t next = 1;
-  const SchemeLoader load = [&](const std::string& name, const std::string&) -> Result<SchemeText> {
-    if (next >= certificate.texts.size() || certificate.texts[next].name != name)
-      return Error{fmt::format("the text of '{}' is not in the certificate", name)};
-    const SourceText& text = certificate.texts[next++];
-    return SchemeText{text.text, name, fmt::format("{} {}", next, name)};
-  };
-  Result<Scheme> scheme =
-      parse_scheme(certificate.texts.front().text, certificate.texts.front().name, load);
+  Result<Scheme> scheme = parse_texts(certificate.texts);
   if (!scheme) return scheme;
-  if (next != certificate.texts.size()) return Error{"it has texts that the scheme does not use"};
   if (Status set = set_parameters(*scheme, certificate.parameters); !set) return set.error();
   if (scheme->name != certificate.scheme)
     return Error{fmt::format("it is called a certificate of '{}', and its text is that of '{}'",

@@ -232,6 +232,20 @@ Result<Scheme> parse_scheme(std::string_view text, const std::string& path,
   return parse_first({std::string(text), path, path}, load);
 }
 
+Result<Scheme> parse_texts(const std::vector<SourceText>& texts) {
+  if (texts.empty()) return Error{"there is no text of a scheme in it"};
+  std::size_t next = 1;
+  const SchemeLoader load = [&](const std::string& name, const std::string&) -> Result<SchemeText> {
+    if (next >= texts.size() || texts[next].name != name)
+      return Error{fmt::format("the text of '{}' is not in it", name)};
+    const SourceText& text = texts[next++];
+    return SchemeText{text.text, name, fmt::format("{} {}", next, name)};
+  };
+  Result<Scheme> scheme = parse_scheme(texts.front().text, texts.front().name, load);
+  if (scheme && next != texts.size()) return Error{"it has texts that the scheme does not use"};
+  return scheme;
+}
+
 Result<Scheme> parse_scheme(std::string_view text, const std::string& path) {
   return parse_first({std::string(text), path, path.empty() ? path : file_id(path)},
                      load_scheme_text);

@@ -5,6 +5,7 @@
 #include <functional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "limn/base/error.h"
 #include "limn/scheme/scheme.h"
@@ -30,5 +31,9 @@ using SchemeLoader =
 /// parse_scheme (scheme.h), with other files from `load`. At most nine files extend one another.
 [[nodiscard]] Result<Scheme> parse_scheme(std::string_view text, const std::string& path,
                                           const SchemeLoader& load);
+
+/// The scheme that was read from these texts (Scheme::texts), and from nothing else: no file is
+/// opened. Fails as parse_scheme, where a text is missing, and where one is left over.
+[[nodiscard]] Result<Scheme> parse_texts(const std::vector<SourceText>& texts);
 
 }  // namespace limn

@@ -1,0 +1,89 @@
+"""What calling limn from Python costs, beside the command in the same run.
+
+    ./dev build && PYTHONPATH=build/release/python /usr/bin/python3 bench/python.py
+
+Rows: refinement by `Scheme.refine` and by `Refiner.evaluate` against the seconds that `limn refine
+--json` states of the same mesh, scheme and levels; and a call that evaluates next to nothing. Times
+are the least of several runs.
+"""
+
+import json
+import pathlib
+import subprocess
+import tempfile
+import time
+
+import numpy as np
+
+import limn
+
+ROOT = pathlib.Path(__file__).resolve().parents[1]
+COMMAND = ROOT / "build" / "release" / "bin" / "limn"
+RUNS = 7
+
+
+def least(call):
+    times = []
+    for _ in range(RUNS):
+        start = time.perf_counter()
+        call()
+        times.append(time.perf_counter() - start)
+    return min(times)
+
+
+def seconds_of_command(mesh, scheme, levels, folder):
+    # OBJ is written once the mesh is made, so that the seconds are those of refinement alone
+    words = [COMMAND, "refine", mesh, "-s", scheme, "-n", str(levels), "--json"]
+    words += ["-o", folder / "fine.glb"]
+    runs = [subprocess.run(words, capture_output=True, check=True) for _ in range(RUNS)]
+    return min(json.loads(run.stdout)["seconds"] for run in runs)
+
+
+def refinement(folder):
+    print(f"{'scheme':>14} {'levels':>6} {'vertices':>9}   {'limn refine':>11} {'refine':>9}"
+          f" {'float32':>9} {'Refiner':>9}   [ms]")
+    for name, scheme, levels in (
+        ("bracket.obj", "loop", 6),
+        ("bracket.obj", "butterfly", 6),
+        ("bracket.obj", "sqrt3", 8),
+        ("bracket-quads.obj", "catmull-clark", 6),
+        ("bracket-quads.obj", "doo-sabin", 6),
+    ):
+        mesh = ROOT / "examples" / name
+        V, F = limn.read_mesh(mesh)
+        small = V.astype(np.float32)
+        data = limn.Scheme(scheme)
+        refiner = limn.Refiner(data, F, levels, len(V))
+        out = np.empty((refiner.vertex_count, 3))
+        times = [
+            seconds_of_command(mesh, scheme, levels, folder),
+            least(lambda: data.refine(V, F, levels)),
+            least(lambda: data.refine(small, F, levels)),
+            least(lambda: refiner.evaluate(V, out)),
+        ]
+        row = "  ".join(f"{1000 * seconds:8.2f}" for seconds in times)
+        print(f"{scheme:>14} {levels:>6} {refiner.vertex_count:>9}      {row}")
+
+
+def overhead():
+    V = np.array([[1, 1, 1], [1, -1, -1], [-1, 1, -1], [-1, -1, 1]], dtype=float)
+    F = np.array([[0, 1, 2], [0, 3, 1], [0, 2, 3], [1, 3, 2]], dtype=np.int32)
+    loop = limn.Scheme("loop")
+    refiner, out = limn.Refiner(loop, F, 0), np.empty((4, 3))
+    count = 20_000
+
+    def many(call):
+        def run():
+            for _ in range(count):
+                call()
+
+        return 1e9 * least(run) / count
+
+    print(f"{many(lambda: refiner.evaluate(V, out)):8.0f} ns  refiner.evaluate(V, out), no levels")
+    print(f"{many(lambda: refiner.evaluate(V)):8.0f} ns  refiner.evaluate(V), no levels")
+    print(f"{many(lambda: loop.name):8.0f} ns  scheme.name")
+
+
+with tempfile.TemporaryDirectory() as temporary:
+    refinement(pathlib.Path(temporary))
+overhead()

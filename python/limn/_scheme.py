@@ -1,0 +1,495 @@
+"""Schemes, and all that is computed from one alone."""
+
+from __future__ import annotations
+
+import os
+from fractions import Fraction
+from typing import Any, Iterable, Mapping, Optional, Sequence, Union, overload
+
+import numpy as np
+import numpy.typing as npt
+
+from . import _limn
+from ._errors import Error, SchemeError
+from ._pictures import Picture, table
+from ._results import (
+    ArtifactMap,
+    Certificate,
+    CharacteristicMap,
+    Eigen,
+    Regularity,
+    Tuning,
+)
+from ._surface import Array, Surface
+
+Number = Union[int, float, Fraction, str]
+LARGEST_VALENCE = 2000
+
+
+def _assignment(name: str, value: Number) -> str:
+    if isinstance(value, str):
+        return f"{name}={value}"
+    try:
+        exact = Fraction(value)
+    except (ValueError, OverflowError, TypeError):
+        raise SchemeError(f"parameter {name}: {value!r} is no number") from None
+    return f"{name}={exact.numerator}/{exact.denominator}"
+
+
+def _valences(valences: int | Iterable[int], least: int = 2) -> list[int]:
+    """One or many, checked."""
+    many = valences if isinstance(valences, Iterable) else [valences]
+    checked = []
+    for valence in many:
+        number = int(valence)
+        if number != valence or not least <= number <= LARGEST_VALENCE:
+            raise Error(f"valence {valence} is not from {least} to {LARGEST_VALENCE}")
+        checked.append(number)
+    return checked
+
+
+def _seconds(seconds: Optional[float]) -> float:
+    """0 and None: without end."""
+    if seconds is not None and not seconds >= 0:
+        raise Error(f"{seconds} is no number of seconds")
+    return float(seconds) if seconds else float("inf")
+
+
+class Scheme:
+    """A subdivision scheme.
+
+    ``source`` is a shipped name (``limn.schemes()``), the path of a scheme file, or, as it has a
+    line feed, the text of one. ``parameters`` sets parameters to numbers or expressions:
+    ``{"a": "1/16"}``; floats are taken as the fractions that they are. Raises SchemeError with
+    file, line and column. Two schemes are equal if their texts and parameters are.
+    """
+
+    _data: _limn.SchemeData
+
+    def __init__(
+        self,
+        source: str | os.PathLike[str],
+        parameters: Optional[Mapping[str, Number]] = None,
+    ) -> None:
+        assignments = [_assignment(name, value) for name, value in (parameters or {}).items()]
+        self._data = _limn.SchemeData(os.fspath(source), assignments)
+
+    def with_parameters(self, **parameters: Number) -> Scheme:
+        """The scheme with these parameters set; others stay as they are."""
+        copy = Scheme.__new__(Scheme)
+        copy._data = self._data.with_parameters(
+            [_assignment(name, value) for name, value in parameters.items()]
+        )
+        return copy
+
+    # What it is.
+
+    @property
+    def name(self) -> str:
+        """As the file states it, else the file's own."""
+        return self._data.name
+
+    @property
+    def title(self) -> str:
+        """One line."""
+        return self._data.title
+
+    @property
+    def split(self) -> str:
+        """How a step changes connectivity: "triangle-dyadic", …"""
+        return self._data.split
+
+    @property
+    def source(self) -> str:
+        """The literature that it is from."""
+        return self._data.source
+
+    @property
+    def notes(self) -> str:
+        """What a user should know."""
+        return self._data.notes
+
+    @property
+    def file(self) -> str:
+        """Its path; "NAME.toml" of a shipped one, "text" of a text."""
+        return self._data.file
+
+    @property
+    def text(self) -> str:
+        """The scheme file's content, TOML."""
+        return self._data.text
+
+    @property
+    def parameters(self) -> dict[str, str]:
+        """Expressions by name, as ``parameters=`` takes them."""
+        return self._data.parameters
+
+    def show(self, stencils: bool = False) -> dict[str, Any]:
+        """Rules, mask, factors, formulas, source: ``limn show --json``, weights as exact strings.
+
+        With ``stencils``, also where each weight lies round the new vertex.
+        """
+        shown: dict[str, Any] = self._data.show(stencils)
+        return shown
+
+    def summary(self) -> dict[str, Any]:
+        """Name, title, split and parameters: an entry of ``limn schemes --json``."""
+        summary: dict[str, Any] = self._data.summary()
+        return summary
+
+    def describe(self) -> str:
+        """All of ``show`` in words: ``limn show``."""
+        return self._data.describe()
+
+    def latex(self) -> str:
+        """Mask, factors, limit stencil and artifact formulas in LaTeX; needs amsmath."""
+        return self._data.latex()
+
+    def picture(self) -> Picture:
+        """The stencil of every case of every rule."""
+        return Picture(
+            lambda format: _limn.draw_stencils(self._data, format), f"stencils of {self.name}"
+        )
+
+    # Refinement.
+
+    def refine(
+        self,
+        vertices: npt.ArrayLike,
+        faces: Any,
+        levels: int = 1,
+        *,
+        limit: bool = False,
+        normals: bool = False,
+        curvatures: bool = False,
+        engine: str = "quick",
+        creases: Any = None,
+        crease_sharpness: Any = None,
+        corners: Any = None,
+        corner_sharpness: Any = None,
+        holes: Any = None,
+        crease_angle: Optional[float] = None,
+        boundary: Optional[str] = None,
+        crease_method: Optional[str] = None,
+    ) -> Surface:
+        """The mesh after so many steps: ``V, F = scheme.refine(V, F, 3)``.
+
+        ``vertices``: (n, 3), in any unit of length; float32 and float64 that are contiguous are read
+        where they are, and float32 gives float32. ``faces``: (m, k) integers from 0, a tuple
+        ``(corners, offsets)``, or a list of lists. The arrays given back own the memory that they
+        were made in.
+
+        ``limit`` moves the vertices to the limit surface, ``normals`` adds its unit normals (n, 3),
+        ``curvatures`` its principal curvatures (n, 2), in 1/length, largest first. What cannot be
+        had at some vertices is zero or NaN, with a LimnWarning and in ``.missing``.
+
+        ``engine``: "quick", or "plain" (step by step; the same surface, in another order).
+
+        Sharpness, with every scheme that has boundary rules: ``creases`` (e, 2) ends of edges with
+        ``crease_sharpness`` (one number or one for each; steps that they stay sharp, 10 and more,
+        as without it, for ever); ``corners`` (c) vertices and ``corner_sharpness`` alike; ``holes``
+        (h) faces that are left out; ``crease_angle`` in degrees between normals; ``boundary``
+        "none", "edgeOnly" or "edgeAndCorner"; ``crease_method`` "uniform" or "chaikin".
+
+        Raises MeshError for a mesh that is no surface, Error where the scheme cannot refine it.
+        Other Python threads run meanwhile; Ctrl-C ends it.
+        """
+        if engine not in ("quick", "plain"):
+            raise Error(f"engine {engine!r} is neither 'quick' nor 'plain'")
+        if crease_angle is not None and not 0 <= crease_angle <= 180:
+            raise Error(f"crease_angle {crease_angle} is not from 0 to 180 degrees")
+        tags = {
+            "creases": creases,
+            "crease_sharpness": crease_sharpness,
+            "corners": corners,
+            "corner_sharpness": corner_sharpness,
+            "holes": holes,
+        }
+        made = _limn.refine(
+            self._data,
+            vertices,
+            faces,
+            levels,
+            limit,
+            normals,
+            curvatures,
+            engine == "plain",
+            tags,
+            -1.0 if crease_angle is None else float(crease_angle),
+            boundary or "",
+            crease_method or "",
+        )
+        return Surface._of(made)
+
+    def limit_points(self, vertices: npt.ArrayLike, faces: Any) -> tuple[Array, Array]:
+        """(P, N): where the vertices of a mesh are on the limit surface, and its unit normals.
+
+        Arrays as for ``refine``. A vertex without a limit stays where it is, with a LimnWarning.
+        """
+        return _limn.limit_points(self._data, vertices, faces)
+
+    def limit_stencil(self, valence: int, *, boundary: bool = False) -> dict[str, Any]:
+        """The limit point and tangents at a vertex as weights of the points round it.
+
+        ``valence``: edges at an interior vertex (dual schemes: corners of a face); with
+        ``boundary``, faces at a vertex of the boundary, 1 or more. A dict of ``rings``,
+        ``position`` (weights that sum to 1, of the points of a star or fan in the order of
+        ``docs/coordinates.md``), ``first_tangent``, ``second_tangent`` (empty where there is no
+        tangent plane) and ``has_plane``.
+        """
+        (number,) = _valences([valence], 1 if boundary else 2)
+        return _limn.limit_stencil(self._data, number, boundary)
+
+    def draw(
+        self,
+        vertices: npt.ArrayLike,
+        faces: Any,
+        levels: int = 4,
+        *,
+        kind: str = "shaded",
+        lights: int = 32,
+        azimuth: float = -50.0,
+        elevation: float = 30.0,
+        net: bool = False,
+    ) -> Picture:
+        """A picture of the limit surface: ``limn draw``. Needs a limn with cairo and Embree.
+
+        ``kind``: "shaded", "stripes" (a mirror of ``lights`` parallel lights) or "lines"
+        (reflection lines as curves); ``azimuth`` and ``elevation`` of the viewer in degrees;
+        ``net``: the control net, too.
+        """
+        if kind not in ("shaded", "stripes", "lines"):
+            raise Error(f"kind {kind!r} is none of 'shaded', 'stripes' and 'lines'")
+        if not 1 <= lights <= 10000:
+            raise Error(f"lights {lights} is not from 1 to 10000")
+
+        def drawn(format: str) -> bytes:
+            return _limn.draw_surface(
+                self._data, vertices, faces, levels, kind, lights, azimuth, elevation, net, format
+            )
+
+        return Picture(drawn, f"surface of {self.name}", vector=False)
+
+    # Extraordinary vertices.
+
+    @overload
+    def eigen(self, valence: int, *, rings: int = 0, vectors: bool = False) -> Eigen: ...
+    @overload
+    def eigen(
+        self, valence: Iterable[int], *, rings: int = 0, vectors: bool = False
+    ) -> list[Eigen]: ...
+
+    def eigen(
+        self, valence: int | Iterable[int], *, rings: int = 0, vectors: bool = False
+    ) -> Eigen | list[Eigen]:
+        """Frequency blocks, eigenvalues, labelled components and verdicts at a valence.
+
+        A dict as the entries of ``valences`` of ``limn eigen --json``; for several valences, as
+        ``range(3, 13)``, a list of them. ``rings``: how many are analysed; 0: as many as control the
+        surface. ``vectors``: also the eigenvectors and the stencils of limit point and tangents.
+        """
+        if not 0 <= rings <= 6:
+            raise Error(f"rings {rings} is not from 0 to 6")
+        many = _valences(valence)
+        found = [Eigen(one) for one in _limn.eigen(self._data, many, rings, vectors)]
+        return found if isinstance(valence, Iterable) else found[0]
+
+    def eigen_formulas(
+        self, evaluated: Optional[Iterable[str]] = None, *, rings: int = 0
+    ) -> dict[str, Any]:
+        """Eigenvalues in closed form, for all valences: ``limn eigen --formulas --json``.
+
+        Parameters stay names but for those ``evaluated``; None: those that were set.
+        """
+        if evaluated is None:
+            evaluated = [a.partition("=")[0] for a in self._data.set_parameters]
+        formulas: dict[str, Any] = _limn.eigen_formulas(self._data, set(evaluated), rings)
+        return formulas
+
+    def characteristic_map(self, valence: int, *, steps: int = 4) -> CharacteristicMap:
+        """The characteristic map at a valence from 3 on, after so many steps."""
+        if not 0 <= steps <= 8:
+            raise Error(f"steps {steps} is not from 0 to 8")
+        (number,) = _valences([valence], 3)
+        found = _limn.characteristic_map(self._data, number, steps)
+        return CharacteristicMap(scheme=self, steps=steps, **found)
+
+    def certify(
+        self,
+        valence: int | Iterable[int] = (),
+        *,
+        all: bool = False,
+        bits: int = 128,
+        seconds: Optional[float] = 600,
+    ) -> Certificate:
+        """Proves or refutes, in ball arithmetic, that surfaces are C1 at vertices of these valences.
+
+        A dict as ``limn certify --json``. ``all``: also at every valence from 3 on. What is left
+        when the ``seconds`` end (None: never) is "undecided".
+        """
+        valences = sorted(set(_valences(valence, 3)))
+        if not valences and not all:
+            raise Error("no valence to certify", "give one, or several, or all=True")
+        if not 64 <= bits <= 4096:
+            raise Error(f"bits {bits} is not from 64 to 4096")
+        return Certificate(
+            *_limn.certify(self._data, valences, bits, all, _seconds(seconds))
+        )
+
+    def tune(
+        self,
+        free: str,
+        require: str,
+        valence: int | Iterable[int] = range(3, 13),
+        *,
+        between: Optional[tuple[Number, Number]] = None,
+        everywhere: bool = False,
+        seconds: Optional[float] = 10,
+    ) -> Tuning:
+        """The values of a parameter or let at which eigencomponents are as required.
+
+        A dict as ``limn tune --json``. ``require``: an equation in position, tangent, cup, saddle,
+        n and the scheme's names, as ``"cup = tangent^2"``; or what holds in a range: an inequality,
+        ``"c1"``, ``"convergent"``, ``"bounded-curvature"``. ``between``: look there alone;
+        ``everywhere``: the value is that of the regular neighbours, too. Of an equation,
+        ``.scheme()`` is the scheme with the solutions.
+        """
+        where = "" if between is None else ",".join(
+            _assignment("", bound).lstrip("=") for bound in between
+        )
+        return Tuning(
+            _limn.tune(
+                self._data,
+                free,
+                require,
+                _valences(valence, 3),
+                where,
+                everywhere,
+                _seconds(seconds),
+                self._base(),
+            )
+        )
+
+    def tunable(self) -> list[str]:
+        """The parameters and lets that ``tune`` can solve for."""
+        return _limn.freeable_names(self._data)
+
+    def prescribe(self, valence: int, eigenvalues: Sequence[Number]) -> Scheme:
+        """A scheme with chosen eigenvalues at one valence: the cup's, then those of frequency 1, 2, …
+
+        For schemes on triangles, shipped or of a file, whose edges look no further than the first
+        ring.
+        """
+        words = [_assignment("", value).lstrip("=") for value in eigenvalues]
+        base = self._base()
+        if not base:
+            raise SchemeError(f"no text can extend {self.name}", "write it to a file first")
+        return Scheme(self._data.prescribe(base, valence, words))
+
+    def _base(self) -> str:
+        """What a text says after ``extends`` to mean this scheme; empty where it cannot."""
+        if self.name in _limn.shipped_schemes() and self.text == Scheme(self.name).text:
+            return self.name
+        return os.path.abspath(self.file) if os.path.isfile(self.file) else ""
+
+    # The regular lattice.
+
+    def regularity(
+        self, *, budget: int = 7000, tolerance: float = 4e-3, seconds: Optional[float] = 10
+    ) -> Regularity:
+        """How smooth surfaces are on the regular lattice, with proof: ``limn regularity --json``.
+
+        ``budget``: so many vertices of a polytope at most; ``tolerance``: the width of the bracket
+        of the Hölder exponent below which little more is sought; ``seconds``: how long to look
+        (None: without end); what was reached is proved all the same.
+        """
+        if not 1 <= budget <= 1_000_000 or not 1e-6 <= tolerance <= 1:
+            raise Error("budget is not from 1 to 1000000, or tolerance not from 1e-6 to 1")
+        return Regularity(_limn.regularity(self._data, budget, tolerance, _seconds(seconds)))
+
+    def regular_part(self) -> dict[str, str]:
+        """Whether the regular lattice lets curvature be bounded: "bounded" and "reason"."""
+        part: dict[str, str] = _limn.regular_part(self._data)
+        return part
+
+    def artifacts(
+        self,
+        frequency: Sequence[float],
+        *,
+        steps: Optional[int] = None,
+        stages: Optional[int] = None,
+    ) -> dict[str, Any]:
+        """Signal and artifacts of one wave: ``limn artifacts --frequency --json``.
+
+        ``frequency``: (fx, fy) in cycles per control edge. In the limit, or after so many ``steps``,
+        or after one refinement and so many smoothing ``stages``.
+        """
+        fx, fy = (float(f) for f in frequency)
+        if not np.hypot(fx, fy) <= 1000:
+            raise Error(f"frequency ({fx}, {fy}) is not within 1000 cycles per control edge")
+        if steps is not None and stages is not None:
+            raise Error("steps and stages exclude each other")
+        if steps is not None and not 1 <= steps <= 30:
+            raise Error(f"steps {steps} is not from 1 to 30")
+        if stages is not None and not 0 <= stages <= 64:
+            raise Error(f"stages {stages} is not from 0 to 64")
+        kind = "steps" if steps is not None else "stages" if stages is not None else "limit"
+        found: dict[str, Any] = _limn.artifacts(
+            self._data, (fx, fy), kind, steps or stages or 0
+        )
+        return found
+
+    def artifact_map(self, size: int | tuple[int, int] = 512) -> ArtifactMap:
+        """Signal and artifacts of all waves, in the limit.
+
+        ``size``: so many frequencies along each side of the box round the Nyquist region, or
+        (width, height).
+        """
+        width, height = (size, size) if isinstance(size, int) else size
+        found = _limn.artifact_map(self._data, width, height)
+        found["artifacts"] = np.stack(found["artifacts"])
+        return ArtifactMap(scheme=self, **found)
+
+    def sampling_density(self, tolerance: float = 1.0) -> dict[str, Any]:
+        """Control edges per wavelength that keep artifacts below ``tolerance`` percent of the signal.
+
+        ``limn artifacts --tolerance --json``: under "sampling", by "total_energy" (all artifacts of
+        the limit surface) and "mean_energy", the "worst" and the "best" direction.
+        """
+        density: dict[str, Any] = _limn.sampling_density(self._data, float(tolerance))
+        return density
+
+    # Python.
+
+    def _identity(self) -> tuple[Any, ...]:
+        texts, assignments, _ = self._data.__getstate__()
+        return tuple(text for _, text in texts), tuple(assignments)
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, Scheme) and self._identity() == other._identity()
+
+    def __hash__(self) -> int:
+        return hash(self._identity())
+
+    def __repr__(self) -> str:
+        parameters = "".join(f" {name}={value}" for name, value in self.parameters.items())
+        return f"<limn.Scheme {self.name}{parameters}: {self.split}>"
+
+    def __str__(self) -> str:
+        return self.describe()
+
+    def _repr_html_(self) -> str:
+        shown = self.show()
+        rows = [("split", self.split), ("source", self.source)]
+        rows += [(f"parameter {name}", value) for name, value in self.parameters.items()]
+        parts = [table(("", self.name), rows)]
+        if shown.get("mask"):
+            parts.append(table(("twice the offset", "coefficient of the regular mask"), [
+                (tuple(term["twice_offset"]), term["value"]) for term in shown["mask"]
+            ]))
+        if _limn.figures_available():
+            try:
+                parts.insert(1, self.picture().bytes("svg").decode().partition("?>")[2])
+            except Error:
+                pass  # given by a mask without rules to draw
+        return "\n".join(parts)

@@ -1,0 +1,127 @@
+/// Meshes and their files: read, written, checked, repaired.
+
+#include <pybind11/stl.h>
+
+#include <nlohmann/json.hpp>
+
+#include "arrays.h"
+#include "call.h"
+#include "errors.h"
+#include "json_objects.h"
+#include "limn/mesh/io/mesh_file.h"
+#include "limn/mesh/mesh_limits.h"
+#include "limn/mesh/polygon/triangulate.h"
+#include "limn/mesh/repair/repair.h"
+#include "limn/report/mesh_check_report.h"
+#include "module.h"
+#include "tags.h"
+
+namespace limn::python {
+namespace {
+
+/// (V, F, tags).
+py::tuple read(const std::string& path) {
+  MeshFile file = value_of(without_gil([&] { return read_mesh_file(path); }), Fault::mesh);
+  warn(file.warnings);
+  warn(file.notes());
+  const py::dict tags = tags_dict(file.tags);
+  Polygons& mesh = file.polygons;
+  return py::make_tuple(points_array(std::move(mesh.positions)),
+                        faces_object(std::move(mesh.face_begin), std::move(mesh.corners)), tags);
+}
+
+Polygons polygons_of(const py::object& vertices, const py::object& faces) {
+  const Positions positions(vertices);
+  Polygons polygons = faces_of(faces);
+  polygons.positions = positions.points();
+  return polygons;
+}
+
+void write(const std::string& path, const py::object& vertices, const py::object& faces,
+           const py::object& normals, const py::dict& tags) {
+  const Polygons polygons = polygons_of(vertices, faces);
+  for (std::size_t i = 0; i < polygons.corners.size(); ++i)
+    if (polygons.corners[i] < 0 || polygons.corners[i] >= polygons.vertex_count())
+      raise({"corner " + std::to_string(i) + " is vertex " + std::to_string(polygons.corners[i]) +
+                 ", which is not there",
+             "vertices are counted from 0"},
+            Fault::mesh);
+  WriteOptions options;
+  options.tags = tags_of(tags);
+  if (!normals.is_none()) options.normals = Positions(normals).points();
+  if (!normals.is_none() && options.normals.size() != polygons.positions.size())
+    raise({"there are not as many normals as vertices"}, Fault::mesh);
+  const SharpnessTags lost = lost_tags(extension_of(path), options.tags);
+  if (!lost.creases.empty() || !lost.corners.empty() || !lost.holes.empty())
+    warn({Error{"left out: sharpness that such files cannot hold", "write obj, which can", path}});
+  check(without_gil([&] { return write_mesh(path, polygons, options); }), Fault::mesh);
+}
+
+py::object check_polygons(MeshCheck look) {
+  if (const auto fault = too_many(look.polygons.positions.size(), look.polygons.face_begin.size(),
+                                  look.polygons.corners.size()))
+    raise(*fault, Fault::mesh);
+  return to_python(without_gil([&] {
+    look.survey = survey_mesh(look.polygons);
+    return mesh_check_json(look);
+  }));
+}
+
+py::object check_file(const std::string& path) {
+  MeshFile file = value_of(without_gil([&] { return read_mesh_file(path, {.keep_faults = true}); }),
+                           Fault::mesh);
+  return check_polygons(
+      {path, std::move(file.polygons), std::move(file.source), {}, std::move(file.dropped)});
+}
+
+/// (V, F, [what was done]).
+py::tuple mend(const py::object& vertices, const py::object& faces, const RepairOptions& options,
+               bool triangulate) {
+  Polygons polygons = polygons_of(vertices, faces);
+  py::list done;
+  if (options.any()) {
+    Repaired repaired =
+        value_of(without_gil([&] { return repair(polygons, options); }), Fault::mesh);
+    for (const RepairStep& step : repaired.done) {
+      py::dict one;
+      one["what"] = to_str(step.what);
+      one["count"] = step.count;
+      one["text"] = to_str(step.text);
+      done.append(one);
+    }
+    polygons = std::move(repaired.polygons);
+  }
+  if (triangulate) {
+    Triangulation cut =
+        value_of(without_gil([&] { return limn::triangulate(polygons); }), Fault::mesh);
+    polygons = std::move(cut.polygons);
+  }
+  return py::make_tuple(points_array(std::move(polygons.positions)),
+                        faces_object(std::move(polygons.face_begin), std::move(polygons.corners)),
+                        done);
+}
+
+}  // namespace
+
+void bind_meshes(py::module_& module) {
+  module.def("read_mesh", &read, py::arg("path"));
+  module.def("write_mesh", &write, py::arg("path"), py::arg("vertices"), py::arg("faces"),
+             py::arg("normals"), py::arg("tags"));
+  module.def("check_mesh_file", &check_file, py::arg("path"));
+  module.def(
+      "check_mesh",
+      [](const py::object& vertices, const py::object& faces) {
+        return check_polygons({"", polygons_of(vertices, faces), {}, {}, {}});
+      },
+      py::arg("vertices"), py::arg("faces"));
+  module.def(
+      "repair_mesh",
+      [](const py::object& vertices, const py::object& faces, std::optional<double> weld, bool drop,
+         bool cut, bool orient, bool triangulate) {
+        return mend(vertices, faces, {weld, drop, cut, orient}, triangulate);
+      },
+      py::arg("vertices"), py::arg("faces"), py::arg("weld"), py::arg("drop"), py::arg("cut"),
+      py::arg("orient"), py::arg("triangulate"));
+}
+
+}  // namespace limn::python

@@ -1,0 +1,132 @@
+/// Figures, as the bytes of SVG, PNG and PDF files.
+
+#include <pybind11/stl.h>
+
+#include <nlohmann/json.hpp>
+
+#include "arrays.h"
+#include "call.h"
+#include "errors.h"
+#include "limn/base/printable.h"
+#include "limn/figure/space/shaded_panel.h"
+#include "limn/regular/regular_mask.h"
+#include "limn/report/eigen/eigen_figures.h"
+#include "limn/report/lattice/artifact_figures.h"
+#include "limn/report/stencil_report.h"
+#include "limn/study/surface_scenes.h"
+#include "module.h"
+
+namespace limn::python {
+namespace {
+
+constexpr double kWidth = 482;  // points, of a page that shows a surface
+
+/// Makes the figure and its file without the interpreter's lock.
+template <class Make>
+py::bytes drawn(const std::string& format, const std::string& file, Make make) {
+  const Result<FigureFormat> kind = figure_format("figure." + format);
+  if (!kind) raise(kind.error(), Fault::other);
+  const Result<std::string> bytes = without_gil([&]() -> Result<std::string> {
+    const Result<Figure> figure = make();
+    if (!figure) return figure.error();
+    if (Status status = figure->check(); !status) return status.error();
+    return figure->canvas(*kind == FigureFormat::png ? kPngDensity : 0).render(*kind);
+  });
+  if (!bytes) raise(in_file(bytes.error(), file), Fault::other);
+  return py::bytes(*bytes);
+}
+
+py::bytes draw_stencils(const Scheme& scheme, const std::string& format) {
+  return drawn(format, scheme.file, [&]() -> Result<Figure> {
+    const auto pictures = rule_pictures(scheme);
+    if (!pictures) return pictures.error();
+    if (pictures->empty()) return Error{"scheme '" + scheme.name + "' has no rules to draw"};
+    return stencils_figure(printable(scheme.name), *pictures);
+  });
+}
+
+py::bytes draw_artifacts(const Scheme& scheme, const std::string& format) {
+  return drawn(format, scheme.file, [&]() -> Result<Figure> {
+    const Result<Mask> mask = regular_mask(scheme);
+    if (!mask) return mask.error();
+    Result<ArtifactAnalysis> analysis = ArtifactAnalysis::of(*mask);
+    if (!analysis) return analysis.error();
+    return artifact_figure({scheme.name, *std::move(analysis)}, {});
+  });
+}
+
+py::bytes draw_maps(const Scheme& scheme, const std::vector<int>& valences, int steps,
+                    const std::string& format) {
+  return drawn(format, scheme.file, [&]() -> Result<Figure> {
+    std::vector<CharacteristicMap> maps;
+    for (const int n : valences) {
+      Result<CharacteristicMap> map = approx_characteristic_map(scheme, n, steps);
+      if (!map) return map.error();
+      maps.push_back(*std::move(map));
+    }
+    return characteristic_maps_figure(scheme.name, maps);
+  });
+}
+
+struct Look {
+  std::string kind;  ///< "shaded", "stripes" or "lines"
+  int lights = 32;
+  double azimuth = -50, elevation = 30;
+  bool net = false;
+};
+
+py::bytes draw_surface(const Scheme& scheme, const py::object& vertices, const py::object& faces,
+                       int levels, const Look& look, const std::string& format) {
+  const Positions positions(vertices);
+  positions.check_finite();
+  Polygons polygons = faces_of(faces);
+  polygons.positions = positions.points();
+  return drawn(format, "", [&]() -> Result<Figure> {
+    const Result<Mesh> mesh = Mesh::build(polygons);
+    if (!mesh) return mesh.error();
+    if (Status status = check_drawable(scheme, *mesh, levels); !status) return status.error();
+    LimitGaps gaps;
+    Result<SmoothSurface> surface = limit_surface(scheme, *mesh, polygons.positions, levels, &gaps);
+    if (!surface) return surface.error();
+    SurfaceScene scene;
+    scene.surfaces.push_back(*std::move(surface));
+    scene.azimuth = look.azimuth;
+    scene.elevation = look.elevation;
+    if (look.net) scene.net = control_net(*mesh, polygons.positions);
+    scale_to_draw(scene);
+    const LightLines lights{.count = look.lights};
+    if (look.kind != "shaded")
+      if (Status status = check_lights(scene, lights, kWidth); !status) return status.error();
+    Figure figure(1, kWidth);
+    if (look.kind == "lines")
+      figure.add(ReflectionLinePanel{.scene = scene, .lights = lights});
+    else if (look.kind == "stripes")
+      figure.add(ShadedPanel{.scene = scene, .stripes = lights});
+    else
+      figure.add(ShadedPanel{.scene = scene});
+    return figure;
+  });
+}
+
+}  // namespace
+
+void bind_pictures(py::module_& module) {
+  module.def("figures_available", &figures_available);
+  module.def("draw_stencils", &draw_stencils, py::arg("scheme"), py::arg("format"));
+  module.def("draw_artifacts", &draw_artifacts, py::arg("scheme"), py::arg("format"));
+  module.def("draw_maps", &draw_maps, py::arg("scheme"), py::arg("valences"), py::arg("steps"),
+             py::arg("format"));
+  module.def(
+      "draw_surface",
+      [](const Scheme& scheme, const py::object& vertices, const py::object& faces, int levels,
+         const std::string& kind, int lights, double azimuth, double elevation, bool net,
+         const std::string& format) {
+        return draw_surface(scheme, vertices, faces, levels,
+                            {kind, lights, azimuth, elevation, net}, format);
+      },
+      py::arg("scheme"), py::arg("vertices"), py::arg("faces"), py::arg("levels"), py::arg("kind"),
+      py::arg("lights"), py::arg("azimuth"), py::arg("elevation"), py::arg("net"),
+      py::arg("format"));
+}
+
+}  // namespace limn::python

@@ -1,0 +1,123 @@
+"""Objects: pickled, compared, shown."""
+
+import copy
+import pickle
+
+import numpy as np
+import pytest
+
+import limn
+from conftest import SHIPPED, mesh_of, tetrahedron
+
+
+@pytest.mark.parametrize("name", SHIPPED)
+def test_schemes_pickle(name):
+    scheme = limn.Scheme(name)
+    again = pickle.loads(pickle.dumps(scheme))
+    assert again == scheme and hash(again) == hash(scheme)
+    assert again.show() == scheme.show()
+
+
+def test_schemes_pickle_with_parameters_and_files(tmp_path):
+    path = tmp_path / "mine.toml"
+    path.write_text('extends = "laplacian-butterfly"\nname = "mine"\n')
+    scheme = limn.Scheme(path, parameters={"b": "3/16"})
+    path.unlink()  # the text is in the object
+    again = copy.deepcopy(scheme)
+    assert again == scheme and again.parameters["b"] == "3/16" and again.name == "mine"
+    assert again.file == str(path)
+    assert again.artifacts((0.1, 0)) == scheme.artifacts((0.1, 0))
+
+
+def test_results_pickle():
+    V, F = tetrahedron()
+    loop = limn.Scheme("loop")
+    for result in (loop.eigen(5), loop.regularity(), loop.certify(4), loop.show()):
+        again = pickle.loads(pickle.dumps(result))
+        assert again == result and type(again) is type(result)
+    surface = loop.refine(V, F, 1, normals=True)
+    again = pickle.loads(pickle.dumps(surface))
+    assert np.array_equal(again.normals, surface.normals) and len(again) == 3
+    refiner = limn.Refiner(loop, F, 2, vertices=4)
+    again = pickle.loads(pickle.dumps(refiner))
+    assert np.array_equal(again.evaluate(V), refiner.evaluate(V))
+    assert again.scheme == loop
+    found = pickle.loads(pickle.dumps(loop.artifact_map(8)))
+    assert found.signal.shape == (8, 8)
+
+
+def test_a_scheme_of_a_text_is_that_of_its_file():
+    loop = limn.Scheme("loop")
+    text = limn.Scheme(loop.text)
+    assert text.eigen(5) == loop.eigen(5) and text.file == "text"
+    assert "split" in loop.text and loop.split == "triangle-dyadic" and "Loop" in loop.source
+
+
+def test_representations():
+    loop = limn.Scheme("loop")
+    assert "loop" in repr(loop) and "ring" in str(loop)
+    page = loop._repr_html_()
+    assert "<svg" in page and "3/8" in page and "<table>" in page
+    assert "0.5" in loop.eigen(6)._repr_html_() and "<table>" in loop.regularity()._repr_html_()
+    assert "proved" in loop.certify(5)._repr_html_()
+    chart = loop.characteristic_map(5)
+    assert chart._repr_svg_().startswith("<?xml") and "valence 5" in repr(chart)
+    found = loop.artifact_map(16)
+    assert found._repr_png_().startswith(b"\x89PNG") and "16 × 16" in repr(found)
+    assert "4 → 34" in repr(limn.Refiner("loop", tetrahedron()[1], 2))
+    assert repr(loop.refine(*tetrahedron(), 1)) == "<limn.Surface: 10 vertices, 16 faces>"
+
+
+@pytest.mark.parametrize("name", SHIPPED)
+def test_every_scheme_is_shown(name):
+    assert name in limn.Scheme(name)._repr_html_()
+
+
+def test_pictures(tmp_path):
+    loop = limn.Scheme("loop")
+    loop.picture().save(tmp_path / "stencils.pdf")
+    assert (tmp_path / "stencils.pdf").read_bytes().startswith(b"%PDF")
+    with pytest.raises(limn.Error):
+        loop.picture().save(tmp_path / "stencils.txt")
+    drawn = loop.draw(*tetrahedron(), 3)
+    assert drawn._repr_png_().startswith(b"\x89PNG") and drawn._repr_svg_() is None
+
+
+def test_artifact_map_is_artifacts():
+    for name in ("loop", "catmull-clark", "sqrt3"):
+        scheme = limn.Scheme(name)
+        found = scheme.artifact_map((12, 10))
+        for i, j in ((3, 4), (9, 11), (0, 5)):
+            one = scheme.artifacts((found.fx[j], found.fy[i]))
+            assert found.signal[i, j] == pytest.approx(one["signal"], abs=1e-13)
+            assert found.artifacts[:, i, j] == pytest.approx(one["artifacts"], abs=1e-13)
+            assert found.percent_of_signal[i, j] == pytest.approx(one["percent_of_signal"])
+        left, right, bottom, top = found.extent
+        assert right == pytest.approx(max(x for x, _ in found.nyquist_region))
+        assert top == pytest.approx(max(y for _, y in found.nyquist_region)) and left < bottom + 1
+
+
+def test_limit_stencil_of_loop():
+    """Loop 1987: the limit of a vertex is 1 - n χ, χ = 1/(n + 3/(8 β)) [Warren, Weimer 2002]."""
+    n = 5
+    stencil = limn.Scheme("loop").limit_stencil(n)
+    beta = (5 / 8 - (3 / 8 + np.cos(2 * np.pi / n) / 4) ** 2) / n
+    weight = 1 / (n + 3 / (8 * beta))
+    position = stencil["position"]
+    assert position[0] == pytest.approx(1 - n * weight) and position[1] == pytest.approx(weight)
+    assert sum(position) == pytest.approx(1) and sum(stencil["first_tangent"]) == pytest.approx(0)
+    assert limn.Scheme("loop").limit_stencil(2, boundary=True)["has_plane"] in (True, False)
+
+
+def test_characteristic_map_of_a_regular_vertex():
+    found = limn.Scheme("loop").characteristic_map(6)
+    assert found.eigenvalue == pytest.approx(0.5) and found.regular == "yes"
+    V, F = found.image
+    assert V.shape[1] == 3 and np.all(V[:, 2] == 0) and F.max() < len(V)
+
+
+def test_limit_points_of_a_regular_solid():
+    V, F = tetrahedron()
+    points, normals = limn.Scheme("loop").limit_points(V, F)
+    assert np.allclose(np.linalg.norm(points, axis=1), np.linalg.norm(points[0]))
+    assert np.allclose(normals, points / np.linalg.norm(points[0]))
