@@ -52,6 +52,29 @@ void check_topology(const limn::MeshFile& file) {
       "a polygon of n corners gives n - 2 triangles");
 }
 
+/// What is carried fits the mesh, and once written stays as it is.
+void check_attributes(const std::string& content, const char* extension) {
+  const auto read = [](const std::string& text, const char* format) {
+    return limn::parse_mesh_file(text, format, "fuzz", {.attributes = true});
+  };
+  const limn::Result<limn::MeshFile> file = read(content, extension);
+  if (!file) return check(!file.error().message.empty(), "an error has a message");
+  check(limn::attributes_fit(file->attributes, file->polygons), "attributes fit");
+  for (const char* format : {"obj", "ply", "glb"}) {
+    limn::WriteOptions options;
+    options.attributes = limn::kept_attributes(format, file->attributes);
+    const limn::Result<std::string> text = limn::format_mesh(format, file->polygons, options);
+    if (!text || std::strcmp(format, "glb") == 0) continue;
+    const limn::Result<limn::MeshFile> again = read(*text, format);
+    check(again.ok(), "what was written reads back");
+    check(limn::attributes_fit(again->attributes, again->polygons), "attributes fit again");
+    limn::WriteOptions once;
+    once.attributes = again->attributes;
+    check(*limn::format_mesh(format, again->polygons, once) == *text,
+          "the second trip changes nothing");
+  }
+}
+
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
@@ -60,6 +83,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const std::string content(reinterpret_cast<const char*>(data + 1), size - 1);
   (void)limn::parse_mesh_file(content, "", "by content");
   limn::fuzz::check_kept_faults(content, extensions[data[0] % 4]);
+  check_attributes(content, extensions[data[0] % 4]);
   const limn::Result<limn::MeshFile> file =
       limn::parse_mesh_file(content, extensions[data[0] % 4], "fuzz");
   if (!file) {

@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
 
+#include "attribute_options.h"
 #include "command.h"
 #include "control_mesh.h"
 #include "limn/base/files/file.h"
@@ -32,9 +33,11 @@ Status check_arguments(const CheckOptions& options) {
   return check_outputs({options.output.path});
 }
 
-void print(const CheckOptions& options, const MeshCheck& check, const MeshRemarks& remarks) {
+void print(const CheckOptions& options, const MeshCheck& check, const MeshAttributes& attributes,
+           const MeshRemarks& remarks) {
   if (options.json) {
     nlohmann::ordered_json json = mesh_check_json(check);
+    json["attributes"] = attributes_json(attributes);
     if (!options.output.path.empty()) json["output"] = options.output.path;
     add_remarks(json, remarks);
     print_json(json);
@@ -62,7 +65,8 @@ void leave_out_copies(const MeshSource& source, MeshSurvey& survey) {
 
 int check_mesh(const CheckOptions& options) {
   if (Status status = check_arguments(options); !status) return report(status.error());
-  Result<MeshFile> file = read_mesh_argument(options.mesh, {.keep_faults = true});
+  Result<MeshFile> file =
+      read_mesh_argument(options.mesh, {.keep_faults = true, .attributes = true});
   if (!file) return report(file.error());
   if (auto fault = too_many(file->polygons.positions.size(), file->polygons.face_begin.size(),
                             file->polygons.corners.size())) {
@@ -79,10 +83,16 @@ int check_mesh(const CheckOptions& options) {
   const MeshCheck check{options.mesh, std::move(file->polygons), std::move(file->source),
                         std::move(survey), std::move(file->dropped)};
   const bool is_written = !options.output.path.empty() && check.survey.refinable;
-  if (is_written)
-    if (Status status = options.output.write(check.polygons, {}); !status)
+  MeshRemarks remarks{std::move(file->warnings), std::move(file->left_out), prepared->done};
+  if (is_written) {
+    WriteOptions extras;
+    extras.attributes = std::move(file->attributes);
+    leave_out_lost(extras.attributes, options.output.extension(), options.output.path, remarks);
+    if (Status status = options.output.write(check.polygons, extras); !status)
       return report(status.error());
-  print(options, check, {std::move(file->warnings), std::move(file->left_out), prepared->done});
+    file->attributes = std::move(extras.attributes);
+  }
+  print(options, check, file->attributes, remarks);
   if (check.survey.refinable) return kDone;
   if (!options.output.path.empty())
     return report({fmt::format("{} is not written: the mesh has faults that keep it from being "

@@ -5,6 +5,7 @@
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
 
+#include "attribute_options.h"
 #include "command.h"
 #include "control_mesh.h"
 #include "limn/base/files/file.h"
@@ -37,10 +38,11 @@ struct RefineOptions {
   bool json = false;
   std::string engine = "quick";
   SharpnessOptions sharpness;
+  AttributeOptions attributes;
 };
 
 void print_result(const RefineOptions& options, const Scheme& scheme, const RefinedFile& file,
-                  const MeshRemarks& remarks) {
+                  const MeshAttributes& attributes, const MeshRemarks& remarks) {
   if (options.json) {
     nlohmann::ordered_json json{{"vertices", file.vertices}, {"faces", file.faces},
                                 {"levels", options.levels},  {"seconds", file.refinement_seconds},
@@ -48,6 +50,7 @@ void print_result(const RefineOptions& options, const Scheme& scheme, const Refi
     if (!file.sharp.empty())
       json["sharp"] = {{"edges", file.sharp.creases.size()},
                        {"vertices", file.sharp.corners.size()}};
+    if (!attributes.empty()) json["attributes"] = attributes_json(attributes);
     if (file.gaps.any()) json["missing"] = gaps_json(file.gaps);
     add_remarks(json, remarks);
     print_json(json);
@@ -77,14 +80,21 @@ Status write_curvatures(const std::string& path, const RefinedSurface& surface) 
 /// What is needed, in a word before the work begins, where it is much; refused, where it is more
 /// than there is. `written`: while it is made.
 Status announce(const RefineOptions& options, const Scheme& scheme, const Mesh& mesh, bool quick,
-                bool written, ProgressLine& line) {
+                bool written, int columns, ProgressLine& line) {
   const LimitWork work{.quick = quick,
                        .limit = options.limit || options.normals,
                        .curvatures = !options.curvatures.empty(),
-                       .written = written};
+                       .written = written,
+                       .columns = columns};
   const RefineEstimate needed = estimate_with_limit(*scheme.split, mesh, options.levels, work);
   if (needed.peak_bytes > kMuchMemory) line.show_now(text_of(needed, options.levels));
   return check_memory(needed, options.levels, available_memory());
+}
+
+/// Further points for each vertex: numbers by threes, texture points.
+int column_count(const MeshAttributes& attributes) {
+  return static_cast<int>((attributes.vertices.size() + 2) / 3) +
+         (attributes.texture.empty() ? 0 : 2);
 }
 
 /// What the options ask of the surface.
@@ -129,8 +139,9 @@ void warn_of_lost_tags(const RefineOptions& options, const SharpnessTags& tags,
 Result<RefinedFile> refine_then_write(const RefineOptions& options, const Scheme& scheme,
                                       ControlMesh& control, const SurfaceOptions& wanted,
                                       ProgressLine& line) {
-  const bool quick = options.engine == "quick" && !wanted.has_sharpness();
-  if (Status status = announce(options, scheme, control.mesh, quick, false, line); !status)
+  const bool quick = is_quick(scheme, control.mesh, wanted);
+  const int columns = column_count(control.attributes);
+  if (Status status = announce(options, scheme, control.mesh, quick, false, columns, line); !status)
     return status.error();
   Result<RefinedSurface> surface =
       refine_surface(scheme, std::move(control.mesh), std::move(control.points), wanted);
@@ -144,6 +155,7 @@ Result<RefinedFile> refine_then_write(const RefineOptions& options, const Scheme
   WriteOptions extras;
   extras.normals = std::move(surface->normals);
   extras.tags = surface->sharp;
+  extras.attributes = std::move(surface->attributes);
   warn_of_lost_tags(options, extras.tags, control);
   if (Status status = options.output.write(surface->polygons, extras); !status)
     return status.error();
@@ -156,6 +168,7 @@ Result<RefinedFile> refine_then_write(const RefineOptions& options, const Scheme
                    options.curvatures,
                    0,
                    0}});
+  control.attributes = std::move(extras.attributes);
   RefinedFile file;
   file.sharp = std::move(surface->sharp);
   file.vertices = surface->polygons.positions.size();
@@ -172,9 +185,15 @@ Result<RefinedFile> refine_into_output(const RefineOptions& options, const Schem
   Result<Sharpness> sharpness = options.sharpness.of(control, scheme);
   if (!sharpness) return sharpness.error();
   wanted.sharpness = *std::move(sharpness);
+  const std::string extension = options.output.extension();
+  if (Status status = options.attributes.fit(control, scheme, extension, options.output.path);
+      !status)
+    return status.error();
+  wanted.attributes = control.attributes.empty() ? nullptr : &control.attributes;
+  wanted.attribute_rules = options.attributes.rules();
   const std::string& path = options.output.path;
-  if (may_write_refined(scheme, wanted, path, options.output.extension())) {
-    if (Status status = announce(options, scheme, control.mesh, true, true, line); !status)
+  if (may_write_refined(scheme, wanted, path, extension)) {
+    if (Status status = announce(options, scheme, control.mesh, true, true, 0, line); !status)
       return status.error();
     Result<std::optional<RefinedFile>> file =
         write_refined(scheme, control.mesh, control.points, wanted, path);
@@ -198,7 +217,8 @@ int refine_mesh(const RefineOptions& options) {
   const Result<Scheme> scheme = options.scheme.load();
   if (!scheme) return report(scheme.error());
   Result<ControlMesh> control =
-      load_control_mesh(options.mesh, options.preparation, options.sharpness.use());
+      load_control_mesh(options.mesh, options.preparation, options.sharpness.use(),
+                        options.attributes.wanted() ? AttributeUse::keep : AttributeUse::leave_out);
   if (!control) return report(control.error());
 
   ProgressLine line;
@@ -210,7 +230,7 @@ int refine_mesh(const RefineOptions& options) {
     return report(error);
   }
   warn_of_gaps(options, file->gaps, control->remarks);
-  print_result(options, *scheme, *file, control->remarks);
+  print_result(options, *scheme, *file, control->attributes, control->remarks);
   return kDone;
 }
 
@@ -247,12 +267,14 @@ void declare_refine(CLI::App& parser, Action& action) {
       ->capture_default_str()
       ->check(CLI::IsMember({"quick", "plain"}));
   options->sharpness.declare(*command);
+  options->attributes.declare(*command);
   command->add_flag("--json", options->json, "print one JSON object");
   command->footer(
       "Example: limn refine mesh.obj -s catmull-clark -n 4 -o fine.ply\n"
       "         limn refine mesh.obj -s butterfly -p w=1/20 -n 5 -o fine.glb\n"
       "         limn refine - -s loop -n 2 -o - --format ply < mesh.obj > fine.ply\n"
-      "         limn refine mesh.obj -s loop -n 3 --limit --normals -o surface.ply");
+      "         limn refine mesh.obj -s loop -n 3 --limit --normals -o surface.ply\n"
+      "         limn refine textured.obj -s catmull-clark -n 3 --uv boundaries -o fine.glb");
   command->callback([&action, options] { action = [options] { return refine_mesh(*options); }; });
 }
 

@@ -8,6 +8,7 @@
 
 #include "command.h"
 #include "limn/base/files/file.h"
+#include "limn/mesh/attributes/carried.h"
 #include "limn/mesh/io/mesh_file.h"
 #include "limn/mesh/mesh_faults.h"
 #include "limn/mesh/polygon/triangulate.h"
@@ -59,6 +60,7 @@ Result<Prepared> prepare(MeshFile& file, const MeshPreparation& preparation) {
       return repaired.error();
     }
     file.source = source_of(*repaired, file.source);
+    file.attributes = carried(file.attributes, *repaired);
     file.polygons = std::move(repaired->polygons);
     prepared = {std::move(repaired->done), cut_tags(*repaired)};
   }
@@ -71,6 +73,7 @@ Result<Prepared> prepare(MeshFile& file, const MeshPreparation& preparation) {
     for (Error& warning : warnings_of(*cut, file.source))
       file.warnings.push_back(std::move(warning));
     file.source = source_of(*cut, file.source);
+    file.attributes = carried(file.attributes, *cut);
     file.polygons = std::move(cut->polygons);
   }
   Warnings notes;
@@ -86,8 +89,9 @@ void report_remarks(const MeshFile& file) {
 }
 
 Result<ControlMesh> load_control_mesh(const std::string& path, const MeshPreparation& preparation,
-                                      TagUse use) {
-  Result<MeshFile> file = read_mesh_argument(path);
+                                      TagUse use, AttributeUse attributes) {
+  Result<MeshFile> file =
+      read_mesh_argument(path, {.attributes = attributes == AttributeUse::keep});
   if (!file) return file.error();
   if (use == TagUse::leave_out) file->leave_out_tags();
   MeshFile uncut;
@@ -111,7 +115,8 @@ Result<ControlMesh> load_control_mesh(const std::string& path, const MeshPrepara
       {std::move(file->warnings), std::move(file->left_out), std::move(prepared->done)},
       std::move(file->source),
       std::move(file->tags),
-      std::move(prepared->cut_tags)};
+      std::move(prepared->cut_tags),
+      std::move(file->attributes)};
 }
 
 void add_warnings(MeshRemarks& remarks, const Warnings& warnings) {

@@ -25,13 +25,16 @@ struct ControlMesh {
   std::vector<Point3> points;
   MeshRemarks remarks;
   MeshSource source;
-  SharpnessTags tags;      ///< of the file, where the caller has asked for them
-  SharpnessTags cut_tags;  ///< see Prepared
+  SharpnessTags tags;              ///< of the file, where the caller has asked for them
+  SharpnessTags cut_tags;          ///< see Prepared
+  MeshAttributes attributes = {};  ///< where the caller has asked for them
 };
 
 /// Whether a command knows what to do with sharp edges and corners; the others leave them out, and
 /// say so.
 enum class TagUse { leave_out, keep };
+/// The same of attributes.
+enum class AttributeUse { leave_out, keep };
 
 /// What the help of an option says of MESH.
 inline constexpr const char* kMeshArgumentHelp =
@@ -59,8 +62,8 @@ struct Prepared {
   SharpnessTags cut_tags;        ///< what it cut and holds sharp, by numbers of the mesh
 };
 
-/// Repairs a mesh and cuts its polygons into triangles, as asked, and says so in `warnings` and on
-/// standard error.
+/// Repairs a mesh and cuts its polygons into triangles, as asked, with what it carries, and says so
+/// in `warnings` and on standard error.
 [[nodiscard]] Result<Prepared> prepare(MeshFile& file, const MeshPreparation& preparation);
 
 /// What reading gave reason to say, on standard error.
@@ -68,8 +71,8 @@ void report_remarks(const MeshFile& file);
 
 /// Reads a mesh file or standard input, prepares it as asked, and builds the mesh. Warnings and
 /// notes go to standard error; errors speak in the numbers and lines of the file.
-[[nodiscard]] Result<ControlMesh> load_control_mesh(const std::string& path,
-                                                    const MeshPreparation& preparation,
-                                                    TagUse use = TagUse::leave_out);
+[[nodiscard]] Result<ControlMesh> load_control_mesh(
+    const std::string& path, const MeshPreparation& preparation, TagUse use = TagUse::leave_out,
+    AttributeUse attributes = AttributeUse::leave_out);
 
 }  // namespace limn::app

@@ -7,7 +7,7 @@
 #include <stdexcept>
 #include <vector>
 
-#include "peer.h"
+#include "textured_peer.h"
 
 namespace limn::peers {
 
@@ -50,9 +50,9 @@ inline bool osd_has(Method method) {
 
 /// Boundaries are "edge only", unless the tags say else: cubic B-spline curves, corners rounded
 /// like the rest.
-inline std::unique_ptr<OpenSubdiv::Far::TopologyRefiner> osd_topology(Method method,
-                                                                      const Polygons& control,
-                                                                      const PeerTags& tags = {}) {
+inline std::unique_ptr<OpenSubdiv::Far::TopologyRefiner> osd_topology(
+    Method method, const Polygons& control, const PeerTags& tags = {},
+    const PeerTexture* texture = nullptr) {
   namespace far = OpenSubdiv::Far;
   namespace sdc = OpenSubdiv::Sdc;
   std::vector<int> degrees;
@@ -75,6 +75,15 @@ inline std::unique_ptr<OpenSubdiv::Far::TopologyRefiner> osd_topology(Method met
       static_cast<sdc::Options::VtxBoundaryInterpolation>(tags.boundary));
   if (tags.chaikin) options.SetCreasingMethod(sdc::Options::CREASE_CHAIKIN);
   if (tags.smooth_triangles) options.SetTriangleSubdivision(sdc::Options::TRI_SUB_SMOOTH);
+  far::TopologyDescriptor::FVarChannel channel;
+  if (texture != nullptr) {
+    options.SetFVarLinearInterpolation(
+        static_cast<sdc::Options::FVarLinearInterpolation>(texture->rule));
+    channel.numValues = static_cast<int>(texture->points.size());
+    channel.valueIndices = texture->of_corner.data();
+    descriptor.numFVarChannels = 1;
+    descriptor.fvarChannels = &channel;
+  }
   using Factory = far::TopologyRefinerFactory<far::TopologyDescriptor>;
   const sdc::SchemeType scheme = method == Method::loop ? sdc::SCHEME_LOOP : sdc::SCHEME_CATMARK;
   std::unique_ptr<far::TopologyRefiner> refiner(

@@ -167,6 +167,21 @@ void FastRefiner::write_face_begin(std::span<Index> begin) const {
   });
 }
 
+void FastRefiner::write_parents(std::span<Index> faces) const {
+  assert(faces.size() == static_cast<std::size_t>(face_count()));
+  // The faces of a control face follow one another: those of its grid, or where it is no face of
+  // the lattice, those of the grids of its corners.
+  const Mesh& mesh = state_->control;
+  const bool whole = mesh.uniform_degree() > 0 || state_->levels == 0;
+  const Index parts = whole ? mesh.face_count() : mesh.halfedge_count();
+  const Index each = parts > 0 ? face_count() / parts : 0;
+  parallel_for_each(mesh.face_count(), [&](Index f) {
+    const Index first = whole ? f : mesh.face_begin(f);
+    const Index last = whole ? f + 1 : mesh.face_begin(f + 1);
+    for (Index i = first * each; i < last * each; ++i) faces[static_cast<std::size_t>(i)] = f;
+  });
+}
+
 std::size_t FastRefiner::bytes() const {
   const State& state = *state_;
   const Mesh& mesh = state.control;

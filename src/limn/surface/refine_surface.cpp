@@ -9,8 +9,9 @@
 #include "limn/fast/fast_limit.h"
 #include "limn/fast/fast_refiner.h"
 #include "limn/limit/crease_limit.h"
-#include "limn/refine/refine.h"
+#include "limn/refine/refine_columns.h"
 #include "limn/regular/smoothness/second_differences.h"
+#include "limn/surface/refine_attributes.h"
 
 namespace limn {
 namespace {
@@ -24,15 +25,22 @@ class Work {
         control_(std::move(control)),
         points_(std::move(points)),
         options_(options),
-        quick_(options.engine == SurfaceOptions::Engine::quick && has_fast_layout(*scheme.split) &&
-               !options.has_sharpness()) {}
+        quick_(is_quick(scheme, control_, options)) {}
 
   Result<RefinedSurface> run() {
+    if (options_.attributes != nullptr)
+      if (Status takes = check_takes_texture(scheme_, control_, options_.attributes->texture,
+                                             options_.attribute_rules.texture);
+          !takes)
+        return takes.error();
     start_ = std::chrono::steady_clock::now();
     if (quick_ && options_.of_limit() && !options_.curvatures) {
       const Result<bool> whole = quick_limit();
       if (!whole) return whole.error();
-      if (*whole) return std::move(surface_);
+      if (*whole) {
+        if (Status status = quick_attributes(); !status) return status.error();
+        return std::move(surface_);
+      }
     }
     Result<Refined<Point3>> refined = refined_mesh();
     if (!refined) return refined.error();
@@ -73,7 +81,17 @@ class Work {
   /// The vertices that only holes have are gone, from all that is by vertex.
   void leave_out_holes(const std::vector<bool>& holes) {
     std::vector<Index> kept, number(surface_.polygons.positions.size(), kNone);
-    surface_.polygons = without_holes(surface_.polygons, holes, kept);
+    const Polygons all = std::move(surface_.polygons);
+    surface_.polygons = without_holes(all, holes, kept);
+    if (!surface_.attributes.empty()) {
+      std::vector<Index> corners, faces;
+      for (Index f = 0; f < all.face_count(); ++f) {
+        if (holes[f]) continue;
+        faces.push_back(f);
+        for (Index c = all.face_begin[f]; c < all.face_begin[f + 1]; ++c) corners.push_back(c);
+      }
+      surface_.attributes = mapped(surface_.attributes, {&kept, &corners, &faces});
+    }
     for (std::size_t i = 0; i < kept.size(); ++i) number[kept[i]] = static_cast<Index>(i);
     const auto keep = [&](auto& values) {
       if (values.empty()) return;
@@ -125,26 +143,120 @@ class Work {
   /// they are in surface_, and the result is empty.
   Result<Refined<Point3>> refined_mesh() {
     if (quick_) {
-      Result<Polygons> fine = fast_refine(scheme_, control_, points_, options_.levels);
+      Result<FastRefiner> refiner = FastRefiner::make(scheme_, control_, options_.levels);
+      if (!refiner) return refiner.error();
+      std::vector<Point3> points(static_cast<std::size_t>(refiner->vertex_count()));
+      refiner->evaluate<double>(numbers_of(points_), numbers_of(points));
+      Polygons fine = refined_polygons(*refiner, std::move(points));
+      quick_attributes(*refiner, fine);
       stop_clock();
-      if (!fine) return fine.error();
       if (!mesh_is_needed()) {
-        surface_.polygons = *std::move(fine);
+        surface_.polygons = std::move(fine);
         return Refined<Point3>{};
       }
       // polygons do not tell what the mesh is where two edges of it have the same ends
-      if (Result<Mesh> mesh = Mesh::build(*fine))
-        return Refined<Point3>{*std::move(mesh), std::move(fine->positions)};
+      if (Result<Mesh> mesh = Mesh::build(fine))
+        return Refined<Point3>{*std::move(mesh), std::move(fine.positions)};
     }
-    Result<Refined<Point3>> plain = refine(
-        scheme_, std::move(control_), std::move(points_), options_.levels,
-        [&](int done, int levels, const Mesh& fine) {
-          say(fmt::format("refining: {} of {} levels, {} vertices", done, levels,
-                          fine.vertex_count()));
-        },
-        options_.sharpness);
+    Result<Refined<Point3>> plain = plain_mesh();
     stop_clock();
     return plain;
+  }
+
+  /// By the plain engine, with the attributes.
+  Result<Refined<Point3>> plain_mesh() {
+    const MeshAttributes* const attributes = options_.attributes;
+    Columns columns;
+    columns.smooth.push_back(std::move(points_));
+    std::optional<Column> texture;
+    ColumnOptions how;
+    how.progress = [&](int done, int levels, const Mesh& fine) {
+      say(fmt::format("refining: {} of {} levels, {} vertices", done, levels, fine.vertex_count()));
+    };
+    Mesh control;
+    if (attributes != nullptr) {
+      add_columns(control_, columns, texture);
+      how.parents =
+          attributes->has_labels() ||
+          (!attributes->texture.empty() && !faces_without(control_, attributes->texture).empty());
+      if (!attributes->texture.empty() && !texture) control = control_;
+    }
+    Result<RefinedColumns> fine = refine_columns(scheme_, std::move(control_), std::move(columns),
+                                                 options_.sharpness, options_.levels, how);
+    if (!fine) return fine.error();
+    Refined<Point3> result{std::move(fine->mesh), std::move(fine->columns.smooth[0]),
+                           std::move(fine->sharpness)};
+    if (attributes == nullptr) return result;
+    std::vector<Index> corners;
+    for (Index h = 0; texture && h < result.mesh.halfedge_count(); ++h)
+      corners.push_back(result.mesh.origin(h));
+    take_columns(fine->columns, std::move(corners));
+    hand_down(fine->face_of);
+    if (attributes->texture.empty() || texture || options_.levels == 0) return result;
+    Result<TextureCoordinates> refined =
+        detail::refine_texture(scheme_, control, options_.sharpness, attributes->texture,
+                               options_.attribute_rules.texture, options_.levels, fine->face_of);
+    if (!refined) return refined.error();
+    surface_.attributes.texture = *std::move(refined);
+    return result;
+  }
+
+  /// What of the attributes goes the way of positions.
+  void add_columns(const Mesh& mesh, Columns& columns, std::optional<Column>& texture) const {
+    const MeshAttributes& attributes = *options_.attributes;
+    std::vector<Column>& to = options_.attribute_rules.linear ? columns.linear : columns.smooth;
+    for (Column& column : detail::packed(attributes.vertices, mesh.vertex_count()))
+      to.push_back(std::move(column));
+    if (attributes.texture.empty()) return;
+    texture = detail::texture_column(*scheme_.split, mesh, attributes.texture,
+                                     options_.attribute_rules.texture);
+    if (texture) columns.smooth.push_back(*texture);
+  }
+
+  /// The same columns, refined; the first smooth one is that of the positions. `corners`: the
+  /// vertices of all corners, where one is that of the texture; else empty.
+  void take_columns(const Columns& columns, std::vector<Index> corners) {
+    const MeshAttributes& attributes = *options_.attributes;
+    const bool linear = options_.attribute_rules.linear;
+    surface_.attributes.vertices = detail::unpacked(
+        attributes.vertices, linear ? columns.linear : columns.smooth, linear ? 0 : 1);
+    if (!corners.empty())
+      surface_.attributes.texture = detail::texture_of_column(
+          std::move(corners), columns.smooth.back(), attributes.texture.type);
+  }
+
+  void hand_down(const std::vector<Index>& face_of) {
+    if (options_.levels == 0)  // points keep their numbers
+      surface_.attributes.texture = options_.attributes->texture;
+    detail::hand_down_labels(*options_.attributes, face_of, surface_.attributes);
+  }
+
+  /// By the quick engine.
+  void quick_attributes(const FastRefiner& refiner, const Polygons& fine) {
+    if (options_.attributes == nullptr || options_.attributes->empty()) return;
+    Columns columns;
+    columns.smooth.emplace_back();
+    std::optional<Column> texture;
+    add_columns(control_, columns, texture);
+    for (std::size_t i = 1; i < columns.smooth.size(); ++i) {
+      Column column(fine.positions.size());
+      refiner.evaluate<double>(numbers_of(std::as_const(columns.smooth[i])), numbers_of(column));
+      columns.smooth[i] = std::move(column);
+    }
+    take_columns(columns, texture ? fine.corners : std::vector<Index>());
+    std::vector<Index> face_of;
+    if (options_.attributes->has_labels()) {
+      face_of.resize(static_cast<std::size_t>(refiner.face_count()));
+      refiner.write_parents(face_of);
+    }
+    hand_down(face_of);
+  }
+  Status quick_attributes() {
+    if (options_.attributes == nullptr || options_.attributes->empty()) return Done{};
+    const Result<FastRefiner> refiner = FastRefiner::make(scheme_, control_, options_.levels);
+    if (!refiner) return refiner.error();
+    quick_attributes(*refiner, surface_.polygons);
+    return Done{};
   }
 
   /// Finds what is wanted of the limit surface.
@@ -185,8 +297,26 @@ class Work {
 
 }  // namespace
 
+bool is_quick(const Scheme& scheme, const Mesh& control, const SurfaceOptions& options) {
+  const Split& split = *scheme.split;
+  if (options.engine != SurfaceOptions::Engine::quick || !has_fast_layout(split) ||
+      options.has_sharpness())
+    return false;
+  if (options.attributes == nullptr) return true;
+  const MeshAttributes& attributes = *options.attributes;
+  if (options.attribute_rules.linear && !attributes.vertices.empty()) return false;
+  if (attributes.has_labels() && !FastRefiner::knows_parents(split)) return false;
+  return attributes.texture.empty() ||
+         detail::texture_column(split, control, attributes.texture, options.attribute_rules.texture)
+             .has_value();
+}
+
 Result<RefinedSurface> refine_surface(const Scheme& scheme, Mesh control,
                                       std::vector<Point3> points, const SurfaceOptions& options) {
+  if (options.attributes != nullptr && !detail::have_size_of(control, *options.attributes))
+    return Error{"the attributes do not fit the mesh",
+                 "give a number for each vertex, a texture point for each corner, a label for each "
+                 "face"};
   return Work(scheme, std::move(control), std::move(points), options).run();
 }
 

@@ -9,9 +9,11 @@
 #include <vector>
 
 #include "limn/limit/limit_points.h"
+#include "limn/mesh/attributes/attributes.h"
 #include "limn/mesh/mesh.h"
 #include "limn/mesh/sharpness/tags.h"
 #include "limn/scheme/scheme.h"
+#include "limn/surface/attribute_rules.h"
 #include "limn/surface/limit_gaps.h"
 
 namespace limn {
@@ -30,6 +32,12 @@ struct SurfaceOptions {
   /// Of the control mesh. Where an edge or vertex is sharp, or a face a hole, the plain engine
   /// refines it, whatever `engine` says.
   Sharpness sharpness = {};
+  /// What the control mesh carries, by its numbers of vertices, half-edges and faces; or null. They
+  /// fit it (attributes_fit); an error where their counts do not. Texture coordinates with seams or
+  /// corners that stay, linear numbers, and labels under √3, √2 and dual splits need the plain
+  /// engine, whatever `engine` says.
+  const MeshAttributes* attributes = nullptr;
+  AttributeRules attribute_rules = {};  ///< how they are refined
   /// quick: the quick engine (fast/fast_refiner.h) where it can, else the plain one; plain: the
   /// plain one. The same surface to rounding, its vertices and faces in another order.
   enum class Engine { quick, plain };
@@ -52,6 +60,9 @@ struct RefinedSurface {
   SharpnessTags sharp;       ///< what of it is still sharp, by the numbers of `polygons`
   /// Where the vertices are on the limit surface: one for each, or empty where not wanted.
   std::vector<Point3> limit;
+  /// What it carries: numbers of vertices and texture coordinates where refinement puts them (not
+  /// the limit surface's), labels of the control faces that its faces lie in.
+  MeshAttributes attributes;
   /// The limit surface's, of length 1; zero where there is none. One for each vertex, or empty.
   std::vector<Point3> normals;
   /// The limit surface's principal ones; NaN where there are none. One for each vertex, or empty.
@@ -62,10 +73,15 @@ struct RefinedSurface {
   double refinement_seconds = 0;  ///< without what was found of the limit after it
 };
 
+/// Whether the quick engine refines this, as far as can be told at once.
+[[nodiscard]] bool is_quick(const Scheme& scheme, const Mesh& control,
+                            const SurfaceOptions& options);
+
 /// In double precision. Fails, with an error that says so, where the scheme needs triangles and the
 /// mesh has others, where a rule is missing that the mesh needs (boundary rules, valences), where
 /// 2^31 half-edges or the memory that there is are exceeded, where the scheme cannot take the
-/// sharpness (check_takes_sharpness, refine/crease_step.h), where something of the limit is wanted
+/// sharpness (check_takes_sharpness, refine/crease_step.h) or the texture coordinates
+/// (check_takes_texture), where something of the limit is wanted
 /// and something is still sharp after the steps that fades, and where the limit cannot be had (but
 /// see `partial`). Cost: some nanoseconds a refined vertex by the quick engine, about a hundred by
 /// the plain one; curvatures some microseconds.

@@ -187,6 +187,7 @@ bool may_write_refined(const Scheme& scheme, const SurfaceOptions& options, cons
                        const std::string& extension) {
   return options.engine == SurfaceOptions::Engine::quick && has_fast_layout(*scheme.split) &&
          !options.curvatures && !options.connectivity && !options.has_sharpness() &&
+         (options.attributes == nullptr || options.attributes->empty()) &&
          takes_mesh_pieces(path, extension);
 }
 

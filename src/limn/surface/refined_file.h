@@ -19,7 +19,8 @@ struct RefinedFile {
 };
 
 /// Whether `write_refined` may be able to, as far as can be told at once: the quick engine, no
-/// curvatures, no connectivity, no sharpness, and a file that takes pieces (mesh_pieces.h).
+/// curvatures, no connectivity, no sharpness, no attributes, and a file that takes pieces
+/// (mesh_pieces.h).
 [[nodiscard]] bool may_write_refined(const Scheme& scheme, const SurfaceOptions& options,
                                      const std::string& path, const std::string& extension);
 

@@ -23,6 +23,9 @@ RefineEstimate estimate_with_limit(const Split& split, const Mesh& control, int 
   if (quick && work.written && !work.curvatures)
     return FastPieces::estimate(split, control, levels, {work.limit, work.limit});
   RefineEstimate result = quick ? FastRefiner::estimate(split, control, levels) : plain;
+  // refined, and as they are handed on
+  const double attributes = result.vertices * 2 * kPoint * work.columns;
+  result.peak_bytes += attributes;
   if (!work.limit && !work.curvatures) return result;
   if (quick && !work.curvatures) {  // refined points, those of the limit, normals
     result.peak_bytes += result.vertices * (3 * kPoint + kQuickNumbers);
@@ -36,7 +39,8 @@ RefineEstimate estimate_with_limit(const Split& split, const Mesh& control, int 
   // the table comes when the steps of the limit are over
   const double table = work.curvatures ? plain.vertices * kTable : 0;
   result.peak_bytes =
-      std::max(last + plain.vertices * beside, plain.peak_bytes + plain.vertices * beside + table);
+      std::max(last + plain.vertices * beside, plain.peak_bytes + plain.vertices * beside + table) +
+      attributes;
   return result;
 }
 

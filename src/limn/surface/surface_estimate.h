@@ -10,6 +10,7 @@ struct LimitWork {
   bool limit = false;       ///< limit points or normals
   bool curvatures = false;  ///< and a table of curvatures, written as text
   bool written = false;     ///< into a file while it is made (refined_file.h), where it can be
+  int columns = 0;          ///< further points for each vertex, of attributes
 };
 
 /// What `levels` steps and the work on their result take at most, from counts alone: an upper bound

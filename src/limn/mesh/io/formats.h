@@ -61,6 +61,8 @@ struct Fault {
 /// That a position (a normal) is finite.
 Fault position_fault(std::size_t vertex, const Point3& position);
 Fault normal_fault(std::size_t vertex, const Point3& normal);
+/// That attributes are finite, and at most so large.
+Fault attribute_fault(const MeshAttributes& attributes, double largest);
 /// What is said of a fault that there is.
 Error error_of(Fault fault, const std::string& path);
 

@@ -1,14 +1,17 @@
 /// Binary glTF 2.0 as it is written: one mesh of triangles (triangulate.h), float positions,
-/// optional unit normals, 32-bit indices. [glTF 2.0 §4.4 GLB file format, §3.7 meshes]
+/// optional unit normals, texture coordinates (vertices are there once for each side of a seam) and
+/// colours, 32-bit indices. [glTF 2.0 §4.4 GLB file format, §3.7 meshes]
 
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <nlohmann/json.hpp>
+#include <utility>
 
 #include "limn/mesh/io/blocks.h"
 #include "limn/mesh/io/bytes.h"
 #include "limn/mesh/io/formats.h"
+#include "limn/mesh/io/gltf_attributes.h"
 
 namespace limn::io {
 namespace {
@@ -57,7 +60,13 @@ std::size_t add_block(Json& gltf, std::size_t& offset, std::size_t bytes, int ta
   return index;
 }
 
-Json description(const Polygons& mesh, bool normals, std::size_t indices) {
+/// How often numbers of each kind stand for a vertex.
+struct Parts {
+  bool normals = false, texture = false;
+  int colours = 0;  ///< 3 or 4; 0: there are none
+};
+
+Json description(const Polygons& mesh, const Parts& parts, std::size_t indices) {
   const std::size_t vertices = mesh.positions.size();
   Json gltf;
   gltf["asset"] = {{"version", "2.0"}, {"generator", "limn"}};
@@ -72,11 +81,16 @@ Json description(const Polygons& mesh, bool normals, std::size_t indices) {
   Json positions = {{"componentType", kFloat}, {"count", vertices}, {"type", "VEC3"}};
   add_bounds(positions, mesh);
   attributes["POSITION"] = add_block(gltf, size, 12 * vertices, kArrayBuffer, positions);
-  if (normals) {
-    attributes["NORMAL"] =
-        add_block(gltf, size, 12 * vertices, kArrayBuffer,
-                  {{"componentType", kFloat}, {"count", vertices}, {"type", "VEC3"}});
-  }
+  const auto add = [&](const char* name, int numbers) {
+    attributes[name] =
+        add_block(gltf, size, 4 * static_cast<std::size_t>(numbers) * vertices, kArrayBuffer,
+                  {{"componentType", kFloat},
+                   {"count", vertices},
+                   {"type", "VEC" + std::to_string(numbers)}});
+  };
+  if (parts.normals) add("NORMAL", 3);
+  if (parts.texture) add("TEXCOORD_0", 2);
+  if (parts.colours > 0) add("COLOR_0", parts.colours);
   const std::size_t triangles =
       add_block(gltf, size, 4 * indices, kElementArrayBuffer,
                 {{"componentType", kUnsignedInt}, {"count", indices}, {"type", "SCALAR"}});
@@ -86,16 +100,45 @@ Json description(const Polygons& mesh, bool normals, std::size_t indices) {
   return gltf;
 }
 
-}  // namespace
+/// A mesh whose vertices have each one texture point: cut at seams.
+struct CutAtSeams {
+  Polygons mesh;
+  std::vector<Index> vertex_of, point_of;  ///< of each of its vertices
+};
+CutAtSeams cut_at_seams(const Polygons& mesh, const TextureCoordinates& texture) {
+  CutAtSeams cut;
+  cut.mesh.face_begin = mesh.face_begin;
+  std::vector<Index> first(mesh.positions.size(), kNone), next;  // copies of each vertex
+  for (std::size_t c = 0; c < mesh.corners.size(); ++c) {
+    const auto v = static_cast<std::size_t>(mesh.corners[c]);
+    const Index point = texture.of_corner[c];
+    Index copy = first[v];
+    while (copy != kNone && cut.point_of[static_cast<std::size_t>(copy)] != point)
+      copy = next[static_cast<std::size_t>(copy)];
+    if (copy == kNone) {
+      copy = static_cast<Index>(cut.vertex_of.size());
+      cut.vertex_of.push_back(mesh.corners[c]);
+      cut.point_of.push_back(point);
+      cut.mesh.positions.push_back(mesh.positions[v]);
+      next.push_back(std::exchange(first[v], copy));
+    }
+    cut.mesh.corners.push_back(copy);
+  }
+  return cut;
+}
 
-void format_glb(const Polygons& mesh, const WriteOptions& options, const Sink& sink) {
-  const bool normals = !options.normals.empty();
-  const std::size_t indices = 3 * triangle_count(mesh);
-  const Json gltf = description(mesh, normals, indices);
+/// Writes numbers of vertices, in floats.
+template <class Append>
+void write_numbers(const Polygons& mesh, const Sink& sink, const Append& append_numbers) {
+  write_blocks(mesh.vertex_count(), sink, [&](Index first, Index last, std::string& out) {
+    for (Index v = first; v < last; ++v) append_numbers(out, static_cast<std::size_t>(v));
+  });
+}
+
+void write_head(const Json& gltf, const Sink& sink) {
   std::string json = gltf.dump();
   json.resize((json.size() + 3) / 4 * 4, ' ');
   const std::size_t data = gltf["buffers"][0]["byteLength"];  // a multiple of 4 already
-
   std::string head;
   const auto put = [&head](std::size_t value) {
     append_little(head, static_cast<std::uint32_t>(value));
@@ -109,13 +152,42 @@ void format_glb(const Polygons& mesh, const WriteOptions& options, const Sink& s
   put(data);
   put(kBinaryChunk);
   sink(head);
-  write_blocks(mesh.vertex_count(), sink, [&](Index first, Index last, std::string& out) {
-    for (Index v = first; v < last; ++v) append(out, mesh.positions[v]);
-  });
-  write_blocks(static_cast<Index>(options.normals.size()), sink,
-               [&](Index first, Index last, std::string& out) {
-                 for (Index v = first; v < last; ++v) append(out, unit(options.normals[v]));
-               });
+}
+
+}  // namespace
+
+void format_glb(const Polygons& whole, const WriteOptions& options, const Sink& sink) {
+  const TextureCoordinates& texture = options.attributes.texture;
+  const ColourColumns colour = colour_of(options.attributes);
+  Parts parts{!options.normals.empty(), !texture.empty(), 0};
+  if (colour) parts.colours = colour.column[3] != nullptr ? 4 : 3;
+  CutAtSeams cut;
+  if (parts.texture) cut = cut_at_seams(whole, texture);
+  const Polygons& mesh = parts.texture ? cut.mesh : whole;
+  const auto original = [&](std::size_t v) {
+    return parts.texture ? static_cast<std::size_t>(cut.vertex_of[v]) : v;
+  };
+  write_head(description(mesh, parts, 3 * triangle_count(mesh)), sink);
+  write_numbers(mesh, sink,
+                [&](std::string& out, std::size_t v) { append(out, mesh.positions[v]); });
+  if (parts.normals)
+    write_numbers(mesh, sink, [&](std::string& out, std::size_t v) {
+      append(out, unit(options.normals[original(v)]));
+    });
+  if (parts.texture)
+    write_numbers(mesh, sink, [&](std::string& out, std::size_t v) {
+      const Index i = cut.point_of[v];
+      const TexturePoint p =
+          i == kNone ? TexturePoint{} : texture.points[static_cast<std::size_t>(i)];
+      append_little(out, static_cast<float>(p.u), static_cast<float>(turned_v(p.v)));
+    });
+  if (parts.colours > 0)
+    write_numbers(mesh, sink, [&](std::string& out, std::size_t v) {
+      for (const VertexNumbers* column : colour.column)
+        if (column != nullptr)
+          append_little(
+              out, static_cast<float>(column->values[original(v)] / full_intensity(column->type)));
+    });
   write_blocks(mesh.face_count(), sink, [&](Index first, Index last, std::string& out) {
     for_each_triangle(mesh, first, last,
                       [&](Index a, Index b, Index c) { append_little(out, a, b, c); });

@@ -10,6 +10,7 @@
 #include "limn/base/memory.h"
 #include "limn/mesh/finite_point.h"
 #include "limn/mesh/io/formats.h"
+#include "limn/mesh/io/gltf_attributes.h"
 #include "limn/mesh/io/gltf_document.h"
 
 namespace limn::io {
@@ -42,10 +43,12 @@ class GltfReader {
         options_(options),
         file_(file),
         mesh_(file.polygons),
-        remarks_(file) {}
+        remarks_(file),
+        attributes_(document_, mesh_, file.attributes) {}
 
   Status read() {
     if (!document_.read() || !scene() || !place_all()) return document_.error();
+    attributes_.finish();
     if (const std::string fault = emptiness(mesh_); !fault.empty()) {
       document_.fail("", fault);
       return document_.error();
@@ -279,11 +282,15 @@ class GltfReader {
       if (indices.parts != 1 || !whole)
         return document_.fail(where, "'indices' are to be whole numbers without a sign");
     }
-    return faces(positions.count, indices, mode, first, placed.mirrors(), where);
+    const std::size_t corners = mesh_.corners.size();
+    return faces(positions.count, indices, mode, first, placed.mirrors(), where) &&
+           (!options_.attributes ||
+            attributes_.add(*attributes, where, first, positions.count, corners));
   }
 
   void remark(const Json& attributes, const Json& entry) {
     for (const auto& [name, value] : attributes.items()) {
+      if (options_.attributes && GltfAttributes::takes(name)) continue;
       const std::string kind = name.starts_with("TEXCOORD_") ? "texture coordinates"
                                : name.starts_with("COLOR_")  ? "vertex colours"
                                : name == "NORMAL"            ? "normals"
@@ -368,6 +375,7 @@ class GltfReader {
   MeshFile& file_;
   Polygons& mesh_;
   Remarks remarks_;
+  GltfAttributes attributes_;
   std::map<std::uint64_t, Index> first_vertex_;  ///< by accessor, of the mesh that is placed
   std::map<std::uint64_t, double> needed_by_;    ///< bytes of each mesh, placed once
   std::vector<Placement> placements_;            ///< in the order in which nodes are met

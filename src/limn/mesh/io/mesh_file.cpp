@@ -108,13 +108,20 @@ Fault unwritable(const Format& format, const Polygons& mesh, const WriteOptions&
   }
   for (std::size_t v = 0; v < options.normals.size(); ++v)
     if (Fault fault = normal_fault(v, options.normals[v]); !fault.message.empty()) return fault;
+  if (Fault fault = attribute_fault(options.attributes, largest); !fault.message.empty())
+    return fault;
   // No format needs 64 bytes a triangle; this can only happen where addresses have 32 bits.
   if (triangle_count(mesh) > std::numeric_limits<std::size_t>::max() / 64) {
     return {"the file would be too large for this machine", ""};
   }
   if (!format.is_gltf) return {};
   // The size of the file is a 32-bit field; 64 KiB are more than its JSON needs.
-  const std::size_t bytes = 24 * mesh.positions.size() + 12 * triangle_count(mesh);
+  const MeshAttributes& attributes = options.attributes;
+  const std::size_t vertices = attributes.texture.empty()
+                                   ? mesh.positions.size()
+                                   : std::max(mesh.positions.size(), mesh.corners.size());
+  const std::size_t each = 24 + (attributes.empty() ? 0 : 24);
+  const std::size_t bytes = each * vertices + 12 * triangle_count(mesh);
   if (bytes > std::numeric_limits<std::uint32_t>::max() - 65536u) {
     return {"the mesh needs more than the 4 GiB of a glb file", ""};
   }
@@ -126,7 +133,7 @@ Fault unwritable(const Format& format, const Polygons& mesh, const WriteOptions&
       options.normals.empty() || options.normals.size() == mesh.positions.size();
   const bool faces_match = !mesh.face_begin.empty() && mesh.face_begin.front() == 0 &&
                            mesh.face_begin.back() == static_cast<Index>(mesh.corners.size());
-  return normals_match && faces_match &&
+  return normals_match && faces_match && attributes_fit(options.attributes, mesh) &&
          std::all_of(mesh.corners.begin(), mesh.corners.end(),
                      [&](Index vertex) { return vertex >= 0 && vertex < mesh.vertex_count(); });
 }

@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "limn/base/error.h"
+#include "limn/mesh/attributes/attributes.h"
 #include "limn/mesh/mesh_source.h"
 #include "limn/mesh/polygons.h"
 #include "limn/mesh/sharpness/tags.h"
@@ -41,6 +42,8 @@ struct MeshFile {
   /// What is sharp: of OBJ, the tags ('t') of OpenSubdiv; of PLY, elements 'edge' with the
   /// properties 'vertex1', 'vertex2' and 'sharpness'.
   SharpnessTags tags;
+  /// What its vertices, corners and faces carry, where that was asked for (ReadOptions).
+  MeshAttributes attributes;
 
   /// Forgets the tags, for whoever has no use for them; `left_out` says so.
   void leave_out_tags();
@@ -54,6 +57,11 @@ struct ReadOptions {
   /// Coordinates that are not finite, corners that are no vertices and faces of less than three
   /// corners are kept, so that `survey_mesh` finds all of them; else the first is refused.
   bool keep_faults = false;
+  /// MeshFile::attributes is wanted: of OBJ texture coordinates, vertex colours, groups, objects,
+  /// materials, smoothing groups; of PLY scalar properties of vertices and texture coordinates of
+  /// vertices or faces; of glTF the first texture coordinates and colours. Else they are left out,
+  /// and not looked at.
+  bool attributes = false;
   /// Where the files are that glTF names, for its data; empty: they are not read. Reading a path
   /// takes its folder.
   std::string folder = {};
@@ -95,7 +103,17 @@ struct WriteOptions {
   /// What is sharp, by numbers of vertices and faces: written where the format has it (lost_tags).
   /// Creases are single edges, of two vertices.
   SharpnessTags tags;
+  /// What the mesh carries, written where the format has it (lost_attributes); they fit the mesh.
+  MeshAttributes attributes = {};
 };
+
+/// What of the attributes files with this extension do not hold, in words: "texture coordinates".
+/// OBJ holds texture coordinates, colours, labels and material files, PLY numbers of vertices and
+/// texture coordinates, GLB texture coordinates and colours, others nothing.
+[[nodiscard]] std::vector<std::string> lost_attributes(std::string_view extension,
+                                                       const MeshAttributes& attributes);
+/// The attributes without these.
+[[nodiscard]] MeshAttributes kept_attributes(std::string_view extension, MeshAttributes attributes);
 
 /// What of the tags files with this extension do not hold: OBJ holds all, PLY creases, others none.
 [[nodiscard]] SharpnessTags lost_tags(std::string_view extension, SharpnessTags tags);

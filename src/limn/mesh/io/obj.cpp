@@ -1,4 +1,5 @@
-/// Wavefront OBJ: `v`, `f` and the tags `t` are read, all else is left out.
+/// Wavefront OBJ: `v`, `f` and the tags `t` are read, and what vertices, corners and faces carry
+/// where that is asked for; all else is left out.
 
 #include <algorithm>
 #include <cstdint>
@@ -6,6 +7,7 @@
 
 #include "limn/mesh/io/blocks.h"
 #include "limn/mesh/io/formats.h"
+#include "limn/mesh/io/obj_attributes.h"
 #include "limn/mesh/io/obj_tags.h"
 #include "limn/mesh/io/text_writer.h"
 
@@ -43,6 +45,7 @@ class ObjReader {
             {.comments = true, .non_finite = options.keep_faults, .continuation = true}),
         options_(options),
         remarks_(file),
+        attributes_(in_, remarks_, file),
         mesh_(file.polygons),
         source_(file.source),
         tags_(file.tags) {}
@@ -55,6 +58,7 @@ class ObjReader {
       in_.skip_line(is_obj_keyword);
     }
     if (!check_end()) return in_.error();
+    if (options_.attributes && !attributes_.finish()) return in_.error();
     return Done{};
   }
 
@@ -64,6 +68,11 @@ class ObjReader {
     if (keyword == "v") return vertex();
     if (keyword == "f") return face();
     if (keyword == "t") return tag();
+    if (options_.attributes) {
+      bool taken = false;
+      if (!attributes_.statement(keyword, taken)) return false;
+      if (taken) return true;
+    }
     return other(keyword);
   }
 
@@ -76,7 +85,7 @@ class ObjReader {
       ++count;
     }
     if (in_.line_has_more() || count < 3 || count == 5) return bad_vertex(place, count);
-    if (count >= 6) remarks_.left_out(place, "vertex colours", "vertices");
+    if (count >= 6 && !options_.attributes) remarks_.left_out(place, "vertex colours", "vertices");
     if (count == 4 && numbers[3] != 1.0) {
       remarks_.left_out(place, "weights w other than 1", "vertices");
     }
@@ -85,6 +94,7 @@ class ObjReader {
     }
     mesh_.positions.push_back({numbers[0], numbers[1], numbers[2]});
     source_.vertex_lines.push_back(place.line);
+    if (options_.attributes) attributes_.add_colour(numbers + 3, count >= 6 ? count - 3 : 0);
     return true;
   }
 
@@ -113,7 +123,7 @@ class ObjReader {
     }
     mesh_.face_begin.push_back(static_cast<Index>(mesh_.corners.size()));
     source_.face_lines.push_back(place.line);
-    return true;
+    return !options_.attributes || attributes_.end_face(place, degree);
   }
 
   /// One of v, v/t, v//n, v/t/n; indices from 1, or from -1 backwards.
@@ -139,7 +149,8 @@ class ObjReader {
       return in_.fail(in_.last_place(), "2^31 - 1 corners or more");
     }
     mesh_.corners.push_back(to_index(vertex));
-    return true;
+    return !options_.attributes ||
+           attributes_.corner(word, {rest, static_cast<std::size_t>(end - rest)});
   }
 
   /// Up to two of "/", "/number".
@@ -201,6 +212,7 @@ class ObjReader {
   TextScanner in_;
   const ReadOptions options_;
   Remarks remarks_;
+  ObjAttributes attributes_;
   Polygons& mesh_;
   MeshSource& source_;
   SharpnessTags& tags_;
@@ -218,29 +230,74 @@ Status parse_obj(std::string_view content, const ReadOptions& options, MeshFile&
   return ObjReader(content, options, mesh).read();
 }
 
+namespace {
+
+void write_vertices(const Polygons& mesh, const MeshAttributes& attributes, const Sink& sink) {
+  const ColourColumns colour = colour_of(attributes);
+  write_blocks(mesh.vertex_count(), sink, [&](Index first, Index last, std::string& out) {
+    for (Index v = first; v < last; ++v) {
+      out += "v ";
+      append(out, mesh.positions[static_cast<std::size_t>(v)]);
+      for (const VertexNumbers* column : colour.column) {
+        if (column == nullptr) continue;
+        out += ' ';
+        append(out, column->values[static_cast<std::size_t>(v)] / full_intensity(column->type));
+      }
+      out += '\n';
+    }
+  });
+}
+
+void write_texture_points(const TextureCoordinates& texture, const Sink& sink) {
+  write_blocks(static_cast<Index>(texture.points.size()), sink,
+               [&](Index first, Index last, std::string& out) {
+                 for (Index i = first; i < last; ++i) {
+                   const TexturePoint& point = texture.points[static_cast<std::size_t>(i)];
+                   out += "vt ";
+                   append(out, point.u);
+                   out += ' ';
+                   append(out, point.v);
+                   out += '\n';
+                 }
+               });
+}
+
+/// v, v/vt, v//vn or v/vt/vn.
+void append_corner(std::string& out, Index vertex, Index point, bool normal) {
+  out += ' ';
+  append(out, vertex + 1);
+  if (point != kNone) {
+    out += '/';
+    append(out, point + 1);
+  }
+  if (!normal) return;
+  out += point != kNone ? "/" : "//";
+  append(out, vertex + 1);
+}
+
+}  // namespace
+
 void format_obj(const Polygons& mesh, const WriteOptions& options, const Sink& sink) {
-  const auto write_points = [&](std::string_view keyword, const std::vector<Point3>& points) {
-    write_blocks(static_cast<Index>(points.size()), sink,
-                 [&](Index first, Index last, std::string& out) {
-                   for (Index i = first; i < last; ++i) {
-                     out += keyword;
-                     append(out, points[static_cast<std::size_t>(i)]);
-                     out += '\n';
-                   }
-                 });
-  };
-  write_points("v ", mesh.positions);
-  write_points("vn ", options.normals);
+  const MeshAttributes& attributes = options.attributes;
+  const TextureCoordinates& texture = attributes.texture;
+  if (const std::string head = obj_head_lines(attributes); !head.empty()) sink(head);
+  write_vertices(mesh, attributes, sink);
+  write_texture_points(texture, sink);
+  write_blocks(static_cast<Index>(options.normals.size()), sink,
+               [&](Index first, Index last, std::string& out) {
+                 for (Index i = first; i < last; ++i) {
+                   out += "vn ";
+                   append(out, options.normals[static_cast<std::size_t>(i)]);
+                   out += '\n';
+                 }
+               });
   write_blocks(mesh.face_count(), sink, [&](Index first, Index last, std::string& out) {
     for (Index face = first; face < last; ++face) {
+      append_obj_names(out, attributes, face > 0 ? face - 1 : kNone, face);
       out += 'f';
-      for (Index c = mesh.face_begin[face]; c < mesh.face_begin[face + 1]; ++c) {
-        out += ' ';
-        append(out, mesh.corners[c] + 1);
-        if (options.normals.empty()) continue;
-        out += "//";
-        append(out, mesh.corners[c] + 1);
-      }
+      for (Index c = mesh.face_begin[face]; c < mesh.face_begin[face + 1]; ++c)
+        append_corner(out, mesh.corners[c], texture.empty() ? kNone : texture.of_corner[c],
+                      !options.normals.empty());
       out += '\n';
     }
   });

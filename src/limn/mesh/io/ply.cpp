@@ -1,58 +1,17 @@
 /// Stanford PLY: the positions of `vertex`, the index lists of `face` and the strips of
-/// `tristrips`, and the sharpness of `edge`, are read from ascii and both binary encodings; binary
-/// little-endian with double coordinates is written.
+/// `tristrips`, and the sharpness of `edge`, are read from ascii and both binary encodings, and
+/// what vertices and corners carry where that is asked for.
 
 #include <cmath>
 #include <cstdint>
-#include <initializer_list>
-#include <set>
 
-#include "limn/mesh/io/blocks.h"
-#include "limn/mesh/io/bytes.h"
 #include "limn/mesh/io/formats.h"
+#include "limn/mesh/io/ply_attributes.h"
 #include "limn/mesh/io/ply_body.h"
 #include "limn/mesh/io/ply_header.h"
-#include "limn/mesh/io/ply_records.h"
 
 namespace limn::io {
 namespace {
-
-bool is_one_of(const std::string& name, std::initializer_list<const char*> names) {
-  for (const char* known : names) {
-    if (name == known) return true;
-  }
-  return false;
-}
-
-bool is_index_list(const PlyProperty& property) {
-  return property.is_list && is_one_of(property.name, {"vertex_indices", "vertex_index"});
-}
-
-/// 0, 1, 2 for x, y, z; else -1.
-int axis_of(const PlyProperty& property) {
-  if (property.is_list) return -1;
-  return property.name == "x" ? 0 : property.name == "y" ? 1 : property.name == "z" ? 2 : -1;
-}
-
-bool holds_faces(const PlyElement& element) {
-  return is_one_of(element.name, {"face", "tristrips"});
-}
-
-/// The properties of an edge that are read, in this order; -1: none of them.
-constexpr const char* kEdgeProperties[] = {"vertex1", "vertex2", "sharpness"};
-int edge_role_of(const PlyProperty& property) {
-  for (int role = 0; role < 3; ++role)
-    if (!property.is_list && property.name == kEdgeProperties[role]) return role;
-  return -1;
-}
-
-/// Whether these are edges with all of them.
-bool holds_sharpness(const PlyElement& element) {
-  int found = 0;
-  for (const PlyProperty& property : element.properties)
-    if (const int role = edge_role_of(property); role >= 0) found |= 1 << role;
-  return element.name == "edge" && found == 7;
-}
 
 /// That the element has one list of vertices.
 bool check_index_list(TextScanner& in, const PlyElement& element) {
@@ -96,37 +55,6 @@ bool check_header(TextScanner& in, const PlyHeader& header) {
   return true;
 }
 
-/// What a property of a vertex or face is to a user.
-std::string kind_of(const PlyElement& element, const PlyProperty& property) {
-  const std::string& name = property.name;
-  if (is_one_of(name, {"nx", "ny", "nz"})) return "normals";
-  if (is_one_of(name, {"s", "t", "u", "v", "texture_u", "texture_v", "texcoord"})) {
-    return "texture coordinates";
-  }
-  if (is_one_of(name, {"red", "green", "blue", "alpha"})) return element.name + " colours";
-  return "the " + element.name + " property " + in_quotes(name);
-}
-
-void remark_what_is_left_out(const PlyHeader& header, Remarks& remarks) {
-  for (const PlyElement& element : header.elements) {
-    const auto count = static_cast<std::size_t>(element.count);
-    const bool is_vertex = element.name == "vertex";
-    if (holds_sharpness(element)) continue;
-    if (!is_vertex && !holds_faces(element)) {
-      if (count > 0)
-        remarks.left_out(element.place, "elements " + in_quotes(element.name), "of them", count);
-      continue;
-    }
-    std::set<std::string> kinds;
-    for (const PlyProperty& property : element.properties) {
-      if (is_vertex ? axis_of(property) >= 0 : is_index_list(property)) continue;
-      std::string kind = kind_of(element, property);
-      if (!kinds.insert(kind).second) continue;
-      remarks.left_out(property.place, kind, is_vertex ? "vertices" : "faces", count);
-    }
-  }
-}
-
 template <class Body>
 class ElementReader {
  public:
@@ -147,6 +75,7 @@ class ElementReader {
         return false;
       }
     }
+    if (options_.attributes) finish_ply_texture(header_, mesh_, file_.attributes);
     // Strips may hold no triangle.
     if (const std::string fault = emptiness(mesh_); !fault.empty()) return body_.fail(fault);
     Remarks remarks(file_);
@@ -173,25 +102,26 @@ class ElementReader {
   }
 
   bool vertices(const PlyElement& element) {
-    std::vector<int> axes;
-    axes.reserve(element.properties.size());
-    for (const PlyProperty& property : element.properties) axes.push_back(axis_of(property));
+    const PlyVertexLayout layout(element, header_, options_.attributes);
     mesh_.positions.reserve(static_cast<std::size_t>(element.count));
     static constexpr const char* names[3] = {"the x coordinate", "the y coordinate",
                                              "the z coordinate"};
+    layout.begin(file_.attributes);
+    std::vector<double> numbers(layout.size());
     for (std::int64_t number = 0; number < element.count; ++number) {
-      double xyz[3] = {};
       if (!body_.begin(element, number)) return false;
       note_line(file_.source.vertex_lines);
-      for (std::size_t k = 0; k < axes.size(); ++k) {
+      for (std::size_t k = 0; k < element.properties.size(); ++k) {
         const PlyProperty& property = element.properties[k];
-        const int axis = axes[k];
-        if (axis >= 0 ? !body_.read(property.type, xyz[axis], names[axis]) : !skip(property)) {
+        const int place = layout.place(k);
+        const char* const what = place < 3 ? names[std::max(place, 0)] : property.name.c_str();
+        if (place < 0 ? !skip(property)
+                      : !body_.read(property.type, numbers[static_cast<std::size_t>(place)], what))
           return false;
-        }
       }
       if (!body_.end()) return false;
-      mesh_.positions.push_back({xyz[0], xyz[1], xyz[2]});
+      mesh_.positions.push_back({numbers[0], numbers[1], numbers[2]});
+      layout.add(numbers, file_.attributes);
     }
     return true;
   }
@@ -203,17 +133,56 @@ class ElementReader {
       is_index.push_back(is_index_list(property) ? 1 : 0);
     }
     const bool strips = element.name == "tristrips";
+    const PlyProperty* const texture =
+        options_.attributes && !strips ? corner_texture(element) : nullptr;
+    if (texture != nullptr)
+      file_.attributes.texture.type =
+          texture->type == NumberType::float32 ? NumberType::float32 : NumberType::float64;
     mesh_.face_begin.reserve(static_cast<std::size_t>(element.count) + 1);
     for (std::int64_t number = 0; number < element.count; ++number) {
       if (!body_.begin(element, number)) return false;
+      wedges_.clear();
       for (std::size_t k = 0; k < is_index.size(); ++k) {
         const PlyProperty& property = element.properties[k];
-        const bool read = is_index[k] == 0 ? skip(property)
-                          : strips         ? strip(property)
-                                           : face(property);
+        const bool read = &property == texture ? wedges(property)
+                          : is_index[k] == 0   ? skip(property)
+                          : strips             ? strip(property)
+                                               : face(property);
         if (!read) return false;
       }
+      if (texture != nullptr && !take_wedges()) return false;
       if (!body_.end()) return false;
+    }
+    return true;
+  }
+
+  /// The texture coordinates of a face: u and v of each corner, or nothing.
+  bool wedges(const PlyProperty& property) {
+    std::int64_t count = 0;
+    if (!integer(property.count_type, count, "the number of texture coordinates")) return false;
+    for (std::int64_t k = 0; k < count; ++k) {
+      double value = 0;
+      if (!body_.read(property.type, value, "a texture coordinate")) return false;
+      wedges_.push_back(value);
+    }
+    return true;
+  }
+  bool take_wedges() {
+    const std::size_t corners =
+        mesh_.corners.size() - static_cast<std::size_t>(*(mesh_.face_begin.end() - 2));
+    TextureCoordinates& texture = file_.attributes.texture;
+    if (!wedges_.empty() && wedges_.size() != 2 * corners)
+      return body_.fail("a face of " + std::to_string(corners) + " corners has " +
+                            std::to_string(wedges_.size()) + " texture coordinates, expected " +
+                            std::to_string(2 * corners) + " or none",
+                        "u and v of each corner; or leave attributes out by --attributes none");
+    if (wedges_.empty()) {
+      texture.of_corner.resize(mesh_.corners.size(), kNone);
+      return true;
+    }
+    for (std::size_t c = 0; c < corners; ++c) {
+      texture.of_corner.push_back(static_cast<Index>(texture.points.size()));
+      texture.points.push_back({wedges_[2 * c], wedges_[2 * c + 1]});
     }
     return true;
   }
@@ -359,6 +328,7 @@ class ElementReader {
   MeshFile& file_;
   Polygons& mesh_;
   std::int64_t vertex_count_ = 0;
+  std::vector<double> wedges_;  // of the face that is read
 };
 
 template <class Body>
@@ -383,7 +353,7 @@ Status read_ply(std::string_view content, bool by_word, const ReadOptions& optio
   PlyHeader header;
   if (!read_ply_header(in, header) || !check_header(in, header)) return in.error();
   Remarks remarks(mesh);
-  remark_what_is_left_out(header, remarks);
+  remark_what_is_left_out(header, options.attributes, remarks);
   if (header.format != PlyFormat::ascii) {
     return read_elements(BinaryBody(content, data_begin(content, in.offset()), header.format,
                                     mesh.source.file, options.keep_faults),
@@ -405,34 +375,6 @@ Status read_ply(std::string_view content, bool by_word, const ReadOptions& optio
 
 Status parse_ply(std::string_view content, const ReadOptions& options, MeshFile& mesh) {
   return read_ply(content, false, options, mesh);
-}
-
-void format_ply(const Polygons& mesh, const WriteOptions& options, const Sink& sink) {
-  PlyRecords records{mesh.positions.size(), static_cast<std::size_t>(mesh.face_count()),
-                     !options.normals.empty(), false, options.tags.creases.size()};
-  for (Index face = 0; face < mesh.face_count(); ++face)
-    records.wide = records.wide || mesh.degree(face) > 255;
-  sink(records.header());
-  const double* const positions = numbers_of(mesh.positions).data();
-  const double* const normals = records.normals ? numbers_of(options.normals).data() : nullptr;
-  write_blocks(mesh.vertex_count(), sink, [&](Index first, Index last, std::string& out) {
-    const auto count = static_cast<std::size_t>(last - first);
-    const auto skipped = 3 * static_cast<std::ptrdiff_t>(first);
-    out.resize(count * records.vertex_bytes());
-    put_ply_vertices(out.data(), count, positions + skipped,
-                     records.normals ? normals + skipped : nullptr);
-  });
-  write_blocks(mesh.face_count(), sink, [&](Index first, Index last, std::string& out) {
-    const auto count = static_cast<std::size_t>(last - first);
-    const Index begin = mesh.face_begin[first], corners = mesh.face_begin[last] - begin;
-    out.resize(records.face_bytes(count, static_cast<std::size_t>(corners)));
-    put_ply_faces(out.data(), count, mesh.corners.data() + begin, 0, &mesh.face_begin[first],
-                  records.wide);
-  });
-  std::string edges;
-  for (const SharpnessTags::Crease& crease : options.tags.creases)
-    append_ply_edge(edges, crease.vertices[0], crease.vertices[1], crease.sharpness[0]);
-  if (!edges.empty()) sink(edges);
 }
 
 }  // namespace limn::io

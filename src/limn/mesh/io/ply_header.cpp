@@ -156,6 +156,12 @@ class HeaderReader {
 
 }  // namespace
 
+const char* name_of(PlyType type) {
+  const auto found = std::find_if(std::begin(kTypeNames), std::end(kTypeNames),
+                                  [&](const TypeName& one) { return one.type == type; });
+  return found->name.data();  // each type has a name, which is a literal
+}
+
 std::size_t size_of(PlyType type) {
   switch (type) {
     case PlyType::int8:

@@ -6,15 +6,18 @@
 #include <string>
 #include <vector>
 
+#include "limn/mesh/attributes/attributes.h"
 #include "limn/mesh/io/text_scanner.h"
 
 namespace limn::io {
 
 enum class PlyFormat { ascii, binary_little_endian, binary_big_endian };
-enum class PlyType { int8, uint8, int16, uint16, int32, uint32, float32, float64 };
+using PlyType = NumberType;
 
 /// Bytes of one value in a binary file.
 std::size_t size_of(PlyType type);
+/// As headers that limn writes name it: "uchar", "double".
+const char* name_of(PlyType type);
 
 struct PlyProperty {
   std::string name;

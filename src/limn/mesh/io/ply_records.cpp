@@ -24,14 +24,16 @@ char* put_equal_faces(char* to, std::size_t count, const Index* corners, bool wi
 
 }  // namespace
 
-std::string PlyRecords::header() const {
+std::string PlyRecords::header(const std::string& of_vertices, const std::string& of_faces) const {
   std::string text = "ply\nformat binary_little_endian 1.0\nelement vertex " +
                      std::to_string(vertices) +
                      "\nproperty double x\nproperty double y\nproperty double z\n";
   if (normals) text += "property double nx\nproperty double ny\nproperty double nz\n";
+  text += of_vertices;
   text += "element face " + std::to_string(faces);
   text += wide ? "\nproperty list int int vertex_indices\n"
                : "\nproperty list uchar int vertex_indices\n";
+  text += of_faces;
   if (edges > 0)
     text += "element edge " + std::to_string(edges) +
             "\nproperty int vertex1\nproperty int vertex2\nproperty double sharpness\n";

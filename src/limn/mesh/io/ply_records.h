@@ -15,7 +15,9 @@ struct PlyRecords {
   bool wide = false;      ///< a face has more than 255 corners
   std::size_t edges = 0;  ///< that have a sharpness
 
-  [[nodiscard]] std::string header() const;
+  /// With further properties of vertices and faces, as lines of the header.
+  [[nodiscard]] std::string header(const std::string& of_vertices = {},
+                                   const std::string& of_faces = {}) const;
   /// Of a vertex.
   [[nodiscard]] std::size_t vertex_bytes() const { return normals ? 48 : 24; }
   /// Of so many faces with so many corners in all.

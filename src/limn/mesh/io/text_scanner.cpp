@@ -93,6 +93,22 @@ void TextScanner::skip_line(bool (*begins_statement)(std::string_view word)) {
   }
 }
 
+std::string TextScanner::take_rest(bool (*begins_statement)(std::string_view word)) {
+  std::string text;
+  cursor_ = behind_blanks(cursor_);
+  while (cursor_ < end_ && !is_line_end(cursor_)) {
+    if (style_.comments && *cursor_ == '#' && (text.empty() || is_blank(text.back()))) break;
+    if (continues(cursor_) && !begins_statement(first_word_after(cursor_ + 1))) {
+      join_next_line();
+      text += ' ';
+    } else {
+      text += *cursor_++;
+    }
+  }
+  while (!text.empty() && is_blank(text.back())) text.pop_back();
+  return text;
+}
+
 std::string_view TextScanner::take_word() {
   last_ = cursor_;
   last_line_begin_ = line_begin_;

@@ -37,6 +37,10 @@ class TextScanner {
   /// Moves back into the word that was read last, behind its first `size` bytes.
   void keep_of_last(std::size_t size) { cursor_ = last_ + size; }
 
+  /// What is left of this line, without blanks at its ends and without a comment, which begins with
+  /// a blank and '#'. A line that `begins_statement` is no continuation, as in skip_line.
+  std::string take_rest(bool (*begins_statement)(std::string_view word));
+
   /// The word at the cursor; empty at the end of a line.
   std::string_view take_word();
   /// The next word of this line as a finite number (see TextStyle::non_finite). `what` ("the x

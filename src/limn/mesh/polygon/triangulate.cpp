@@ -198,14 +198,19 @@ Result<Triangulation> triangulate(const Polygons& polygons) {
   for (Index f = 0; f < polygons.face_count(); ++f) {
     const Index* const face = polygons.corners.data() + polygons.face_begin[f];
     if (polygons.degree(f) < 3) {
-      result.polygons.corners.insert(result.polygons.corners.end(), face,
-                                     face + polygons.degree(f));
+      for (Index c = polygons.face_begin[f]; c < polygons.face_begin[f + 1]; ++c) {
+        result.polygons.corners.push_back(polygons.corners[c]);
+        result.corner_of.push_back(c);
+      }
       close_face(f);
       continue;
     }
     bool gave_up = false;
     for (const auto& triangle : cutter.cut(f, gave_up, shared.apex(f))) {
-      for (const Index corner : triangle) result.polygons.corners.push_back(face[corner]);
+      for (const Index corner : triangle) {
+        result.polygons.corners.push_back(face[corner]);
+        result.corner_of.push_back(polygons.face_begin[f] + corner);
+      }
       close_face(f);
     }
     if (gave_up) result.gave_up.push_back(f);

@@ -37,9 +37,10 @@ class FaceCutter {
 };
 
 struct Triangulation {
-  Polygons polygons;           ///< the same vertices; triangles in the order of their polygons
-  std::vector<Index> face_of;  ///< the polygon of each triangle
-  std::vector<Index> gave_up;  ///< polygons whose triangles overlap or have no area
+  Polygons polygons;             ///< the same vertices; triangles in the order of their polygons
+  std::vector<Index> face_of;    ///< the polygon of each triangle
+  std::vector<Index> corner_of;  ///< the corner of the input, of all its corners, that each is
+  std::vector<Index> gave_up;    ///< polygons whose triangles overlap or have no area
 };
 
 /// Every polygon of more than three corners cut into triangles by a `FaceCutter`. Where two faces

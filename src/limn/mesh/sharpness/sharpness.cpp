@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include "limn/mesh/split/heritage.h"
+
 namespace limn {
 namespace {
 
@@ -65,81 +67,16 @@ ChildSharpness child_sharpness(const Mesh& mesh, const Sharpness& sharpness) {
 
 namespace {
 
-/// Which old edges and faces the refined ones lie on.
-class Heritage {
- public:
-  Heritage(const Mesh& mesh, const SplitResult& fine) : mesh_(mesh), fine_(fine) {}
-
-  /// The old half-edge that the refined half-edge g lies on, in its direction; kNone: on none.
-  [[nodiscard]] Index halfedge(Index g) const {
-    const Index a = fine_.mesh.origin(g), b = fine_.mesh.target(g);
-    const Index of_a = halfedge_of(a), of_b = halfedge_of(b);
-    Index h = of_a != kNone ? of_a : of_b;
-    if (h == kNone || (of_a != kNone && of_b != kNone && mesh_.edge(of_a) != mesh_.edge(of_b)))
-      return kNone;
-    if (of_a != kNone && of_b != kNone) return oriented_like_children(h, a, b);
-    const bool out = of_a == kNone;  // from an old vertex
-    const Index v = out ? a : b;
-    if (v >= fine_.births.from_vertices) return kNone;
-    if ((out ? mesh_.origin(h) : mesh_.target(h)) == v) return h;
-    if ((out ? mesh_.target(h) : mesh_.origin(h)) != v) return kNone;
-    return mesh_.twin(h) != kNone ? mesh_.twin(h) : h;
-  }
-
-  /// What the child edge there inherits.
-  [[nodiscard]] double sharpness(Index g, Index h, const ChildSharpness& children) const {
-    const std::size_t e = at(mesh_.edge(h));
-    const bool turned = mesh_.halfedge_of_edge(mesh_.edge(h)) != h;
-    const Index a = fine_.mesh.origin(g), b = fine_.mesh.target(g);
-    const double first = children.edge_ends[2 * e], last = children.edge_ends[2 * e + 1];
-    if (a < fine_.births.from_vertices) return turned ? last : first;
-    if (b < fine_.births.from_vertices) return turned ? first : last;
-    return (first + last) / 2;
-  }
-
- private:
-  /// Of the old edge that the refined vertex is born from; kNone: from none.
-  [[nodiscard]] Index halfedge_of(Index vertex) const {
-    const Index i = vertex - fine_.births.from_vertices;
-    if (i < 0 || i >= fine_.births.from_edges) return kNone;
-    return edge_child(mesh_, fine_.births, i).halfedge;
-  }
-  /// Between two children of one edge: they are numbered along halfedge_of_edge.
-  [[nodiscard]] Index oriented_like_children(Index h, Index a, Index b) const {
-    const Index along = mesh_.halfedge_of_edge(mesh_.edge(h));
-    if (a < b) return along;
-    return mesh_.twin(along) != kNone ? mesh_.twin(along) : along;
-  }
-
-  const Mesh& mesh_;
-  const SplitResult& fine_;
-};
-
-/// Holes of the refined mesh: the faces along old half-edges belong to these half-edges' faces, and
-/// all others to that from which they are reached without crossing an old edge.
-std::vector<bool> inherit_holes(const Mesh& mesh, const std::vector<bool>& holes, const Mesh& fine,
-                                const std::vector<Index>& on) {
-  std::vector<Index> owner(at(fine.face_count()), kNone), reached;
-  for (Index g = 0; g < fine.halfedge_count(); ++g) {
-    Index& face = owner[at(fine.face(g))];
-    if (on[at(g)] == kNone || face != kNone) continue;
-    face = mesh.face(on[at(g)]);
-    reached.push_back(fine.face(g));
-  }
-  while (!reached.empty()) {
-    const Index f = reached.back();
-    reached.pop_back();
-    for (Index g = fine.face_begin(f); g < fine.face_begin(f + 1); ++g) {
-      const Index twin = fine.twin(g);
-      if (on[at(g)] != kNone || twin == kNone || owner[at(fine.face(twin))] != kNone) continue;
-      owner[at(fine.face(twin))] = owner[at(f)];
-      reached.push_back(fine.face(twin));
-    }
-  }
-  std::vector<bool> result(at(fine.face_count()), false);
-  for (std::size_t f = 0; f < result.size(); ++f)
-    result[f] = owner[f] != kNone && holes[at(owner[f])];
-  return result;
+/// What the child edge inherits at refined half-edge g, which lies on the old half-edge h.
+double sharpness_on(const Mesh& mesh, const SplitResult& fine, const ChildSharpness& children,
+                    Index g, Index h) {
+  const std::size_t e = at(mesh.edge(h));
+  const bool turned = mesh.halfedge_of_edge(mesh.edge(h)) != h;
+  const Index a = fine.mesh.origin(g), b = fine.mesh.target(g);
+  const double first = children.edge_ends[2 * e], last = children.edge_ends[2 * e + 1];
+  if (a < fine.births.from_vertices) return turned ? last : first;
+  if (b < fine.births.from_vertices) return turned ? first : last;
+  return (first + last) / 2;
 }
 
 }  // namespace
@@ -153,18 +90,21 @@ Sharpness inherit(const Mesh& mesh, const Sharpness& sharpness, const ChildSharp
     std::copy(children.vertices.begin(), children.vertices.end(), result.vertices.begin());
   }
   if (sharpness.edges.empty() && sharpness.holes.empty()) return result;
-  const Heritage heritage(mesh, fine);
-  std::vector<Index> on(at(fine.mesh.halfedge_count()));
-  for (Index g = 0; g < fine.mesh.halfedge_count(); ++g) on[at(g)] = heritage.halfedge(g);
+  const std::vector<Index> on = old_halfedges(mesh, fine);
   if (!sharpness.edges.empty()) {
     result.edges.assign(at(fine.mesh.edge_count()), 0);
     for (Index e = 0; e < fine.mesh.edge_count(); ++e) {
       const Index g = fine.mesh.halfedge_of_edge(e);
       if (on[at(g)] != kNone && !fine.mesh.is_boundary_edge(e))
-        result.edges[at(e)] = heritage.sharpness(g, on[at(g)], children);
+        result.edges[at(e)] = sharpness_on(mesh, fine, children, g, on[at(g)]);
     }
   }
-  if (!sharpness.holes.empty()) result.holes = inherit_holes(mesh, sharpness.holes, fine.mesh, on);
+  if (!sharpness.holes.empty()) {
+    const std::vector<Index> parents = faces_between(mesh, fine.mesh, on);
+    result.holes.resize(parents.size());
+    for (std::size_t f = 0; f < parents.size(); ++f)
+      result.holes[f] = parents[f] != kNone && sharpness.holes[at(parents[f])];
+  }
   return result;
 }
 
