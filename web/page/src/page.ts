@@ -1,5 +1,5 @@
 // The page: where the views stand, what the keys do, and what goes to the clipboard.
-import type { App } from './app';
+import type { App, View } from './app';
 import { command, focuses, fromFragment, shades, toFragment, type Focus, type State } from './state';
 import { withDefaults } from './scheme_text';
 import { tourPanel } from './tour/panel';
@@ -47,7 +47,12 @@ export function mount(app: App, place: HTMLElement): void {
       projector, button('Light / dark', 'Light or dark (d)', actions.theme, 'theme'), button('?', 'Keys', actions.help, 'help-open')));
   place.replaceChildren(header, tabs, h('main', {}, left, center, side), tour.element, timing.element, help, toast.element);
   for (const focus of focuses) addExpander(views[focus].element, focus, app);
-  app.views = Object.values(views);
+  const heading: View = { element: name, update: (_state, { scheme, other }) => {
+    const title = (one: typeof scheme): string => one?.info.title || one?.label || '';
+    say(name, title(scheme) + (other ? ` beside ${title(other)}` : ''));
+    document.title = `limn · ${scheme?.label ?? ''}`;
+  } };
+  app.views = [...Object.values(views), heading];
   app.meshErrors = (file, faults, repairable) => meshFaults(app, toast.offer, file, faults, repairable);
 
   let arranged = '';
@@ -56,8 +61,6 @@ export function mount(app: App, place: HTMLElement): void {
     document.documentElement.dataset.size = state.projector ? 'large' : 'normal';
     document.body.dataset.focus = state.focus;
     projector.setAttribute('aria-pressed', String(state.projector));
-    say(name, app.model.scheme?.info.title || app.model.scheme?.label || '');
-    document.title = `limn · ${app.model.scheme?.label ?? ''}`;
     for (const tab of tabs.querySelectorAll('button')) tab.setAttribute('aria-current', String(tab.dataset.focus === state.focus));
     tour.update(state);
     if (arranged === state.focus) return;
@@ -79,6 +82,8 @@ export function mount(app: App, place: HTMLElement): void {
   matchMedia('(prefers-color-scheme: dark)').addEventListener('change', () => store.set({}));
   listenKeys(app, { ...actions, play: surface.play, link: clip.link, on: () => store.now.tour >= 0 && tour.go(store.now.tour + 1), back: () => store.now.tour > 0 && tour.go(store.now.tour - 1), close: () => show(timing.element, false) });
   listenDrops(app);
+  // Tests ask where a control vertex stands on the stage.
+  Object.assign(window, { limnPick: (v: number) => surface.panes[0]!.place(v) });
   arrange(store.now);
   app.refresh();
 }

@@ -19,7 +19,7 @@ export function artifactsView(app: App): View {
   const map = h('figure', { class: 'map', 'data-test': 'artifact-map' });
   const mapB = h('figure', { class: 'map second', hidden: true });
   const wave = h('canvas', { class: 'wave', tabindex: 0, role: 'img', 'aria-label': 'Limit surface of the wave', 'data-test': 'wave' });
-  const names = [['percent', 'all artifacts, % of the signal'], ['mean', 'mean energy on the first refined lattice, %'], ['signal', 'signal'],
+  const names = [['percent', 'all artifacts, % of the signal'], ['mean', 'mean energy, first refined lattice, %'], ['signal', 'signal'],
     ['edges', 'control edges per wavelength']] as const;
   const cells = Object.fromEntries(names.map(([name]) => [name, h('td', { class: 'number', 'data-value': name })]));
   const others = Object.fromEntries(names.map(([name]) => [name, h('td', { class: 'number second', 'data-value': `${name}-b` })]));
@@ -35,7 +35,7 @@ export function artifactsView(app: App): View {
   const element = h('section', { class: 'card', id: 'artifacts', 'data-view': 'artifacts', 'aria-label': 'Artifacts' },
     h('header', {}, h('h2', {}, 'Artifacts'), h('div', { class: 'frequency' }, 'f =', inputs[0]!, inputs[1]!)), note,
     h('div', { class: 'body two' },
-      h('div', { class: 'framed' }, h('h3', {}, 'Percent of the signal, by frequency', h('span', { class: 'save' },
+      h('div', { class: 'framed' }, h('h3', {}, 'Percent of the signal', h('span', { class: 'save' },
         h('button', { type: 'button', class: 'quiet', onclick: () => saveSvg(map.querySelector('svg'), 'artifacts.svg') }, 'SVG'),
         h('button', { type: 'button', class: 'quiet', onclick: () => saveSvgAsPng(map.querySelector('svg'), 'artifacts.png') }, 'PNG'))),
         h('div', { class: 'maps' }, map, mapB)),
@@ -45,7 +45,7 @@ export function artifactsView(app: App): View {
 
   const asked = { map: '', mapB: '', numbers: '', numbersB: '', wave: '', sampling: '' };
   let picture: Picture | undefined;
-  let look: Look = { azimuth: 25, height: 38, distance: 2.5 };
+  let look: Look = { azimuth: 25, height: 38, distance: 3 };
   orbit(wave, () => look, (next) => ((look = next), paint()));
 
   function paint(): void {

@@ -188,6 +188,14 @@ export class Pane {
     return best?.element;
   }
 
+  /** Where control vertex v stands on the canvas. */
+  place(v: number): [number, number] {
+    const { made, width, height } = this.eye();
+    const points = this.points();
+    const at = new Vector3(points[3 * v], points[3 * v + 1], points[3 * v + 2]).project(made);
+    return [(at.x * 0.5 + 0.5) * width, (0.5 - at.y * 0.5) * height];
+  }
+
   /** Where vertex v comes to when it follows the pointer, in the plane that faces the eye. */
   follow(v: number, x: number, y: number): [number, number, number] {
     const { made, width, height } = this.eye();

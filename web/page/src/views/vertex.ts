@@ -37,10 +37,9 @@ export function vertexView(app: App): View {
     h('button', { type: 'button', class: 'quiet', onclick: () => saveSvgAsPng(find(), `${name}.png`) }, 'PNG'));
   const element = h('section', { class: 'card', id: 'vertex', 'data-view': 'vertex', 'aria-label': 'Extraordinary vertex' },
     h('header', {}, h('h2', {}, 'Vertex'), valence.element), note,
-    h('div', { class: 'body two' }, h('div', {}, table, verdicts), h('div', { class: 'figures' },
+    h('div', { class: 'body two' }, h('div', { class: 'body' }, table, verdicts, reasons, all), h('div', { class: 'figures' },
       h('div', { class: 'framed' }, h('h3', {}, 'Eigenvalues by frequency', save('eigenvalues', svg(chart))), chart),
-      h('div', { class: 'framed' }, h('h3', {}, 'Characteristic map', save('characteristic-map', svg(map))), map, mapNote))),
-    reasons, all);
+      h('div', { class: 'framed' }, h('h3', {}, 'Characteristic map', save('characteristic-map', svg(map))), map, mapNote))));
 
   const asked = { eigen: '', eigenB: '', map: '' };
   let drawn: Eigen | undefined;
@@ -143,12 +142,13 @@ function eigenChart(eigen: Eigen, width: number, height: number): SVGSVGElement 
     x: { type: 'linear', domain: [-0.4, Math.max(2, ...dots.map((d) => d.omega)) + 0.4], label: 'rotational frequency ω', ticks: [...new Set(dots.map((d) => d.omega))], tickFormat: 'd', labelAnchor: 'center', labelArrow: 'none' },
     y: { domain: [0, 1.02], label: null, ticks: 5, grid: false },
     marks: [
-      Plot.ruleY(lines, { y: 'y', stroke: 'var(--accent)', strokeDasharray: (d: { text: string }) => (d.text === 'μ₁' ? '1 3' : '5 3'), strokeOpacity: 0.9 } as never),
+      Plot.ruleY(lines.slice(0, 1), { y: 'y', stroke: 'var(--accent)', strokeDasharray: '1 3' }),
+      Plot.ruleY(lines.slice(1), { y: 'y', stroke: 'var(--accent)', strokeDasharray: '6 3' }),
       Plot.text(lines, { y: 'y', text: 'text', frameAnchor: 'right', dx: 26, fill: 'var(--accent)', fontSize: 12 }),
       Plot.ruleX(dots, Plot.groupX({ y: 'max' }, { x: 'omega', y: 'size', stroke: 'var(--line)' })),
       Plot.dot(dots, { x: 'omega', y: 'size', r: 3, stroke: 'var(--ink)', strokeWidth: 1.3, fill: 'var(--card)', title: 'text' }),
       Plot.dot(named, { x: 'omega', y: 'size', r: 4.5, fill: 'var(--ink)', title: 'text' }),
-      Plot.text(named, { x: 'omega', y: 'size', text: 'role', dx: 9, textAnchor: 'start', fill: 'var(--ink)', fontSize: 11 }),
+      Plot.text(named, { x: 'omega', y: 'size', text: 'role', dx: 9, textAnchor: 'start', fill: 'var(--ink)', stroke: 'var(--card)', strokeWidth: 5, fontSize: 11 }),
     ],
   });
 }
