@@ -19,12 +19,12 @@ export class Pane {
   hovered?: Element;
   chosen?: Element;
   faults: Fault[] = [];
-  busy = false;
   onSurface: () => void = () => {};
   private asked = '';
   private triangles?: Uint32Array;
   private lines?: Uint32Array;
   private frame = 0;
+  private late = 0;
   private picture?: Picture;
   private pictureKey = '';
 
@@ -56,11 +56,11 @@ export class Pane {
   }
 
   private async ask(ask: SurfaceAsk, key: string): Promise<void> {
-    this.busy = true;
+    this.late ||= window.setTimeout(() => this.element.classList.add('busy'), 350);
     const begun = performance.now();
     const outcome = await this.app.client.ask(this.lane, 'surface', ask);
     if (outcome === superseded) return;
-    if (this.asked === key) this.busy = false;
+    if (this.asked === key) this.rest();
     this.faults = outcome.ok ? [] : outcome.errors;
     if (outcome.ok) {
       const surface = outcome.result;
@@ -73,6 +73,12 @@ export class Pane {
         core: surface.planned + surface.evaluated, vertices: surface.positions.length / 3 });
     }
     this.onSurface();
+  }
+
+  private rest(): void {
+    clearTimeout(this.late);
+    this.late = 0;
+    this.element.classList.remove('busy');
   }
 
   draw(at_once = false): void {

@@ -237,13 +237,15 @@ check('pictures and files are saved', async (browser) => {
   await page.locator('[data-test=characteristic-map] svg').waitFor();
   for (const [scope, label, magic] of [['#vertex', 'SVG', '<svg'], ['#vertex', 'PNG', '\u0089PNG']]) {
     for (let i = 0; i < 2; ++i) {
-      const download = page.waitForEvent('download');
+      const download = page.waitForEvent('download', { timeout: 20_000 });
+      download.catch(() => {});
       await page.locator(`${scope} .save button`, { hasText: label }).nth(i).click();
       const content = readFileSync(await (await download).path());
       holds(content.toString('latin1').startsWith(magic), `${label} does not begin with ${magic}`);
     }
   }
-  const download = page.waitForEvent('download');
+  const download = page.waitForEvent('download', { timeout: 20_000 });
+  download.catch(() => {});
   await page.locator('[data-test=copy]').click();
   await page.locator('[data-test=save-scheme]').click();
   holds(readFileSync(await (await download).path(), 'utf8').includes('triangle-dyadic'), 'no scheme file');
