@@ -23,7 +23,7 @@ interface Wire {
 }
 
 /** Ahead of others: what a hand is on. */
-const order = ['scheme', 'control', 'surface', 'surface-b', 'eigen', 'map', 'artifacts', 'wave'];
+const order = ['scheme', 'control', 'surface', 'surface-b', 'eigen', 'map', 'artifacts', 'wave', 'eigen-whole', 'sampling'];
 const rank = (lane: string): number => (order.indexOf(lane) + order.length + 1) % (order.length + 1);
 
 class Line {
@@ -38,15 +38,6 @@ class Line {
     this.waiting.set(ask.lane, ask);
     if (this.impatient && this.wire?.current?.lane === ask.lane) this.end(superseded);
     this.next();
-  }
-
-  cancel(lane: string): void {
-    this.waiting.get(lane)?.resolve(superseded);
-    this.waiting.delete(lane);
-    if (this.wire?.current?.lane === lane && this.impatient) {
-      this.end(superseded);
-      this.next();
-    }
   }
 
   warm(): void {
@@ -93,7 +84,10 @@ export class Client {
   private quick = new Line(() => this.spawn(), false);
   private slow = new Line(() => this.spawn(), true);
 
-  constructor(private make: () => Worker, private packed: string) {
+  private settling = new Map<string, { timer: ReturnType<typeof setTimeout>; drop(): void }>();
+
+  /** `settle`: milliseconds that a long job waits for a newer one, so that a slider that moves begins none. */
+  constructor(private make: () => Worker, private packed: string, private settle = 300) {
     this.quick.warm();
   }
 
@@ -113,12 +107,16 @@ export class Client {
 
   /** The same in the worker for long jobs. */
   askSlow<K extends JobName>(lane: string, job: K, ...args: Parameters<Session[K]>): Promise<Outcome<Result<K>> | typeof superseded> {
-    return this.put(this.slow, lane, job, args) as Promise<Outcome<Result<K>> | typeof superseded>;
-  }
-
-  cancel(lane: string): void {
-    this.quick.cancel(lane);
-    this.slow.cancel(lane);
+    const waiting = this.settling.get(lane);
+    if (waiting) (clearTimeout(waiting.timer), waiting.drop());
+    return new Promise((resolve) => {
+      const go = (): void => {
+        this.settling.delete(lane);
+        void (this.put(this.slow, lane, job, args) as Promise<Outcome<Result<K>> | typeof superseded>).then(resolve);
+      };
+      if (this.settle === 0) return go();
+      this.settling.set(lane, { timer: setTimeout(go, this.settle), drop: () => resolve(superseded) });
+    });
   }
 
   private put(line: Line, lane: string, job: JobName, args: unknown[]): Promise<unknown> {

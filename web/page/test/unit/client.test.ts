@@ -26,7 +26,7 @@ class FakeWorker extends EventTarget {
 }
 function client(): Client {
   FakeWorker.all = [];
-  return new Client(() => new FakeWorker() as unknown as Worker, '');
+  return new Client(() => new FakeWorker() as unknown as Worker, '', 0);
 }
 const spec = { text: 't', parameters: {} };
 
@@ -61,6 +61,15 @@ describe('a lane', () => {
     expect(FakeWorker.all[1]!.ended).toBe(true);
     FakeWorker.all[2]!.answer({ c1: 'yes' });
     expect(await second).toMatchObject({ result: { c1: 'yes' } });
+  });
+  it('waits with a long job until the slider rests', async () => {
+    FakeWorker.all = [];
+    const c = new Client(() => new FakeWorker() as unknown as Worker, '', 20);
+    const steps = [1, 2, 3].map((seconds) => c.askSlow('regularity', 'regularity', spec, seconds));
+    expect(await Promise.all(steps.slice(0, 2))).toEqual([superseded, superseded]);
+    expect(FakeWorker.all).toHaveLength(1);
+    await new Promise((resolve) => setTimeout(resolve, 60));
+    expect(FakeWorker.all[1]!.asked.map((a) => a.args[1])).toEqual([3]);
   });
   it('replaces a core that stopped', async () => {
     const c = client();
