@@ -69,8 +69,8 @@ class Line {
   }
 
   private next(): void {
+    if (this.waiting.size === 0 || this.wire?.current) return;
     this.wire ??= this.connect();
-    if (this.wire.current || this.waiting.size === 0) return;
     const ask = [...this.waiting.values()].sort((a, b) => rank(a.lane) - rank(b.lane))[0]!;
     this.waiting.delete(ask.lane);
     this.wire.current = ask;

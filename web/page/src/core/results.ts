@@ -48,7 +48,8 @@ export interface SchemeInfo {
   notes: string;
   parameters: Parameter[];
   valences: { regular: number; least: number; most: number };
-  features: Record<'artifacts' | 'eigen' | 'refine' | 'boundary' | 'sharpness', boolean>;
+  /** What is missing is false. */
+  features: Partial<Record<'artifacts' | 'eigen' | 'refine' | 'boundary' | 'sharpness', boolean>>;
   reasons: Record<string, string>;
 }
 

@@ -81,7 +81,7 @@ export class Session {
   load(scheme: R.SchemeSpec): R.SchemeInfo {
     const { answer } = this.loaded(scheme);
     if (!answer.ok) throw new Refused(answer.errors);
-    return answer;
+    return { ...answer, features: answer.features ?? {}, reasons: answer.reasons ?? {} };
   }
 
   show(scheme: R.SchemeSpec): Record<string, unknown> {

@@ -118,7 +118,7 @@ export function artifactsView(app: App): View {
       const { scheme, other } = model;
       inputs.forEach((input, i) => document.activeElement !== input && (input.value = String(Number(state.frequency[i]!.toFixed(4)))));
       if (!scheme) return;
-      const has = scheme.info.features.artifacts;
+      const has = scheme.info.features.artifacts !== false;
       show(note, !has);
       element.classList.toggle('stale', !has);
       if (!has) return say(note, scheme.info.reasons.artifacts ?? 'no artifacts');
@@ -130,7 +130,7 @@ export function artifactsView(app: App): View {
       once('wave', spec + state.frequency, () => void askWave(scheme, state.frequency));
       once('map', spec, () => void askMap(scheme, 'artifact-map', map));
       once('sampling', spec, () => void askSampling(scheme));
-      const two = other?.info.features.artifacts ? other : undefined;
+      const two = other && other.info.features.artifacts !== false ? other : undefined;
       const specB = two ? JSON.stringify(two.spec) : '';
       once('numbersB', specB && specB + state.frequency, () => void askNumbers(two!, state.frequency, others, 'artifacts-b'));
       once('mapB', specB, () => void askMap(two!, 'artifact-map-b', mapB));

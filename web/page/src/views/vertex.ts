@@ -107,7 +107,7 @@ export function vertexView(app: App): View {
       say(heads[1]!, other ? scheme.label : '');
       say(heads[2]!, other?.label ?? '');
       const key = JSON.stringify([scheme.spec, state.valence]);
-      if (!scheme.info.features.eigen) {
+      if (scheme.info.features.eigen === false) {
         show(note, true);
         say(note, scheme.info.reasons.eigen ?? 'the scheme has no eigenanalysis');
         asked.eigen = '';
