@@ -133,8 +133,9 @@ Result<std::shared_ptr<const ReadText>> read_kept(
   std::vector<bool> integers;
   for (const Parameter& parameter : scheme->parameters)
     integers.push_back(takes_integers_alone(*scheme, parameter));
-  kept.push_front(
-      std::make_shared<const ReadText>(ReadText{text, std::move(*scheme), std::move(integers)}));
+  ReadText read{text, std::move(*scheme), std::move(integers), {}, {}};
+  find_features(read);
+  kept.push_front(std::make_shared<const ReadText>(std::move(read)));
   if (kept.size() > kTextsKept) kept.pop_back();
   return kept.front();
 }
