@@ -1,6 +1,15 @@
 # cmake -D OUT=FILE.cpp -P EmbedSchemes.cmake -- SCHEME.toml…
-# Writes the source that defines limn::shipped_files() (src/limn/scheme/file/shipped_files.h).
+# Writes the source that defines limn::shipped_files() (src/limn/scheme/file/shipped_files.h). Of other
+# text files it defines FUNCTION() in the NAMESPACE, a vector of the TYPE that HEADER declares.
 cmake_minimum_required(VERSION 3.25)
+
+foreach(default IN ITEMS HEADER=limn/scheme/file/shipped_files.h NAMESPACE=limn TYPE=ShippedFile
+        FUNCTION=shipped_files)
+  string(REGEX MATCH "(.*)=(.*)" matched ${default})
+  if(NOT DEFINED ${CMAKE_MATCH_1})
+    set(${CMAKE_MATCH_1} ${CMAKE_MATCH_2})
+  endif()
+endforeach()
 
 set(piece 8000)  # bytes; compilers need only take literals of 64 KiB, some take 16 KiB
 
@@ -65,24 +74,24 @@ foreach(file IN LISTS files)
     message(FATAL_ERROR "${file}: contains a carriage return that ends no line")
   endif()
   get_filename_component(name "${file}" NAME)
-  string(REGEX REPLACE "\\.toml$" "" name "${name}")
+  string(REGEX REPLACE "\\.[a-z]+$" "" name "${name}")
   string(APPEND entries "    {\"${name}\"sv,")
   append_literals(entries "${text}")
   string(APPEND entries "},\n")
 endforeach()
 
-file(WRITE "${OUT}" "// Generated from schemes/*.toml by cmake/EmbedSchemes.cmake.
-#include \"limn/scheme/file/shipped_files.h\"
+file(WRITE "${OUT}" "// Generated from text files by cmake/EmbedSchemes.cmake.
+#include \"${HEADER}\"
 
-namespace limn {
+namespace ${NAMESPACE} {
 
 using namespace std::string_view_literals;
 
-const std::vector<ShippedFile>& shipped_files() {
-  static const std::vector<ShippedFile> files = {
+const std::vector<${TYPE}>& ${FUNCTION}() {
+  static const std::vector<${TYPE}> files = {
 ${entries}  };
   return files;
 }
 
-}  // namespace limn
+}  // namespace ${NAMESPACE}
 ")

@@ -16,7 +16,8 @@ file(GLOB command_sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/apps/limn/*.cp
 if(LIMN_FUZZ)
   # Only the library and the fuzzers.
 elseif(command_sources)
-  add_executable(limn_command ${command_sources})
+  add_executable(limn_command ${command_sources} ${limn_page_file})
+  target_include_directories(limn_command PRIVATE ${PROJECT_SOURCE_DIR}/apps/limn)
   limn_flags(limn_command)
   limn_sanitize_folders(limn_command)
   set_target_properties(limn_command PROPERTIES OUTPUT_NAME limn)

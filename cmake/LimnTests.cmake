@@ -82,13 +82,16 @@ foreach(folder IN LISTS test_folders)
       limn_peer_cgal limn_peer_openmesh limn_peer_opensubdiv)
   endif()
   # Only where files of the tree are read: whoever compiles elsewhere then finds the rest in ccache.
-  if(name MATCHES "^(mesh/io|peers|scheme|command)")
+  if(name MATCHES "^(mesh/io|peers|scheme|command|page)")
     target_compile_definitions(${target} PRIVATE
       LIMN_TEST_DATA="${PROJECT_SOURCE_DIR}/tests/data"
       LIMN_SCHEMES="${PROJECT_SOURCE_DIR}/schemes"
       LIMN_EXAMPLES="${PROJECT_SOURCE_DIR}/examples")
   endif()
-  if(name MATCHES "^(apps|command)" AND TARGET limn_command)
+  if(name MATCHES "^page")
+    target_link_libraries(${target} PRIVATE limn_page_core)
+  endif()
+  if(name MATCHES "^(apps|command|page)" AND TARGET limn_command)
     target_compile_definitions(${target} PRIVATE LIMN_COMMAND="$<TARGET_FILE:limn_command>")
     add_dependencies(${target} limn_command)
   endif()

@@ -45,6 +45,7 @@ void declare_prescribe(CLI::App& parser, Action& action);
 void declare_tune(CLI::App& parser, Action& action);
 void declare_fairness(CLI::App& parser, Action& action);
 void declare_papers(CLI::App& parser, Action& action);
+void declare_report(CLI::App& parser, Action& action);
 void declare_man(CLI::App& parser, Action& action);
 void declare_completion(CLI::App& parser, Action& action);
 

@@ -1,0 +1,281 @@
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <limits>
+
+#include "limn/fast/fast_limit.h"
+#include "limn/mesh/surface_distance.h"
+#include "limn/refine/crease_step.h"
+#include "limn/refine/refine_estimate.h"
+#include "limn/report/limit_report.h"
+#include "page_state.h"
+
+namespace limn::page {
+namespace {
+
+struct PlanOptions {
+  int levels = 3;
+  bool limit = true, normals = true;
+};
+
+Result<PlanOptions> options_of(const std::string& text) {
+  PlanOptions options;
+  if (text.empty()) return options;
+  const Json json = Json::parse(text, nullptr, false);
+  if (!json.is_object()) return Error{"the options are no JSON object", R"(as {"levels": 3})"};
+  for (const auto& [key, value] : json.items()) {
+    if (key == "levels" && value.is_number_integer()) {
+      const auto levels = value.get<std::int64_t>();
+      if (levels < 0 || levels > kMostLevels)
+        return Error{fmt::format("{} levels are not between 0 and {}", levels, kMostLevels)};
+      options.levels = static_cast<int>(levels);
+    } else if (key == "limit" && value.is_boolean()) {
+      options.limit = value.get<bool>();
+    } else if (key == "normals" && value.is_boolean()) {
+      options.normals = value.get<bool>();
+    } else {
+      return Error{fmt::format("the option '{}' is unknown or has no such value", key)};
+    }
+  }
+  return options;
+}
+
+Status check_size(const Scheme& scheme, const Mesh& mesh, int levels) {
+  const RefineEstimate estimate = estimate_refinement(*scheme.split, mesh, levels, sizeof(Point3));
+  if (estimate.vertices > kMostVertices)
+    return Error{text_of(estimate, levels) + ": more than a page can draw", "take fewer levels"};
+  return check_refinable(scheme, mesh, levels, sizeof(Point3), kMostBytes);
+}
+
+/// The mesh's sharpness, and what holds copies together that repair has made, where the scheme can.
+Sharpness sharpness_of(const LoadedMesh& mesh, const Scheme& scheme) {
+  if (mesh.cut_tags.empty()) return mesh.sharpness;
+  Sharpness held = mesh.sharpness;
+  const Status applied = apply_tags(mesh.mesh, {}, mesh.cut_tags, held);
+  return applied && check_takes_sharpness(scheme, held) ? held : mesh.sharpness;
+}
+
+SurfaceOptions surface_options(const LoadedPlan& plan) {
+  SurfaceOptions options;
+  options.levels = plan.levels;
+  options.partial = true;
+  options.sharpness = plan.sharpness;
+  return options;
+}
+
+/// Makes what can be made once, for the fast engine.
+Status prepare(LoadedPlan& plan) {
+  const Scheme& scheme = plan.scheme->scheme;
+  if (!has_fast_layout(*scheme.split) || plan.sharpness.any() || plan.sharpness.has_holes())
+    return Done{};
+  Result<FastRefiner> refiner = FastRefiner::make(scheme, plan.mesh->mesh, plan.levels);
+  if (!refiner) return refiner.error();
+  if (plan.limit || plan.normals) {
+    Result<std::optional<FastRefiner::Limit>> limit = approx_fast_limit(scheme, *refiner);
+    if (!limit || !*limit) return Done{};
+    plan.on_limit = std::move(**limit);
+  }
+  plan.refiner = std::move(*refiner);
+  plan.refined = refined_polygons(
+      *plan.refiner, std::vector<Point3>(static_cast<std::size_t>(plan.refiner->vertex_count())));
+  return Done{};
+}
+
+void update_fast(LoadedPlan& plan) {
+  const std::span<const double> control = numbers_of(plan.mesh->points);
+  std::vector<Point3>& points = plan.refined.positions;
+  if (!plan.on_limit)
+    return plan.refiner->evaluate<double>(control, numbers_of(points), plan.scratch);
+  plan.normals_there.resize(points.size());
+  plan.refiner->evaluate_limit<double>(*plan.on_limit, control, numbers_of(points),
+                                       numbers_of(plan.normals_there), plan.scratch);
+  plan.has_limit = plan.limit;
+  plan.has_normals = plan.normals;
+  if (!plan.limit)
+    std::copy_n(plan.scratch.refined.data(), 3 * points.size(), numbers_of(points).data());
+}
+
+/// By the front of refinement, which takes everything; without the limit where there is none.
+Status update_plain(LoadedPlan& plan) {
+  SurfaceOptions options = surface_options(plan);
+  options.limit = plan.limit;
+  options.normals = plan.normals;
+  const LoadedMesh& mesh = *plan.mesh;
+  Result<RefinedSurface> surface =
+      refine_surface(plan.scheme->scheme, mesh.mesh, mesh.points, options);
+  plan.has_limit = options.limit && surface;
+  plan.has_normals = options.normals && surface;
+  if (!surface && options.of_limit()) {
+    plan.reason = surface.error().message;
+    options.limit = options.normals = false;
+    surface = refine_surface(plan.scheme->scheme, mesh.mesh, mesh.points, options);
+  }
+  if (!surface) return surface.error();
+  plan.refined = std::move(surface->polygons);
+  if (plan.has_limit) plan.refined.positions = std::move(surface->limit);
+  plan.normals_there = std::move(surface->normals);
+  return Done{};
+}
+
+/// Normals where there are none: the sum of those of the faces there.
+void complete_normals(const Polygons& polygons, std::vector<Point3>& normals) {
+  std::vector<Point3> sums(polygons.positions.size());
+  for (Index f = 0; f < polygons.face_count(); ++f) {
+    const Index* corners = polygons.corners.data() + polygons.face_begin[f];
+    const Point3 first = polygons.positions[corners[0]];
+    Point3 area;
+    for (Index i = 1; i + 1 < polygons.degree(f); ++i)
+      area = area + cross(polygons.positions[corners[i]] - first,
+                          polygons.positions[corners[i + 1]] - first);
+    for (Index i = 0; i < polygons.degree(f); ++i) sums[corners[i]] = sums[corners[i]] + area;
+  }
+  normals.resize(sums.size());
+  for (std::size_t v = 0; v < sums.size(); ++v) {
+    if (normals[v] != Point3{}) continue;
+    const double length = std::sqrt(dot(sums[v], sums[v]));
+    if (length > 0) normals[v] = (1 / length) * sums[v];
+  }
+}
+
+Index triangle_count(const Polygons& polygons) {
+  return static_cast<Index>(polygons.corners.size()) - 2 * polygons.face_count();
+}
+
+std::vector<std::uint32_t> fans_of(const Polygons& polygons) {
+  std::vector<std::uint32_t> triangles;
+  triangles.reserve(3 * static_cast<std::size_t>(std::max<Index>(triangle_count(polygons), 0)));
+  for (Index f = 0; f < polygons.face_count(); ++f) {
+    const Index* corners = polygons.corners.data() + polygons.face_begin[f];
+    for (Index i = 1; i + 1 < polygons.degree(f); ++i)
+      for (const Index corner : {corners[0], corners[i], corners[i + 1]})
+        triangles.push_back(static_cast<std::uint32_t>(corner));
+  }
+  return triangles;
+}
+
+Json plan_json(const LoadedPlan& plan, int id) {
+  return {{"id", id},
+          {"vertices", plan.refined.vertex_count()},
+          {"triangles", triangle_count(plan.refined)},
+          {"engine", plan.refiner ? "fast" : "plain"},
+          {"limit", plan.has_limit},
+          {"reason", plan.reason}};
+}
+
+}  // namespace
+
+Status update(LoadedPlan& plan) {
+  if (plan.moves == plan.mesh->moves) return Done{};
+  if (plan.refiner)
+    update_fast(plan);
+  else if (Status status = update_plain(plan); !status)
+    return status;
+  if (plan.normals) {
+    const bool whole = plan.has_normals && plan.refiner;
+    if (!whole || std::find(plan.normals_there.begin(), plan.normals_there.end(), Point3{}) !=
+                      plan.normals_there.end())
+      complete_normals(plan.refined, plan.normals_there);
+  }
+  plan.moves = plan.mesh->moves;
+  return Done{};
+}
+
+std::string PageCore::plan(int scheme, int mesh, const std::string& options) {
+  return answer([&]() -> Result<Json> {
+    const auto loaded = state_->schemes.find(scheme);
+    if (!loaded) return loaded.error();
+    const auto control = state_->meshes.find(mesh);
+    if (!control) return control.error();
+    const Result<PlanOptions> wanted = options_of(options);
+    if (!wanted) return wanted.error();
+    if (Status status = check_size((*loaded)->scheme, (*control)->mesh, wanted->levels); !status)
+      return status.error();
+    auto plan = std::make_shared<LoadedPlan>();
+    plan->scheme = *loaded;
+    plan->mesh = *control;
+    plan->levels = wanted->levels;
+    plan->limit = wanted->limit;
+    plan->normals = wanted->normals;
+    plan->sharpness = sharpness_of(**control, (*loaded)->scheme);
+    if (Status status = prepare(*plan); !status) return status.error();
+    if (Status status = update(*plan); !status) return status.error();
+    const int id = state_->plans.add(plan);
+    return plan_json(*plan, id);
+  });
+}
+
+void PageCore::unplan(int plan) { state_->plans.remove(plan); }
+
+TopologyAnswer PageCore::topology(int plan) {
+  TopologyAnswer made;
+  made.json = answer([&]() -> Result<Json> {
+    const auto found = state_->plans.find(plan);
+    if (!found) return found.error();
+    if (!(*found)->lines) (*found)->lines = edges_on_surface(**found);
+    made.lines = *(*found)->lines;
+    made.triangles = fans_of((*found)->refined);
+    return Json::object();
+  });
+  return made;
+}
+
+SurfaceAnswer PageCore::evaluate(int plan) {
+  SurfaceAnswer made;
+  made.json = answer([&]() -> Result<Json> {
+    const auto found = state_->plans.find(plan);
+    if (!found) return found.error();
+    LoadedPlan& now = **found;
+    const auto start = std::chrono::steady_clock::now();
+    if (Status status = update(now); !status) return status.error();
+    made.positions = floats_of(now.refined.positions);
+    if (now.normals) made.normals = floats_of(now.normals_there);
+    const auto passed = std::chrono::steady_clock::now() - start;
+    return Json{{"limit", now.has_limit},
+                {"normals", now.has_normals ? "limit" : "faces"},
+                {"milliseconds", std::chrono::duration<double, std::milli>(passed).count()}};
+  });
+  return made;
+}
+
+CurvatureAnswer PageCore::curvature(int plan) {
+  CurvatureAnswer made;
+  made.json = answer([&]() -> Result<Json> {
+    const auto found = state_->plans.find(plan);
+    if (!found) return found.error();
+    const LoadedPlan& now = **found;
+    SurfaceOptions options = surface_options(now);
+    options.curvatures = true;
+    const Result<RefinedSurface> surface =
+        refine_surface(now.scheme->scheme, now.mesh->mesh, now.mesh->points, options);
+    if (!surface) return surface.error();
+    if (surface->polygons.corners != now.refined.corners)
+      return Error{"curvatures are not known in the order of this mesh's vertices"};
+    int missing = 0;
+    for (const LimitPoints::Curvatures& one : surface->curvatures) {
+      made.gaussian.push_back(static_cast<float>(one.largest * one.smallest));
+      made.mean.push_back(static_cast<float>((one.largest + one.smallest) / 2));
+      missing += std::isnan(one.largest) ? 1 : 0;
+    }
+    return Json{{"missing", missing}, {"reasons", gaps_json(surface->gaps)["curvatures"]}};
+  });
+  return made;
+}
+
+FieldAnswer PageCore::distance(int plan, int other) {
+  FieldAnswer made;
+  made.json = answer([&]() -> Result<Json> {
+    const auto a = state_->plans.find(plan);
+    if (!a) return a.error();
+    const auto b = state_->plans.find(other);
+    if (!b) return b.error();
+    for (const auto& one : {*a, *b})
+      if (Status status = update(*one); !status) return status.error();
+    const Result<SurfaceDistance> apart = approx_surface_distance((*a)->refined, (*b)->refined);
+    if (!apart) return apart.error();
+    for (const double distance : apart->from_a) made.values.push_back(static_cast<float>(distance));
+    return Json{{"largest", apart->largest}, {"mean", apart->mean}, {"diagonal", apart->diagonal}};
+  });
+  return made;
+}
+
+}  // namespace limn::page

@@ -1,0 +1,4 @@
+declare module 'limn-core' {
+  const make: (options: Record<string, unknown>) => Promise<Record<string, unknown>>;
+  export default make;
+}
