@@ -167,7 +167,7 @@ export interface Surface {
   positions: Float32Array;
   normals: Float32Array;
   values?: Float32Array;
-  info: { vertices: number; triangles: number; engine?: string };
+  info: { vertices: number; triangles: number; engine?: string; limit?: boolean; reason?: string };
   about?: Record<string, unknown>;
   /** Milliseconds in the core: the plan, and the evaluation. */
   planned: number;

@@ -89,6 +89,8 @@ export class GlPainter implements Painter {
     this.renderer = new WebGLRenderer({ canvas, context, antialias: true, alpha: true });
     this.renderer.outputColorSpace = 'srgb-linear' as never;
     this.renderer.setClearColor(0, 0);
+    // Sorting asks for bounds, which points without a limit (NaN) do not have.
+    this.renderer.sortObjects = false;
   }
 
   draw(picture: Picture, look: Look, canvas: HTMLCanvasElement, colours: Colours): void {

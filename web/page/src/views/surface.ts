@@ -101,6 +101,7 @@ export function surfaceView(app: App): View & { panes: Pane[]; play(): void } {
     const state = store.now;
     const faults = [...first.faults, ...(app.model.other ? second.faults : [])];
     const words = [app.model.meshNote, ...faults.map((f) => (f.hint ? `${f.message}; ${f.hint}` : f.message))].filter(Boolean);
+    if (state.limit && surface?.info.limit === false && surface.info.reason) words.push(`no limit surface here: ${surface.info.reason}`);
     const missing = state.shade === 'distance' && !app.model.other ? ['distance to what? choose a second scheme under Compare'] : [];
     say(note, [...words, ...missing].join(' · '));
     show(note, words.length + missing.length > 0);
