@@ -18,7 +18,7 @@ export async function open(browser, file, fragment = '', { width = 1280, height 
   const page = await context.newPage();
   const trouble = [];
   const requests = [];
-  page.on('console', (message) => ['error', 'warning'].includes(message.type()) && !/GPU stall|swiftshader|Automatic fallback/i.test(message.text()) && trouble.push(message.text()));
+  page.on('console', (message) => ['error', 'warning'].includes(message.type()) && !/GPU stall|swiftshader|Automatic fallback|willReadFrequently/i.test(message.text()) && trouble.push(message.text()));
   page.on('pageerror', (error) => trouble.push(String(error)));
   await context.route('**/*', (route) => {
     const url = route.request().url();
