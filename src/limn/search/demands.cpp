@@ -48,11 +48,12 @@ double verdict_miss(Relation relation, const Eigencomponents& found) {
   return bounded_miss(other - bound);
 }
 
+/// What the eigenvalues say.
 Answer verdict_at(Relation relation, const Eigencomponents& found) {
   const Verdict& verdict = found.verdict;
   const Truth truth = relation == Relation::convergent ? verdict.convergent
                       : relation == Relation::c1       ? verdict.c1_necessary
-                                                       : verdict.bounded_curvature;
+                                                       : verdict.curvature_necessary;
   if (truth == Truth::yes) return {};
   return missed(verdict_miss(relation, found),
                 fmt::format("valence {}: {}", found.valence,
@@ -104,7 +105,11 @@ Answer at_vertices(const Requirement& requirement, SchemeReading& reading) {
     all.miss += one.miss;
     if (all.reason.empty()) all.reason = one.reason;
   }
-  return all;
+  // the lattice costs more, so it is asked last
+  if (requirement.relation != Relation::bounded_curvature || all.truth != Truth::yes) return all;
+  const RegularPart& lattice = reading.regular_part();
+  if (lattice.bounded == Truth::yes) return all;
+  return missed(1, lattice.reason, lattice.bounded);
 }
 
 // ---------------------------------------------------------------------------------- proofs

@@ -52,7 +52,8 @@ class Method {
 /// pagmo's CMA-ES [Hansen2006] (one objective) or NSGA-II [Deb2002].
 [[nodiscard]] Result<std::unique_ptr<Method>> make_evolution(const MethodChoice& choice,
                                                              const SearchSpace& space);
-/// The first `count` points of a Sobol sequence [JoeKuo2008], without the corner 0. Precondition:
+/// The first `count` points of a Sobol sequence [JoeKuo2008] after the corner and the centre, where
+/// searches often begin. Precondition:
 /// dimension ≤ 200.
 [[nodiscard]] std::vector<UnitPoint> sobol_points(std::size_t dimension, std::size_t count);
 

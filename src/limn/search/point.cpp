@@ -61,14 +61,18 @@ void evaluate_objectives(const Study& study, SchemeReading& reading, Outcome& ou
   }
 }
 
-Outcome evaluate(const Study& study, const Result<Scheme>& scheme, double start) {
+/// Whether a scheme that fails a demand is asked for its objectives all the same.
+enum class Failing { is_left, is_evaluated };
+
+Outcome evaluate(const Study& study, const Result<Scheme>& scheme, Failing failing, double start) {
   Outcome outcome;
   outcome.objectives.resize(study.objectives.size());
   outcome.demands.resize(study.demands.size());
   if (scheme) {
     SchemeReading reading(*scheme, study.valences, study.effort);
     check_demands(study, reading, Proofs::later, outcome);
-    if (outcome.violation == 0) evaluate_objectives(study, reading, outcome);
+    if (outcome.violation == 0 || failing == Failing::is_evaluated)
+      evaluate_objectives(study, reading, outcome);
     if (outcome.violation == 0) check_demands(study, reading, Proofs::now, outcome);
   } else {
     outcome.reason = scheme.error().message;
@@ -126,11 +130,12 @@ std::string point_text(const Study& study, const Point& point, const std::string
 Outcome evaluate_point(const Study& study, const Point& point) {
   const double start = steady_seconds();
   const std::string path = study.folder.empty() ? "point.toml" : study.folder + "/point.toml";
-  return evaluate(study, parse_scheme(point_text(study, point, study.scheme_name), path), start);
+  return evaluate(study, parse_scheme(point_text(study, point, study.scheme_name), path),
+                  Failing::is_left, start);
 }
 
 Outcome evaluate_scheme(const Study& study, const Scheme& scheme) {
-  return evaluate(study, scheme, steady_seconds());
+  return evaluate(study, scheme, Failing::is_evaluated, steady_seconds());
 }
 
 std::vector<double> fitness(const Study& study, const Outcome& outcome) {

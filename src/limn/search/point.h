@@ -51,7 +51,8 @@ struct Outcome {
 /// before the proofs; a point that fails one has no objectives. Never fails: where there is no
 /// scheme, or no number, the outcome says why.
 [[nodiscard]] Outcome evaluate_point(const Study& study, const Point& point);
-/// The same of any scheme, as of those that are drawn beside.
+/// The same of any scheme, as of those that are drawn beside; it has objectives also where it fails
+/// a demand.
 [[nodiscard]] Outcome evaluate_scheme(const Study& study, const Scheme& scheme);
 
 /// What a search minimises, one number for each objective: the objective, with its sign changed

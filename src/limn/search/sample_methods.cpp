@@ -41,7 +41,7 @@ Rational from_bits(std::uint64_t high_bits) {
 class Sobol {
  public:
   explicit Sobol(std::size_t dimension) : dimension_(dimension), engine_(dimension) {
-    engine_.discard(dimension);  // the corner
+    engine_.discard(dimension);  // the centre; Boost leaves out the corner
   }
   UnitPoint operator()() {
     UnitPoint point;

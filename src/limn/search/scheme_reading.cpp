@@ -58,7 +58,7 @@ const Result<Eigencomponents>& SchemeReading::components(int n) {
   if (found != components_.end()) return found->second;
   const Result<FrequencyBlocks> blocks = frequencies_.blocks(n);
   return components_
-      .emplace(n, blocks ? Result<Eigencomponents>(approx_eigencomponents(*blocks, regular_part()))
+      .emplace(n, blocks ? Result<Eigencomponents>(approx_eigencomponents(*blocks))
                          : Result<Eigencomponents>(blocks.error()))
       .first->second;
 }

@@ -18,8 +18,12 @@ namespace limn {
 /// How hard a study looks at one scheme. Everything is bounded by work, never by time, so that a
 /// scheme has the same numbers in every run.
 struct Effort {
-  int regularity = 2000;           ///< RegularityOptions::budget
-  double tolerance = 1e-2;         ///< RegularityOptions::tolerance: width of the Hölder bracket
+  int regularity = 2000;  ///< RegularityOptions::budget
+  /// RegularityOptions::tolerance: width of the Hölder bracket below which little more is sought.
+  /// Above 0.138 no invariant polytope in exact numbers is tried, which for the long fractions of a
+  /// search may take minutes; at the leading product itself a bracket of 1e-8 is tried all the
+  /// same.
+  double tolerance = 0.14;
   int certificate_parts = 20'000;  ///< CertifyOptions::most_parts
 };
 
@@ -42,7 +46,7 @@ class SchemeReading {
   [[nodiscard]] const Result<Regularity>& regularity();
   /// find_regular_part.
   [[nodiscard]] const RegularPart& regular_part();
-  /// approx_eigencomponents at a valence from 3 on.
+  /// approx_eigencomponents at a valence from 3 on, without what the lattice lets curvature be.
   [[nodiscard]] const Result<Eigencomponents>& components(int n);
   /// certify at all of `valences`; what cannot be evaluated is undecided there.
   [[nodiscard]] const Result<certify::Certificate>& certificate();

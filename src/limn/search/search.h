@@ -30,8 +30,8 @@ class Search {
   /// `study` must outlive the search. Fails as make_method does.
   [[nodiscard]] static Result<Search> begin(const Study& study);
 
-  /// The next generation. Ends once the study's number of points is reached or the method is done;
-  /// the last generation is cut short there, unless the method needs all of it.
+  /// The next generation. The search ends with the generation that reaches the study's number of
+  /// points, or when the method is done.
   [[nodiscard]] Generation next();
   /// The outcomes of its points, in order. After a failed or unfinished generation tell nothing:
   /// a search that begins anew asks the same again.

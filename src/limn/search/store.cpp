@@ -37,7 +37,8 @@ struct Close {
 };
 using Statement = std::unique_ptr<sqlite3_stmt, Close>;
 
-void bind(sqlite3_stmt* to, int column, const std::string& text) {
+/// Not "bind": std::bind would take texts that are moved.
+void bind_text(sqlite3_stmt* to, int column, const std::string& text) {
   sqlite3_bind_text(to, column, text.data(), static_cast<int>(text.size()), SQLITE_TRANSIENT);
 }
 
@@ -60,14 +61,17 @@ std::optional<Truth> truth_named(const std::string& text) {
 
 constexpr int kFixedColumns = 7;  // key … seconds
 
-/// Columns after the fixed ones: coordinates as exact text, objectives, demands.
+/// Columns after the fixed ones: coordinates as exact text, objectives, demands. Numbered, as SQL
+/// does not tell capitals from small letters.
 std::string make_table(const Study& study) {
   std::string sql =
       "CREATE TABLE IF NOT EXISTS points (key TEXT PRIMARY KEY, generation INTEGER, place INTEGER, "
       "feasible INTEGER, reason TEXT, violation REAL, seconds REAL";
-  for (const Coordinate& one : study.coordinates) sql += ", " + quoted(one.label()) + " TEXT";
+  for (std::size_t i = 0; i < study.coordinates.size(); ++i)
+    sql += ", " + quoted(fmt::format("free {} {}", i + 1, study.coordinates[i].label())) + " TEXT";
   for (std::size_t i = 0; i < study.objectives.size(); ++i)
-    sql += ", " + quoted(fmt::format("{} {}", i + 1, study.objectives[i].value.text())) + " REAL";
+    sql += ", " + quoted(fmt::format("objective {} {}", i + 1, study.objectives[i].value.text())) +
+           " REAL";
   for (std::size_t i = 0; i < study.demands.size(); ++i)
     sql += ", " + quoted(fmt::format("require {} {}", i + 1, study.demands[i].text)) + " TEXT";
   return sql + ") WITHOUT ROWID";
@@ -124,8 +128,8 @@ Status Store::File::begin(const Study& study, bool restart) {
   if (!write) return write.error();
   for (const auto& [name, value] :
        {std::pair<std::string, std::string>{"identity", own}, {"text", study.text}}) {
-    bind(write->get(), 1, name);
-    bind(write->get(), 2, value);
+    bind_text(write->get(), 1, name);
+    bind_text(write->get(), 2, value);
     if (const int code = sqlite3_step(write->get()); code != SQLITE_DONE)
       return failure(path, database.get(), code);
     sqlite3_reset(write->get());
@@ -190,19 +194,19 @@ Status Store::add(const Evaluated& one) {
   const Outcome& outcome = one.outcome;
   sqlite3_reset(row);
   sqlite3_clear_bindings(row);  // what is not bound is null
-  bind(row, 1, point_key(one.point));
+  bind_text(row, 1, point_key(one.point));
   sqlite3_bind_int(row, 2, one.generation);
   sqlite3_bind_int(row, 3, one.place);
   sqlite3_bind_int(row, 4, outcome.feasible ? 1 : 0);
-  bind(row, 5, outcome.reason);
+  bind_text(row, 5, outcome.reason);
   sqlite3_bind_double(row, 6, outcome.violation);
   sqlite3_bind_double(row, 7, outcome.seconds);
   int column = kFixedColumns;
-  for (const Rational& value : one.point) bind(row, ++column, to_string(value));
+  for (const Rational& value : one.point) bind_text(row, ++column, to_string(value));
   for (const std::optional<double>& value : outcome.objectives)
     if (++column; value) sqlite3_bind_double(row, column, *value);
   for (const std::optional<Truth>& truth : outcome.demands)
-    if (++column; truth) bind(row, column, std::string(to_string(*truth)));
+    if (++column; truth) bind_text(row, column, std::string(to_string(*truth)));
   const int code = sqlite3_step(row);
   sqlite3_reset(row);
   if (code != SQLITE_DONE) return failure(file_->path, file_->database.get(), code);

@@ -59,8 +59,9 @@ enum class MethodKind {
 struct MethodChoice {
   MethodKind kind = MethodKind::sobol;
   std::uint64_t seed = 1;
-  long long points = 1000;  ///< at most so many are evaluated; of a grid all
-  int batch = 32;           ///< points of a generation, which may be evaluated at once
+  long long points =
+      1000;        ///< the search ends with the generation that reaches so many; of a grid all
+  int batch = 32;  ///< points of a generation, which may be evaluated at once
 };
 
 /// A scheme to draw beside what is found.

@@ -315,49 +315,6 @@ void StudyReader::finish_demand(const toml::node& node, Demand demand, bool has_
   study_.demands.push_back(std::move(demand));
 }
 
-void StudyReader::read_effort(const toml::node& node) {
-  in_.each(node, "[effort]", [&](const toml::key& key, const toml::node& entry) {
-    if (key == "regularity") {
-      study_.effort.regularity = static_cast<int>(
-          read_whole(entry, "regularity", 1, 1'000'000).value_or(study_.effort.regularity));
-    } else if (key == "tolerance") {
-      const std::optional<double> value = read_bound(entry);
-      if (value && !(*value > 0 && *value <= 1))
-        in_.fail(entry, "tolerance is a number above 0, at most 1");
-      study_.effort.tolerance = value.value_or(study_.effort.tolerance);
-    } else if (key == "certificate") {
-      study_.effort.certificate_parts =
-          static_cast<int>(read_whole(entry, "certificate", 1, 10'000'000)
-                               .value_or(study_.effort.certificate_parts));
-    } else {
-      in_.unknown_key(key, "[effort]", {"regularity", "tolerance", "certificate"});
-    }
-  });
-}
-
-void StudyReader::read_landmark(const toml::node& node) {
-  const std::size_t before = in_.faults();
-  const toml::node* scheme = nullptr;
-  const toml::node* parameters = nullptr;
-  std::string label;
-  in_.each(node, "[[compare]]", [&](const toml::key& key, const toml::node& entry) {
-    if (key == "scheme")
-      scheme = &entry;
-    else if (key == "parameters")
-      parameters = &entry;
-    else if (key == "label")
-      label = in_.text(entry, "label");
-    else
-      in_.unknown_key(key, "[[compare]]", {"scheme", "parameters", "label"});
-  });
-  if (!in_.unharmed_since(before)) return;
-  if (scheme == nullptr) return in_.fail(node, "[[compare]] needs scheme");
-  std::optional<Scheme> found = scheme_named(scheme, parameters);
-  if (!found) return;
-  if (label.empty()) label = found->name;
-  study_.landmarks.push_back({std::move(label), std::move(*found)});
-}
-
 Study StudyReader::run(std::string_view text) {
   const toml::table file = in_.parse(text);
   if (in_.faults() > 0) return {};
