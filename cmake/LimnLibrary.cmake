@@ -9,7 +9,7 @@ set_property(DIRECTORY ${PROJECT_SOURCE_DIR} APPEND PROPERTY CMAKE_CONFIGURE_DEP
 if(LIMN_FUZZ)
   # The fuzzers read files and refine meshes by the plain engine: no need to instrument the rest.
   list(FILTER limn_sources EXCLUDE REGEX
-       "/limn/(figure|regular|spectrum|limit|fairness|fast|surface|tune|study|report)/")
+       "/limn/(figure|regular|spectrum|limit|fairness|fast|surface|tune|study|search|report)/")
 endif()
 
 # The command names every scheme file, so that it also runs again when one is added or removed.
@@ -76,4 +76,22 @@ endif()
 if(LIMN_HAS_FLINT)
   target_compile_definitions(limn PRIVATE LIMN_HAS_FLINT=1)
   target_link_libraries(limn PRIVATE limn_flint)
+endif()
+# Each of these is seen by one source, and the others are compiled as without them.
+function(limn_studies_use library source definition)
+  get_target_property(includes ${library} INTERFACE_INCLUDE_DIRECTORIES)
+  list(REMOVE_ITEM includes ${CMAKE_CXX_IMPLICIT_INCLUDE_DIRECTORIES} includes-NOTFOUND)
+  set_source_files_properties(${PROJECT_SOURCE_DIR}/src/limn/search/${source} PROPERTIES
+    COMPILE_DEFINITIONS ${definition}=1
+    INCLUDE_DIRECTORIES "${includes}")
+  target_link_libraries(limn PRIVATE $<LINK_ONLY:${library}>)
+endfunction()
+if(LIMN_HAS_SQLITE)
+  limn_studies_use(SQLite::SQLite3 store.cpp LIMN_HAS_SQLITE)
+endif()
+if(LIMN_HAS_NLOPT)
+  limn_studies_use(limn_nlopt local_method.cpp LIMN_HAS_NLOPT)
+endif()
+if(LIMN_HAS_PAGMO)
+  limn_studies_use(Pagmo::pagmo evolution_method.cpp LIMN_HAS_PAGMO)
 endif()

@@ -43,6 +43,7 @@ void declare_regularity(CLI::App& parser, Action& action);
 void declare_certify(CLI::App& parser, Action& action);
 void declare_prescribe(CLI::App& parser, Action& action);
 void declare_tune(CLI::App& parser, Action& action);
+void declare_study(CLI::App& parser, Action& action);
 void declare_fairness(CLI::App& parser, Action& action);
 void declare_papers(CLI::App& parser, Action& action);
 void declare_report(CLI::App& parser, Action& action);

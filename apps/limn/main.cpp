@@ -16,10 +16,10 @@ namespace {
 
 // One line for each command, in the order of the help.
 constexpr Declare kCommands[] = {
-    declare_schemes,   declare_show,      declare_refine,     declare_check,   declare_draw,
-    declare_artifacts, declare_eigen,     declare_regularity, declare_certify, declare_prescribe,
-    declare_tune,      declare_fairness,  declare_compare,    declare_papers,  declare_report,
-    declare_man,       declare_completion};
+    declare_schemes,   declare_show,  declare_refine,     declare_check,   declare_draw,
+    declare_artifacts, declare_eigen, declare_regularity, declare_certify, declare_prescribe,
+    declare_tune,      declare_study, declare_fairness,   declare_compare, declare_papers,
+    declare_report,    declare_man,   declare_completion};
 
 /// CLI11 would only say that a command is missing.
 Status check_command(const CLI::App& parser, const std::string& word) {

@@ -1,0 +1,149 @@
+#include "limn/search/point.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/core.h>
+
+#include "limn/base/time_budget.h"
+#include "limn/scheme/file/scheme_text.h"
+#include "limn/scheme/scope.h"
+#include "limn/search/demands.h"
+
+namespace limn {
+namespace {
+
+/// Beyond every objective of a feasible point.
+constexpr double kInfeasible = 1e9;
+/// The violation of a point that is no scheme at all.
+constexpr double kNoScheme = 100;
+
+const Formula& definition_of(const Scheme& scheme, const std::string& name) {
+  for (const auto& [let, value] : scheme.lets)
+    if (let == name) return value;
+  return std::find_if(scheme.parameters.begin(), scheme.parameters.end(),
+                      [&](const Parameter& parameter) { return parameter.name == name; })
+      ->value;
+}
+
+/// The definition of a freed name: its number, or a number for each valence that has one and its
+/// own definition elsewhere.
+std::string new_definition(const Study& study, const Point& point, const std::string& name) {
+  std::string sum, elsewhere;
+  for (std::size_t i = 0; i < point.size(); ++i) {
+    const Coordinate& coordinate = study.coordinates[i];
+    if (coordinate.name != name) continue;
+    if (!coordinate.valence) return to_string(point[i]);
+    sum += fmt::format("(n == {}) * ({}) + ", *coordinate.valence, to_string(point[i]));
+    elsewhere += fmt::format("(n != {}) * ", *coordinate.valence);
+  }
+  return fmt::format("{}{}({})", sum, elsewhere,
+                     definition_of(study.scheme, name).expression.text());
+}
+
+std::vector<std::string> freed_names(const Study& study) {
+  std::vector<std::string> names;
+  for (const Coordinate& coordinate : study.coordinates)
+    if (std::find(names.begin(), names.end(), coordinate.name) == names.end())
+      names.push_back(coordinate.name);
+  return names;
+}
+
+void evaluate_objectives(const Study& study, SchemeReading& reading, Outcome& outcome) {
+  for (std::size_t i = 0; i < study.objectives.size(); ++i) {
+    const Result<double> value = study.objectives[i].value(reading);
+    if (value) {
+      outcome.objectives[i] = *value;
+    } else {
+      outcome.violation += 1;
+      if (outcome.reason.empty()) outcome.reason = value.error().message;
+    }
+  }
+}
+
+/// Whether a scheme that fails a demand is asked for its objectives all the same.
+enum class Failing { is_left, is_evaluated };
+
+Outcome evaluate(const Study& study, const Result<Scheme>& scheme, Failing failing, double start) {
+  Outcome outcome;
+  outcome.objectives.resize(study.objectives.size());
+  outcome.demands.resize(study.demands.size());
+  if (scheme) {
+    SchemeReading reading(*scheme, study.valences, study.effort);
+    check_demands(study, reading, Proofs::later, outcome);
+    if (outcome.violation == 0 || failing == Failing::is_evaluated)
+      evaluate_objectives(study, reading, outcome);
+    if (outcome.violation == 0) check_demands(study, reading, Proofs::now, outcome);
+  } else {
+    outcome.reason = scheme.error().message;
+    outcome.violation = kNoScheme;
+  }
+  outcome.feasible = outcome.violation == 0;
+  outcome.seconds = steady_seconds() - start;
+  return outcome;
+}
+
+}  // namespace
+
+Rational snapped(double u) {
+  constexpr double kParts = 1 << kUnitBits;
+  return {Integer(std::llround(std::clamp(u, 0.0, 1.0) * kParts)), Integer(1 << kUnitBits)};
+}
+
+Point point_at(const Study& study, const UnitPoint& unit) {
+  Point point;
+  for (std::size_t i = 0; i < unit.size(); ++i) {
+    const Coordinate& coordinate = study.coordinates[i];
+    point.push_back(coordinate.low + unit[i] * (coordinate.high - coordinate.low));
+  }
+  return point;
+}
+
+std::string point_key(const Point& point) {
+  std::string key;
+  for (const Rational& value : point) key += (key.empty() ? "" : " ") + to_string(value);
+  return key;
+}
+
+std::string point_text(const Study& study, const Point& point, const std::string& extends,
+                       const std::string& notes) {
+  std::string text =
+      fmt::format("title   = {}\nextends = {}\n", toml_string(study.scheme.title + ", of a study"),
+                  toml_string(extends));
+  if (!notes.empty()) text += fmt::format("notes   = {}\n", toml_string(notes));
+  text += set_parameters_toml(study.scheme);
+  std::string lets;
+  for (const std::string& name : freed_names(study)) {
+    const std::string definition = new_definition(study, point, name);
+    const auto parameter =
+        std::find_if(study.scheme.parameters.begin(), study.scheme.parameters.end(),
+                     [&](const Parameter& one) { return one.name == name; });
+    if (parameter != study.scheme.parameters.end())
+      text += parameter_toml(*parameter, definition);
+    else
+      lets += fmt::format("{} = {}\n", name, toml_string(definition));
+  }
+  if (!lets.empty()) text += "\n[let]\n" + lets;
+  return text;
+}
+
+Outcome evaluate_point(const Study& study, const Point& point) {
+  const double start = steady_seconds();
+  const std::string path = study.folder.empty() ? "point.toml" : study.folder + "/point.toml";
+  return evaluate(study, parse_scheme(point_text(study, point, study.scheme_name), path),
+                  Failing::is_left, start);
+}
+
+Outcome evaluate_scheme(const Study& study, const Scheme& scheme) {
+  return evaluate(study, scheme, Failing::is_evaluated, steady_seconds());
+}
+
+std::vector<double> fitness(const Study& study, const Outcome& outcome) {
+  std::vector<double> values(study.objectives.size(), kInfeasible * (1 + outcome.violation));
+  if (!outcome.feasible) return values;
+  for (std::size_t i = 0; i < values.size(); ++i)
+    values[i] = study.objectives[i].maximise ? -*outcome.objectives[i] : *outcome.objectives[i];
+  return values;
+}
+
+}  // namespace limn

@@ -1,0 +1,54 @@
+#include "limn/search/study.h"
+
+#include <array>
+
+#include <fmt/core.h>
+#include <fmt/ranges.h>
+
+#include "limn/base/files/file.h"
+#include "limn/search/study_reader.h"
+
+namespace limn {
+namespace {
+
+constexpr std::uint64_t kMostBytes = 1 << 18;
+
+constexpr std::array<std::string_view, 6> kMethods{"grid",  "random", "sobol",
+                                                   "local", "global", "pareto"};
+
+}  // namespace
+
+std::string_view to_string(MethodKind kind) { return kMethods[static_cast<std::size_t>(kind)]; }
+
+std::string Coordinate::label() const {
+  return valence ? fmt::format("{}@{}", name, *valence) : name;
+}
+
+Result<Study> read_study(const std::string& path) {
+  const Result<std::string> text = read_file(path, {.bytes = kMostBytes, .pipes = true});
+  if (!text) return text.error();
+  return parse_study(*text, path);
+}
+
+std::string Study::identity() const {
+  std::string all = "limn study 1\n";
+  for (const SourceText& source : scheme.texts) all += source.text + "\n";
+  for (const Parameter& parameter : scheme.parameters)
+    all += parameter.name + "=" + parameter.value.expression.text() + "\n";
+  all += fmt::format("valences {}\n", fmt::join(valences, " "));
+  for (const Coordinate& one : coordinates)
+    all += fmt::format("free {} {} {} {}\n", one.label(), to_string(one.low), to_string(one.high),
+                       one.steps);
+  for (const Objective& one : objectives)
+    all += fmt::format("{} {}\n{}\n", one.maximise ? "max" : "min", one.value.text(),
+                       one.value.content());
+  for (const Demand& one : demands)
+    all += fmt::format("require {} {}\n{}\n", one.text, one.certified,
+                       one.value ? one.value->content() : "");
+  all += fmt::format("method {} {} {}\n", to_string(method.kind), method.seed, method.batch);
+  all += fmt::format("effort {} {} {}\n", effort.regularity, effort.tolerance,
+                     effort.certificate_parts);
+  return all;
+}
+
+}  // namespace limn

@@ -1,0 +1,159 @@
+#include "limn/search/point.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+
+#include "limn/search/front.h"
+#include "toy.h"
+
+namespace limn::test {
+namespace {
+
+Study study_of(const std::string& text) {
+  Result<Study> study = parse_study(text, "toy.toml");
+  EXPECT_TRUE(study) << study.error().text();
+  return study ? *std::move(study) : Study{};
+}
+
+/// Loop's family with b and, at some valences, beta free; this quantity alone.
+std::string with_beta(const std::string& quantity) {
+  return "scheme = \"loop-type\"\nvalences = \"5, 7, 8\"\n"
+         "[[free]]\nname = \"b\"\nlow = 0\nhigh = 1\n"
+         "[[free]]\nname = \"beta\"\nvalences = \"5, 7\"\nlow = 0\nhigh = \"1/4\"\n"
+         "[[objective]]\nvalue = \"" +
+         quantity + "\"\ngoal = \"min\"\n";
+}
+
+const Point kPoint{Rational("5/16"), Rational("3/32"), Rational("1/16")};
+
+double value_at(const std::string& quantity, const Point& point) {
+  const Outcome outcome = evaluate_point(study_of(with_beta(quantity)), point);
+  EXPECT_TRUE(outcome.feasible) << outcome.reason;
+  return outcome.objectives[0].value_or(NAN);
+}
+
+/// [Kawaharada, Sugihara 2006]: tangent = b + 2c cos(2π/n), cup = b + 2c − nβ, c = 1/2 − b.
+TEST(Point, HasTheEigenvaluesOfTheLiterature) {
+  const double b = 5 / 16., c = 1 / 2. - b;
+  for (const int n : {5, 7}) {
+    const std::string at = "(" + std::to_string(n) + ")";
+    const double beta = n == 5 ? 3 / 32. : 1 / 16.;
+    EXPECT_NEAR(value_at("tangent" + at, kPoint), b + 2 * c * std::cos(2 * M_PI / n), 1e-13);
+    EXPECT_NEAR(value_at("cup" + at, kPoint), b + 2 * c - n * beta, 1e-13);
+    // at 5 a ring further out leads frequency 2
+    if (n == 7)
+      EXPECT_NEAR(value_at("saddle(7)", kPoint), b + 2 * c * std::cos(4 * M_PI / n), 1e-13);
+  }
+  // where beta is not free the scheme's own definition makes the cup tangent²
+  EXPECT_NEAR(value_at("cup(8)", kPoint), std::pow(b + 2 * c * std::cos(M_PI / 4), 2), 1e-13);
+  const double at5 =
+      std::abs(b + 2 * c - 15 / 32. - std::pow(b + 2 * c * std::cos(2 * M_PI / 5), 2));
+  const double at7 =
+      std::abs(b + 2 * c - 7 / 16. - std::pow(b + 2 * c * std::cos(2 * M_PI / 7), 2));
+  EXPECT_NEAR(value_at("cup_gap()", kPoint), std::max(at5, at7), 1e-13);
+}
+
+/// The family at Loop's and at the optimal scheme's parameter has the shipped schemes' numbers.
+TEST(Point, IsTheShippedSchemeAtItsParameter) {
+  const Study study = study_of(kLoopStudy);
+  for (const auto& [b, name] : {std::pair{"3/8", "loop"}, std::pair{"1/3", "optimal"}}) {
+    const Outcome point = evaluate_point(study, {Rational(b)});
+    const Outcome shipped = evaluate_scheme(study, *find_scheme(name));
+    ASSERT_TRUE(point.feasible) << point.reason;
+    EXPECT_EQ(point.objectives, shipped.objectives) << name;
+  }
+  // the quartic box spline: second derivatives are Lipschitz and no more
+  EXPECT_NEAR(*evaluate_point(study, {Rational("3/8")}).objectives[1], 3, 1e-2);
+}
+
+TEST(Point, TellsTheDistanceToAnotherScheme) {
+  // Hölder and artifacts of one scheme are those of itself; at another b they differ
+  const Study study = study_of(kLoopStudy);
+  EXPECT_NE(evaluate_point(study, {Rational("3/8")}).objectives,
+            evaluate_point(study, {Rational("47/128")}).objectives);
+}
+
+TEST(Point, IsInfeasibleWithAReasonWhereThereIsNoScheme) {
+  const Study study = study_of(with_beta("cup(5)"));
+  const Outcome outcome =
+      evaluate_point(study, {Rational("3/4"), Rational("1/16"), Rational("1/16")});  // range of b
+  EXPECT_FALSE(outcome.feasible);
+  EXPECT_NE(outcome.reason.find("3/4"), std::string::npos) << outcome.reason;
+  EXPECT_GT(outcome.violation, 0);
+  EXPECT_FALSE(outcome.objectives[0]);
+}
+
+TEST(Point, IsInfeasibleWhereADemandFails) {
+  const Study study =
+      study_of(with_beta("tangent(5)") +
+               "[[require]]\nthat = \"cup = tangent^2\"\n"
+               "[[require]]\nvalue = \"cup(5)\"\nat_most = 1\nat_least = \"1/8\"\n");
+  const Outcome outcome = evaluate_point(study, kPoint);
+  EXPECT_FALSE(outcome.feasible);
+  EXPECT_EQ(outcome.demands[0], Truth::no);
+  EXPECT_EQ(outcome.demands[1], Truth::yes);
+  EXPECT_NE(outcome.reason.find("valence 5"), std::string::npos) << outcome.reason;
+}
+
+TEST(Point, IsCertifiedWhereLoopIs) {
+  Study study = study_of(replaced(kLoopStudy, "that = \"c1\"", "that = \"c1\"\ncertified = true"));
+  const Outcome loop = evaluate_point(study, {Rational("3/8")});
+  EXPECT_TRUE(loop.feasible) << loop.reason;
+  EXPECT_EQ(loop.demands[0], Truth::yes);
+  // without work there is no proof, and what is not proved does not count
+  study.effort.certificate_parts = 1;
+  const Outcome hasty = evaluate_point(study, {Rational("3/8")});
+  EXPECT_FALSE(hasty.feasible);
+  EXPECT_EQ(hasty.demands[0], Truth::undecided);
+}
+
+TEST(Point, WritesWhatItEvaluates) {
+  const Study study = study_of(with_beta("cup(5)"));
+  const Result<Scheme> back = parse_scheme(point_text(study, kPoint, "loop-type"), "back.toml");
+  ASSERT_TRUE(back) << back.error().text();
+  EXPECT_EQ(evaluate_scheme(study, *back).objectives, evaluate_point(study, kPoint).objectives);
+}
+
+TEST(Point, SnapsToShortFractions) {
+  EXPECT_EQ(snapped(0.5), Rational("1/2"));
+  EXPECT_EQ(snapped(-1), 0);
+  EXPECT_EQ(snapped(7), 1);
+  EXPECT_NEAR(to_double(snapped(0.3)), 0.3, 1e-6);
+}
+
+TEST(Front, IsThatOfBruteForce) {
+  const Study study = study_of(kLoopStudy);  // the first small, the second large
+  std::vector<Evaluated> points;
+  std::uint32_t state = 5;
+  const auto draw = [&state] {
+    return static_cast<double>((state = state * 1664525U + 1013904223U) >> 28);
+  };
+  for (int i = 0; i < 200; ++i) {
+    Evaluated one;
+    one.place = i;
+    one.outcome.feasible = i % 5 != 0;
+    one.outcome.objectives = {draw(), draw()};
+    points.push_back(one);
+  }
+  const auto worth = [&](std::size_t i) { return fitness(study, points[i].outcome); };
+  const std::vector<std::size_t> front = best_points(study, points);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (!points[i].outcome.feasible) continue;
+    bool covered = false;
+    for (std::size_t j = 0; j < points.size(); ++j)
+      if (points[j].outcome.feasible && worth(j)[0] <= worth(i)[0] && worth(j)[1] <= worth(i)[1] &&
+          (worth(j) != worth(i) || j < i))
+        covered = true;
+    EXPECT_EQ(std::count(front.begin(), front.end(), i), covered ? 0 : 1) << i;
+  }
+  const std::vector<std::size_t> some = spread(study, points, front, 3);
+  ASSERT_GE(some.size(), 2U);
+  EXPECT_EQ(some.front(), front.front());
+  EXPECT_EQ(some.back(), front.back());
+}
+
+}  // namespace
+}  // namespace limn::test
