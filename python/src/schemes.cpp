@@ -10,6 +10,7 @@
 #include "errors.h"
 #include "json_objects.h"
 #include "limn/certify/certify.h"
+#include "limn/mesh/lattice.h"
 #include "limn/report/scheme_report.h"
 #include "limn/report/stencil_report.h"
 #include "limn/scheme/file/scheme_files.h"
@@ -103,6 +104,9 @@ void bind_schemes(py::module_& module) {
       .def_property_readonly("notes", [](const Scheme& s) { return to_str(s.notes); })
       .def_property_readonly("file", [](const Scheme& s) { return to_str(s.file); })
       .def_property_readonly("split", [](const Scheme& s) { return to_str(s.split->name); })
+      .def_property_readonly("is_dual", [](const Scheme& s) { return s.split->is_dual(); })
+      .def_property_readonly(
+          "corners", [](const Scheme& s) { return s.split->lattice == Lattice::triangle ? 3 : 4; })
       .def_property_readonly("text", [](const Scheme& s) { return to_str(s.texts.front().text); })
       .def_property_readonly("parameters", &parameters_of)
       .def_property_readonly("set_parameters", &certify::set_parameters_of)
