@@ -6,6 +6,7 @@
 #include <filesystem>
 
 #include "limn/base/parallel.h"
+#include "limn/search/search.h"
 #include "support/temporary_folder.h"
 #include "toy.h"
 
@@ -74,6 +75,20 @@ TEST_P(Interrupted, EndsAsIfItHadNotBeen) {
 }
 INSTANTIATE_TEST_SUITE_P(Methods, Interrupted,
                          testing::Values("grid", "random", "sobol", "local", "global", "pareto"));
+
+TEST(Search, BeginsAtTheSchemesOwnNumbersExactly) {
+  // 3/8 of 1/8 … 1/2 lies at 2/3, which no multiple of a power of 1/2 is.
+  for (const char* method : {"local", "global", "pareto"}) {
+    const Result<Study> study = parse_study(study_by(method), "toy.toml");
+    ASSERT_TRUE(study) << study.error().text();
+    Result<Search> search = Search::begin(*study);
+    ASSERT_TRUE(search) << search.error().text();
+    const Generation first = search->next();
+    ASSERT_FALSE(first.points.empty());
+    EXPECT_EQ(first.points[0][0], Rational("3/8")) << method;
+    EXPECT_EQ(first.points[0][1], Rational("3/16")) << method;
+  }
+}
 
 TEST(Store, RefusesAnotherStudyUnlessItMayRestart) {
   const TemporaryFolder folder;
