@@ -72,7 +72,10 @@ std::string certificate_latex(const certify::Certificate& certificate) {
       "\n\\begin{center}\n\\begin{tabular}{rlrlrr}\n$n$ & $C^1$ & frequency & $\\lambda$ & "
       "$\\max k_\\omega$ & parts";
   for (const ValenceClaim& claim : certificate.valences)
-    text += (&claim == &certificate.valences.front() ? " \\\\\n\\hline\n" : " \\\\\n") + row(claim);
+    // A strut keeps the first row off the rule.
+    text += (&claim == &certificate.valences.front() ? " \\\\\n\\hline\n\\rule{0pt}{2.6ex}"
+                                                     : " \\\\\n") +
+            row(claim);
   text += "\n\\end{tabular}\n\\end{center}\n";
   for (const ValenceClaim& claim : certificate.valences)
     if (claim.c1 != Answer::proved)

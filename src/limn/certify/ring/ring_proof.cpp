@@ -152,7 +152,9 @@ Result<RingProof::Found> RingProof::search(int most_parts, const Stop& stop) {
     found.answer = Answer::proved;
   } else {
     found.ring.clear();
-    found.reason = "the characteristic map's Jacobian or place could not be told on " + failed;
+    found.reason =
+        asked(stop) ? "the time ended while the characteristic map was looked at"
+                    : "the characteristic map's Jacobian or place could not be told on " + failed;
   }
   return found;
 }
