@@ -228,14 +228,18 @@ export class Session {
       parse(this.core.moveVertex(mesh.id, Number(v), ...p));
       mesh.moved.add(Number(v));
     }
-    const sharp = { ...Object.fromEntries(Object.keys(mesh.sharp).map((k) => [k, 0])), ...spec.sharp };
+    // A link may name what this mesh does not have.
+    const has = (element: string) =>
+      Number(element.slice(1)) < (element[0] === 'e' ? mesh.edges.length / 2 : mesh.initial.length / 3);
+    const wanted = Object.fromEntries(Object.entries(spec.sharp).filter(([element]) => has(element)));
+    const sharp = { ...Object.fromEntries(Object.keys(mesh.sharp).map((k) => [k, 0])), ...wanted };
     let changed = false;
     for (const [element, value] of Object.entries(sharp)) {
       if ((mesh.sharp[element] ?? 0) === value) continue;
       parse(this.core.setSharpness(mesh.id, element[0] === 'e' ? 'edge' : 'vertex', Number(element.slice(1)), value));
       changed = true;
     }
-    mesh.sharp = { ...spec.sharp };
+    mesh.sharp = wanted;
     if (changed) this.plans.remove((plan) => plan.startsWith(key + '\n'));
   }
 
