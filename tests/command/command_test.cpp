@@ -225,7 +225,8 @@ TEST(Command, RefusesLevelsThatDoNotFit) {
 TEST(Command, SaysOncePerKindWhatOfAFileIsLeftOut) {
   const Folder folder;
   folder.write("uv.obj", "usemtl red\n" + std::string(kTetrahedron) + "vt 0 0\nvt 1 0\nvn 0 0 1\n");
-  const Outcome outcome = folder.limn("refine uv.obj -s loop -n 1 -o y.obj --json");
+  const Outcome outcome =
+      folder.limn("refine uv.obj -s loop -n 1 -o y.obj --attributes none --json");
   EXPECT_EQ(outcome.code, 0);
   for (const char* note :
        {"limn: note: uv.obj:1:1: left out: materials of faces ('usemtl'), 1 line\n",
