@@ -86,7 +86,7 @@ TEST(Streams, AFileMayBeCalledByADash) {
 TEST(Streams, QuietLeavesErrorsAlone) {
   const Folder folder;
   folder.write("uv.obj",
-               "v 1 1 1\nv -1 -1 1\nv -1 1 -1\nv 1 -1 -1\nvt 0 0\nf 1 2 4\nf 3 2 1\n"
+               "v 1 1 1\nv -1 -1 1\nv -1 1 -1\nv 1 -1 -1\nvn 0 0 1\nf 1 2 4\nf 3 2 1\n"
                "f 1 4 3\nf 2 3 4\n");
   const std::string job = "refine uv.obj -s loop -n 1 -o a.obj";
   EXPECT_NE(folder.limn(job).err, "");

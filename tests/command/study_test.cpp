@@ -74,7 +74,9 @@ TEST(StudyCommand, WritesSchemesWithCertificatesThatHold) {
   const Outcome compared = folder.limn("regularity out/best/01.toml --json");
   ASSERT_EQ(compared.code, 0) << compared.err;
   const double lower = nlohmann::json::parse(compared.out).at("holder").at("lower");
-  EXPECT_NEAR(lower, json.at("best")[0].at("objectives")[1], 2e-2);
+  const double studied = json.at("best")[0].at("objectives")[1];
+  EXPECT_LE(studied, lower + 1e-9);  // both are proved; a study looks less closely
+  EXPECT_GE(studied, lower - 0.15);
   EXPECT_NE(folder.read("out/front.svg").find("<svg"), std::string::npos);
   EXPECT_EQ(json.at("compare")[0].at("label"), "loop");
 }
