@@ -224,7 +224,10 @@ std::vector<Contender> full_refinement(const Race& race, const Control& control)
     add_ours<QuickTrial<float>>(all, "limn quick, float", race, control);
   }
   if (!race.method) return all;
-  all.push_back(of_theirs("OpenSubdiv, float", race, control, on_floats(opensubdiv_peer)));
+  all.push_back(of_theirs("OpenSubdiv, float", race, control,
+                          [](Method method, const Polygons& mesh) {  // one of several of that name
+                            return opensubdiv_peer(method, mesh, Precision::single_float);
+                          }));
   all.push_back(of_theirs("CGAL", race, control, cgal_peer));
   all.push_back(of_theirs("OpenMesh, float", race, control, on_floats(openmesh_peer)));
   return all;
