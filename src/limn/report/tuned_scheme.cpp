@@ -8,18 +8,11 @@
 
 #include "limn/base/printable.h"
 #include "limn/scheme/file/scheme_text.h"
+#include "limn/scheme/formulas.h"
 #include "limn/scheme/scope.h"
 
 namespace limn {
 namespace {
-
-const Formula& definition_of(const Scheme& scheme, const std::string& name) {
-  for (const auto& [let, value] : scheme.lets)
-    if (let == name) return value;
-  return std::find_if(scheme.parameters.begin(), scheme.parameters.end(),
-                      [&](const Parameter& parameter) { return parameter.name == name; })
-      ->value;
-}
 
 /// Of the solutions that hold the nearest to the scheme's own value; nullptr: there is none.
 const Solution* chosen(const ValenceSolutions& solutions, double own) {
@@ -46,9 +39,9 @@ struct Definition {
 Definition define(const FreedScheme& freed, const std::vector<ValenceSolutions>& solutions,
                   bool one_number) {
   const Scheme& scheme = freed.original();
-  const Formula& own = definition_of(scheme, freed.name());
+  const Formula& own = *find_definition(scheme, freed.name());
   Definition definition;
-  std::string guards;
+  std::vector<std::pair<int, Rational>> numbers;
   for (const ValenceSolutions& at : solutions) {
     const Result<double> own_value = Scope<double>(scheme, at.valence, std::nullopt)(own);
     const Solution* solution = chosen(at, own_value ? *own_value : 0);
@@ -59,11 +52,12 @@ Definition define(const FreedScheme& freed, const std::vector<ValenceSolutions>&
     }
     definition.any = true;
     definition.residual = std::max(definition.residual, solution->residual);
-    const std::string value = to_string(fraction(*solution));
-    definition.text += one_number ? value : fmt::format("(n == {}) * ({}) + ", at.valence, value);
-    guards += fmt::format("(n != {}) * ", at.valence);
+    numbers.emplace_back(at.valence, fraction(*solution));
   }
-  if (!one_number) definition.text += fmt::format("{}({})", guards, own.expression.text());
+  if (!one_number)
+    definition.text = definition_by_valence(numbers, own.expression);
+  else if (!numbers.empty())
+    definition.text = to_string(numbers.front().second);
   return definition;
 }
 
@@ -91,17 +85,7 @@ Result<std::string> tuned_scheme_text(const FreedScheme& freed, const Requiremen
   text += fmt::format("title   = {}\nextends = {}\nnotes   = {}\n",
                       toml_string(fmt::format("{}, tuned", scheme.title)), toml_string(extends),
                       toml_string(task));
-  bool is_let = true;
-  for (const Parameter& parameter : scheme.parameters) {
-    const bool is_freed = parameter.name == freed.name();
-    is_let = is_let && !is_freed;
-    if (is_freed)
-      text += parameter_toml(parameter, definition.text);
-    else if (parameter.value.place.line == 0)  // it was set by an option
-      text += parameter_toml(parameter, parameter.value.expression.text());
-  }
-  if (is_let) text += fmt::format("\n[let]\n{} = {}\n", freed.name(), toml_string(definition.text));
-  return text;
+  return text + definitions_toml(scheme, {{freed.name(), definition.text}});
 }
 
 }  // namespace limn

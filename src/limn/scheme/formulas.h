@@ -1,9 +1,21 @@
 #pragma once
 /// Walks over the expressions that a scheme is made of.
 
+#include <string_view>
+
 #include "limn/scheme/scheme.h"
 
 namespace limn {
+
+/// The formula of a let or a parameter; nullptr: there is none of that name.
+template <class MaybeConstScheme>
+[[nodiscard]] auto* find_definition(MaybeConstScheme& scheme, std::string_view name) {
+  for (auto& [let, value] : scheme.lets)
+    if (let == name) return &value;
+  for (auto& parameter : scheme.parameters)
+    if (parameter.name == name) return &parameter.value;
+  return static_cast<decltype(&scheme.lets.front().second)>(nullptr);
+}
 
 /// Calls visit(formula) for parameters, rules, facts and equivalences, in this order: for all that
 /// uses lets, but for masks and factors.

@@ -7,6 +7,7 @@
 
 #include "limn/base/time_budget.h"
 #include "limn/scheme/file/scheme_text.h"
+#include "limn/scheme/formulas.h"
 #include "limn/scheme/scope.h"
 #include "limn/search/demands.h"
 
@@ -18,27 +19,17 @@ constexpr double kInfeasible = 1e9;
 /// The violation of a point that is no scheme at all.
 constexpr double kNoScheme = 100;
 
-const Formula& definition_of(const Scheme& scheme, const std::string& name) {
-  for (const auto& [let, value] : scheme.lets)
-    if (let == name) return value;
-  return std::find_if(scheme.parameters.begin(), scheme.parameters.end(),
-                      [&](const Parameter& parameter) { return parameter.name == name; })
-      ->value;
-}
-
 /// The definition of a freed name: its number, or a number for each valence that has one and its
 /// own definition elsewhere.
 std::string new_definition(const Study& study, const Point& point, const std::string& name) {
-  std::string sum, elsewhere;
+  std::vector<std::pair<int, Rational>> numbers;
   for (std::size_t i = 0; i < point.size(); ++i) {
     const Coordinate& coordinate = study.coordinates[i];
     if (coordinate.name != name) continue;
     if (!coordinate.valence) return to_string(point[i]);
-    sum += fmt::format("(n == {}) * ({}) + ", *coordinate.valence, to_string(point[i]));
-    elsewhere += fmt::format("(n != {}) * ", *coordinate.valence);
+    numbers.emplace_back(*coordinate.valence, point[i]);
   }
-  return fmt::format("{}{}({})", sum, elsewhere,
-                     definition_of(study.scheme, name).expression.text());
+  return definition_by_valence(numbers, find_definition(study.scheme, name)->expression);
 }
 
 std::vector<std::string> freed_names(const Study& study) {
@@ -111,20 +102,10 @@ std::string point_text(const Study& study, const Point& point, const std::string
       fmt::format("title   = {}\nextends = {}\n", toml_string(study.scheme.title + ", of a study"),
                   toml_string(extends));
   if (!notes.empty()) text += fmt::format("notes   = {}\n", toml_string(notes));
-  text += set_parameters_toml(study.scheme);
-  std::string lets;
-  for (const std::string& name : freed_names(study)) {
-    const std::string definition = new_definition(study, point, name);
-    const auto parameter =
-        std::find_if(study.scheme.parameters.begin(), study.scheme.parameters.end(),
-                     [&](const Parameter& one) { return one.name == name; });
-    if (parameter != study.scheme.parameters.end())
-      text += parameter_toml(*parameter, definition);
-    else
-      lets += fmt::format("{} = {}\n", name, toml_string(definition));
-  }
-  if (!lets.empty()) text += "\n[let]\n" + lets;
-  return text;
+  std::vector<std::pair<std::string, std::string>> definitions;
+  for (const std::string& name : freed_names(study))
+    definitions.emplace_back(name, new_definition(study, point, name));
+  return text + definitions_toml(study.scheme, definitions);
 }
 
 Outcome evaluate_point(const Study& study, const Point& point) {

@@ -8,6 +8,7 @@
 #include <fmt/core.h>
 
 #include "limn/base/near_word.h"
+#include "limn/scheme/formulas.h"
 #include "limn/scheme/scope.h"
 #include "limn/tune/freed_scheme.h"
 
@@ -17,14 +18,6 @@ namespace {
 constexpr int kLeastValence = 3, kLargestValence = 2000;
 constexpr std::size_t kMostValences = 200, kMostCoordinates = 200;
 constexpr int kEndBits = 40;  // of ends that are no fractions
-
-const Formula* find_definition(const Scheme& scheme, const std::string& name) {
-  for (const auto& [let, value] : scheme.lets)
-    if (let == name) return &value;
-  for (const Parameter& parameter : scheme.parameters)
-    if (parameter.name == name) return &parameter.value;
-  return nullptr;
-}
 
 /// Of a formula at a valence: exactly, or else the fraction of few digits next to the double.
 Result<Rational> rational_value(const Scheme& scheme, const Formula& formula,

@@ -11,6 +11,7 @@
 #include "limn/regular/smoothness/polynomial_orders.h"
 #include "limn/regular/smoothness/second_differences.h"
 #include "limn/scheme/check.h"
+#include "limn/scheme/formulas.h"
 #include "limn/scheme/scope.h"
 
 namespace limn {
@@ -20,16 +21,6 @@ constexpr double kDefaultReach = 4;         // of a search without a stated rang
 constexpr std::size_t kMostInstances = 96;  // kept at a time
 
 using Names = std::set<std::string, std::less<>>;
-
-/// The formula of a let or a parameter; nullptr: there is none of that name.
-template <class MaybeConstScheme>
-auto* find_definition(MaybeConstScheme& scheme, const std::string& name) {
-  for (auto& [let, value] : scheme.lets)
-    if (let == name) return &value;
-  for (auto& parameter : scheme.parameters)
-    if (parameter.name == name) return &parameter.value;
-  return static_cast<decltype(&scheme.lets.front().second)>(nullptr);
-}
 
 const Parameter* find_parameter(const Scheme& scheme, const std::string& name) {
   for (const Parameter& parameter : scheme.parameters)

@@ -128,7 +128,7 @@ Result<std::string> prescribed_scheme(const Scheme& base, const std::string& bas
       fmt::format("\n[[edge-end]]\nwhen = \"n == {}\"\nself = \"{}\"\nring = \"(1 - ({}){})/n\"\n",
                   n, *end, *end, wave_sum(prescription));
   text += rule_cases(base, RuleKind::edge_end, "edge-end");
-  text += set_parameters_toml(base) + facts(prescription);
+  text += definitions_toml(base) + facts(prescription);
   if (const Result<Scheme> read = parse_scheme(text, path); !read) {
     // without its place, which is in a file that nobody will see
     const std::string& message = read.error().message;

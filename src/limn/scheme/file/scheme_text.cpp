@@ -1,5 +1,8 @@
 #include "limn/scheme/file/scheme_text.h"
 
+#include <algorithm>
+#include <set>
+
 #include <fmt/core.h>
 
 namespace limn {
@@ -30,12 +33,34 @@ std::string parameter_toml(const Parameter& parameter, std::string_view value) {
   return text;
 }
 
-std::string set_parameters_toml(const Scheme& scheme) {
-  std::string text;
-  for (const Parameter& parameter : scheme.parameters)
-    if (parameter.value.place.line == 0)
-      text += parameter_toml(parameter, parameter.value.expression.text());
-  return text;
+std::string definition_by_valence(const std::vector<std::pair<int, Rational>>& numbers,
+                                  const Expression& elsewhere) {
+  std::string sum, guards;
+  for (const auto& [n, number] : numbers) {
+    sum += fmt::format("(n == {}) * ({}) + ", n, to_string(number));
+    guards += fmt::format("(n != {}) * ", n);
+  }
+  return fmt::format("{}{}({})", sum, guards, elsewhere.text());
+}
+
+std::string definitions_toml(const Scheme& scheme,
+                             const std::vector<std::pair<std::string, std::string>>& definitions) {
+  std::string parameters, lets;
+  std::set<std::string_view> written;
+  for (const Parameter& parameter : scheme.parameters) {
+    const auto found =
+        std::find_if(definitions.begin(), definitions.end(),
+                     [&](const auto& definition) { return definition.first == parameter.name; });
+    if (found != definitions.end()) {
+      written.insert(found->first);
+      parameters += parameter_toml(parameter, found->second);
+    } else if (parameter.value.place.line == 0) {  // it was set by an option
+      parameters += parameter_toml(parameter, parameter.value.expression.text());
+    }
+  }
+  for (const auto& [name, definition] : definitions)
+    if (written.count(name) == 0) lets += fmt::format("{} = {}\n", name, toml_string(definition));
+  return lets.empty() ? parameters : parameters + "\n[let]\n" + lets;
 }
 
 }  // namespace limn

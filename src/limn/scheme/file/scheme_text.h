@@ -3,7 +3,10 @@
 
 #include <string>
 #include <string_view>
+#include <utility>
+#include <vector>
 
+#include "limn/base/rational.h"
 #include "limn/scheme/scheme.h"
 
 namespace limn {
@@ -14,8 +17,14 @@ namespace limn {
 /// The table of a parameter with `value` as its default, after an empty line.
 [[nodiscard]] std::string parameter_toml(const Parameter& parameter, std::string_view value);
 
-/// The tables of all parameters that an option set, with the values that they have; a file that
-/// extends the scheme would else have its defaults.
-[[nodiscard]] std::string set_parameters_toml(const Scheme& scheme);
+/// A definition by n: these numbers at these valences, `elsewhere` at all others.
+[[nodiscard]] std::string definition_by_valence(
+    const std::vector<std::pair<int, Rational>>& numbers, const Expression& elsewhere);
+
+/// What a file that extends the scheme says of parameters and lets: the new definitions of those
+/// named, and of the other parameters that an option set the values that they have (the file would
+/// else have their defaults).
+[[nodiscard]] std::string definitions_toml(
+    const Scheme& scheme, const std::vector<std::pair<std::string, std::string>>& definitions = {});
 
 }  // namespace limn
