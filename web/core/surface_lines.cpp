@@ -3,6 +3,7 @@
 #include <numeric>
 #include <random>
 
+#include "limn/mesh/split/heritage.h"
 #include "limn/refine/refine.h"
 #include "page_state.h"
 
@@ -18,24 +19,24 @@ std::vector<Point3> random_points(std::size_t count) {
   return points;
 }
 
-/// Whether the split keeps the edges of the control mesh in every step.
-bool keeps_edges(const Split& split) {
-  return !split.is_dual() && split.halves_edges() && !split.boundary_rests();
-}
-
-/// The edges of the mesh after so many steps that lie on edges of the control mesh: those that
-/// inherit a sharpness that does not fade.
+/// The edges of the mesh after so many steps that lie on edges of the control mesh.
 std::vector<std::uint32_t> inherited_edges(const Split& split, Mesh mesh, int levels) {
-  Sharpness marks;
-  marks.edges.assign(static_cast<std::size_t>(mesh.edge_count()), kInfinitelySharp);
+  std::vector<bool> on_control(static_cast<std::size_t>(mesh.edge_count()), true);
   for (int step = 0; step < levels; ++step) {
     SplitResult fine = split.apply(mesh, step);
-    marks = inherit(mesh, marks, child_sharpness(mesh, marks), fine);
+    const std::vector<Index> old = old_halfedges(mesh, fine);
+    std::vector<bool> on(static_cast<std::size_t>(fine.mesh.edge_count()));
+    for (Index e = 0; e < fine.mesh.edge_count(); ++e) {
+      const Index h = old[static_cast<std::size_t>(fine.mesh.halfedge_of_edge(e))];
+      on[static_cast<std::size_t>(e)] =
+          h != kNone && on_control[static_cast<std::size_t>(mesh.edge(h))];
+    }
+    on_control = std::move(on);
     mesh = std::move(fine.mesh);
   }
   std::vector<std::uint32_t> pairs;
   for (Index e = 0; e < mesh.edge_count(); ++e) {
-    if (sharpness_of_edge(mesh, marks, e) < kInfinitelySharp) continue;
+    if (!on_control[static_cast<std::size_t>(e)]) continue;
     const Index h = mesh.halfedge_of_edge(e);
     pairs.push_back(static_cast<std::uint32_t>(mesh.origin(h)));
     pairs.push_back(static_cast<std::uint32_t>(mesh.target(h)));
@@ -87,7 +88,7 @@ std::vector<Point3> refined_points(LoadedPlan& plan, const std::vector<Point3>& 
 // known in the plain one's. So vertices are matched by where they lie.
 std::vector<std::uint32_t> edges_on_surface(LoadedPlan& plan) {
   const Scheme& scheme = plan.scheme->scheme;
-  if (!keeps_edges(*scheme.split)) return {};
+  if (!keeps_old_edges(*scheme.split) || !scheme.split->halves_edges()) return {};
   const std::vector<Point3> control = random_points(plan.mesh->points.size());
   const Result<Refined<Point3>> plain =
       refine(scheme, plan.mesh->mesh, control, plan.levels, {}, plan.sharpness);

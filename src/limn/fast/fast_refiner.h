@@ -107,12 +107,8 @@ class FastRefiner {
   /// Where each face's corners begin, and where the last one's end: face_count() + 1 numbers.
   void write_face_begin(std::span<Index> begin) const;
 
-  /// Whether refined faces lie each in one control face, which `write_parents` then tells: the
-  /// split keeps old edges.
-  [[nodiscard]] static bool knows_parents(const Split& split) {
-    return !split.is_dual() && !split.boundary_rests();
-  }
-  /// The control face that each refined face lies in: face_count() of them.
+  /// The control face that each refined face lies in: face_count() of them. Precondition: the split
+  /// refines the boundary in every step and is no dual one.
   void write_parents(std::span<Index> faces) const;
 
   /// What the refiner itself holds, in bytes.

@@ -5,6 +5,8 @@
 
 #include <fmt/core.h>
 
+#include "limn/mesh/split/heritage.h"
+
 namespace limn {
 namespace {
 
@@ -13,7 +15,7 @@ std::size_t at(Index i) { return static_cast<std::size_t>(i); }
 /// Corners are sharpness, which is for splits that halve old edges in every step. Under others
 /// what ends at them is refined as a curve.
 TextureRule rule_for(const Split& split, TextureRule rule) {
-  const bool corners = !split.is_dual() && !split.boundary_rests() && split.halves_edges();
+  const bool corners = keeps_old_edges(split) && split.halves_edges();
   if (rule >= TextureRule::boundaries || corners) return rule;
   return TextureRule::none;
 }
@@ -30,7 +32,7 @@ Status check_takes_texture(const Scheme& scheme, const Mesh& mesh,
                            const TextureCoordinates& texture, TextureRule rule) {
   if (texture.empty() || !has_seams(mesh, texture)) return Done{};
   const Split& split = *scheme.split;
-  if (split.is_dual() || split.boundary_rests())
+  if (!keeps_old_edges(split))
     return Error{fmt::format("{} cannot refine texture coordinates that have seams: the faces of "
                              "its split, {}, lie across old edges",
                              scheme.name, split.name),

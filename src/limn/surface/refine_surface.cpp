@@ -9,6 +9,7 @@
 #include "limn/fast/fast_limit.h"
 #include "limn/fast/fast_refiner.h"
 #include "limn/limit/crease_limit.h"
+#include "limn/mesh/split/heritage.h"
 #include "limn/refine/refine_columns.h"
 #include "limn/regular/smoothness/second_differences.h"
 #include "limn/surface/refine_attributes.h"
@@ -305,7 +306,7 @@ bool is_quick(const Scheme& scheme, const Mesh& control, const SurfaceOptions& o
   if (options.attributes == nullptr) return true;
   const MeshAttributes& attributes = *options.attributes;
   if (options.attribute_rules.linear && !attributes.vertices.empty()) return false;
-  if (attributes.has_labels() && !FastRefiner::knows_parents(split)) return false;
+  if (attributes.has_labels() && !keeps_old_edges(split)) return false;
   return attributes.texture.empty() ||
          detail::texture_column(split, control, attributes.texture, options.attribute_rules.texture)
              .has_value();

@@ -142,8 +142,7 @@ std::vector<Index> faces_between(const Mesh& mesh, const Mesh& fine,
 }
 
 std::vector<Index> parent_faces(const Split& split, const Mesh& mesh, const SplitResult& fine) {
-  if (!split.is_dual() && !split.boundary_rests())
-    return faces_between(mesh, fine.mesh, old_halfedges(mesh, fine));
+  if (keeps_old_edges(split)) return faces_between(mesh, fine.mesh, old_halfedges(mesh, fine));
   const FacesAcross across(mesh, fine);
   std::vector<Index> parents(at(fine.mesh.face_count()));
   for (Index f = 0; f < fine.mesh.face_count(); ++f) parents[at(f)] = across.lowest(f);

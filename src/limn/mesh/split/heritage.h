@@ -8,9 +8,14 @@
 
 namespace limn {
 
-/// The old half-edge that each refined half-edge lies on, in its direction; kNone: on none. Of
-/// splits that keep old edges (they refine the boundary in every step, and are no dual ones). Cost
-/// O(fine mesh).
+/// Whether old edges are made of refined ones after every step, so that each refined face lies in
+/// one old face: no dual splits, nor those that refine the boundary in every second step only.
+[[nodiscard]] inline bool keeps_old_edges(const Split& split) {
+  return !split.is_dual() && !split.boundary_rests();
+}
+
+/// The old half-edge that each refined half-edge lies on, in its direction; kNone: on none.
+/// Precondition: keeps_old_edges. Cost O(fine mesh).
 [[nodiscard]] std::vector<Index> old_halfedges(const Mesh& mesh, const SplitResult& fine);
 
 /// The old face that each refined face lies in, given old_halfedges: the faces along old half-edges
