@@ -12,7 +12,8 @@ if(NOT LIMN_FUZZ)
   limn_precompile(limn_papers <fmt/core.h> <nlohmann/json.hpp>)
 endif()
 
-file(GLOB command_sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/apps/limn/*.cpp)
+file(GLOB command_sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/apps/limn/*.cpp
+  ${PROJECT_SOURCE_DIR}/apps/limn/options/*.cpp ${PROJECT_SOURCE_DIR}/apps/limn/output/*.cpp)
 if(LIMN_FUZZ)
   # Only the library and the fuzzers.
 elseif(command_sources)

@@ -13,7 +13,7 @@
 
 #include "limn/base/printable.h"
 #include "limn/base/utf8.h"
-#include "scheme_argument.h"
+#include "options/scheme_argument.h"
 
 namespace limn::app {
 namespace {

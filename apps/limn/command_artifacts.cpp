@@ -10,8 +10,8 @@
 #include "limn/regular/regular_mask.h"
 #include "limn/regular/sampling_density.h"
 #include "limn/report/lattice/artifact_figures.h"
-#include "number_option.h"
-#include "scheme_argument.h"
+#include "options/number_option.h"
+#include "options/scheme_argument.h"
 
 namespace limn::app {
 namespace {

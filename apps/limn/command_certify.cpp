@@ -10,9 +10,9 @@
 #include "limn/certify/certificate/certificate_json.h"
 #include "limn/certify/certify.h"
 #include "limn/report/certificate_report.h"
-#include "number_option.h"
-#include "time_option.h"
-#include "valences.h"
+#include "options/number_option.h"
+#include "options/time_option.h"
+#include "options/valences.h"
 
 namespace limn::app {
 namespace {

@@ -14,8 +14,8 @@
 #include "limn/report/eigen/eigenvector_report.h"
 #include "limn/spectrum/eigencomponents.h"
 #include "limn/spectrum/least_valence.h"
-#include "scheme_argument.h"
-#include "valences.h"
+#include "options/scheme_argument.h"
+#include "options/valences.h"
 
 namespace limn::app {
 namespace {

@@ -8,8 +8,8 @@
 #include "limn/base/progress.h"
 #include "limn/regular/regular_mask.h"
 #include "limn/report/lattice/regularity_report.h"
-#include "number_option.h"
-#include "time_option.h"
+#include "options/number_option.h"
+#include "options/time_option.h"
 
 namespace limn::app {
 namespace {

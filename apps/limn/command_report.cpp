@@ -9,10 +9,10 @@
 #include "limn/base/progress.h"
 #include "limn/report/page/page_html.h"
 #include "limn/report/page/page_record.h"
-#include "page_file.h"
-#include "scheme_argument.h"
-#include "time_option.h"
-#include "valences.h"
+#include "output/page_file.h"
+#include "options/scheme_argument.h"
+#include "options/time_option.h"
+#include "options/valences.h"
 
 namespace limn::app {
 namespace {

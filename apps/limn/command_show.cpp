@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "command.h"
-#include "figure_output.h"
+#include "output/figure_output.h"
 #include "limn/base/printable.h"
 #include "limn/report/scheme_report.h"
 #include "limn/report/stencil_report.h"

@@ -12,9 +12,9 @@
 #include "limn/base/progress.h"
 #include "limn/search/front.h"
 #include "limn/search/run_study.h"
-#include "number_option.h"
-#include "study_output.h"
-#include "time_option.h"
+#include "options/number_option.h"
+#include "output/study_output.h"
+#include "options/time_option.h"
 
 namespace limn::app {
 namespace {

@@ -11,8 +11,8 @@
 #include "limn/base/time_budget.h"
 #include "limn/report/tune_report.h"
 #include "limn/report/tuned_scheme.h"
-#include "time_option.h"
-#include "valences.h"
+#include "options/time_option.h"
+#include "options/valences.h"
 
 namespace limn::app {
 namespace {

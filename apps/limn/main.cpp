@@ -4,7 +4,7 @@
 #include <stdexcept>
 #include <system_error>
 
-#include "bundled_fonts.h"
+#include "output/bundled_fonts.h"
 #include "command.h"
 #include "limn/base/files/file_transaction.h"
 #include "limn/base/near_word.h"

@@ -8,11 +8,11 @@
 
 #include "limn/base/fault_order.h"
 #include "limn/base/near_word.h"
+#include "limn/scheme/file/role_reader.h"
 #include "limn/scheme/file/scheme_reader.h"
 #include "limn/scheme/file/scheme_words.h"
 #include "limn/scheme/file/toml_data.h"
 #include "limn/scheme/file/toml_reader.h"
-#include "limn/scheme/placement.h"
 
 namespace limn {
 namespace {
@@ -54,14 +54,14 @@ class SchemeFileReader {
       } else {
         in_.fail(Error{"the file names no split", hint, in_.file(), 1, 1});
       }
-      has_faulty_split_ = scheme_.split == nullptr;
+      roles_.use_split(scheme_.split, scheme_.split == nullptr);
       return;
     }
     const std::size_t before = in_.faults();
     const std::string name = in_.text(*node, "split");
     scheme_.split = find_split(name);
-    has_faulty_split_ = scheme_.split == nullptr;
-    if (in_.unharmed_since(before) && has_faulty_split_)
+    roles_.use_split(scheme_.split, scheme_.split == nullptr);
+    if (in_.unharmed_since(before) && scheme_.split == nullptr)
       in_.fail(*node, fmt::format("unknown split '{}'", name), did_you_mean(name, known, hint));
   }
 
@@ -112,7 +112,7 @@ class SchemeFileReader {
     } else if (name == "parameter") {
       in_.each(node, name, [&](const toml::key& k, const toml::node& v) { read_parameter(k, v); });
     } else if (name == "roles") {
-      in_.each(node, name, [&](const toml::key& k, const toml::node& v) { read_roles(k, v); });
+      in_.each(node, name, [&](const toml::key& k, const toml::node& v) { roles_.read(k, v); });
     } else if (name == "facts") {
       in_.each_element(node, name, [&](const toml::node& v) { read_fact(in_, v, scheme_); });
     } else if (name == "mask") {
@@ -197,46 +197,6 @@ class SchemeFileReader {
     parameter.high = bounds[1];
   }
 
-  void read_roles(const toml::key& key, const toml::node& node) {
-    const std::optional<RuleKind> kind = find_rule(key.str());
-    if (!kind) {
-      const Place at = in_.place(key);
-      in_.fail(Error{fmt::format("unknown key '{}' in roles", key.str()),
-                     did_you_mean(key.str(), rule_names(),
-                                  "expected the name of a rule, as edge or \"boundary.edge\""),
-                     at.file, at.line, at.column});
-      has_unread_roles_ = true;
-      return;
-    }
-    in_.each(node, key.str(), [&](const toml::key& role, const toml::node& v) {
-      const std::size_t before = in_.faults();
-      Walk walk = read_role(*kind, role, v);
-      if (!in_.unharmed_since(before))
-        own_roles_[{*kind, std::string(role.str())}] = std::nullopt;
-      else
-        own_roles_[{*kind, std::string(role.str())}] = std::move(walk);
-    });
-  }
-
-  Walk read_role(RuleKind kind, const toml::key& role, const toml::node& node) {
-    if (!node.is_string()) {
-      (void)in_.text(node, role.str());
-      return {};
-    }
-    const Place at = in_.place(node);
-    Result<Walk> walk = parse_walk(in_.text(node, role.str()));
-    if (!walk) {
-      in_.fail(Error{fmt::format("role '{}': {}", role.str(), walk.error().message),
-                     walk.error().hint, at.file, at.line, at.column + walk.error().column});
-      return {};
-    }
-    if (role.str() == "when")
-      in_.fail(node, "'when' cannot be the name of a role", "it stands for the guard of a case");
-    else if (scheme_.split != nullptr)
-      check_role(kind, role.str(), *walk, at);
-    return std::move(*walk);
-  }
-
   void read_rules(const toml::table& root) {
     for (int i = 0; i < kRuleKinds; ++i) {
       const auto kind = static_cast<RuleKind>(i);
@@ -295,7 +255,7 @@ class SchemeFileReader {
         return;
       }
       any = true;
-      std::optional<Walk> walk = find_role(kind, key);
+      std::optional<Walk> walk = roles_.find(kind, key);
       Formula value = in_.formula(v, key.str());
       if (!walk) unread_.rules[static_cast<std::size_t>(kind)] = true;
       if (walk && in_.unharmed_since(before_key))
@@ -304,63 +264,6 @@ class SchemeFileReader {
     if (in_.unharmed_since(before) && !any)
       in_.fail(node, fmt::format("the {} rule has no weights", rule_name(kind)));
     return result;
-  }
-
-  /// Nothing where the role is not known or was faulty when it was defined.
-  std::optional<Walk> find_role(RuleKind kind, const toml::key& key) {
-    const std::string name(key.str());
-    if (scheme_.split == nullptr) {
-      if (!has_faulty_split_)
-        in_.fail(Error{"a file that extends another and states rules must name its split",
-                       "add split = \"...\", the same as there", in_.file(), in_.place(key).line,
-                       in_.place(key).column});
-      has_faulty_split_ = true;  // told once
-      return std::nullopt;
-    }
-    if (const auto own = own_roles_.find({kind, name}); own != own_roles_.end())
-      return own->second ? checked(kind, *own->second, key) : std::nullopt;
-    std::vector<std::string> known{"when"};
-    for (const NamedRole& role : named_roles(kind, scheme_.split->lattice)) {
-      if (role.name == name) return checked(kind, parse_walk(role.walk).value(), key);
-      if (!parse_walk(role.walk).value().reads_face || gives_every_face_a_vertex())
-        known.emplace_back(role.name);
-    }
-    for (const auto& [own, walk] : own_roles_)
-      if (own.first == kind) known.push_back(own.second);
-    if (!has_unread_roles_)
-      in_.unknown_key(
-          key, fmt::format("the {} rule of a {} scheme", rule_name(kind), scheme_.split->name),
-          known, fmt::format("a role defined under [roles.{}]", rule_name(kind)));
-    return std::nullopt;
-  }
-
-  /// Precondition, as for the next: the split is known.
-  [[nodiscard]] bool gives_every_face_a_vertex() const {
-    return scheme_.split->births.faces && !scheme_.split->boundary_rests();
-  }
-
-  /// Fails at `at` where the walk makes no sense in the rule. Precondition: the split is known.
-  void check_role(RuleKind kind, std::string_view name, const Walk& walk, const Place& at) {
-    const Split& split = *scheme_.split;
-    const Result<Placement> placement = place(kind, split.lattice, walk);
-    if (!placement)
-      in_.fail(Error{fmt::format("role '{}' of the {} rule: {}", name, rule_name(kind),
-                                 placement.error().message),
-                     placement.error().hint, at.file, at.line, at.column});
-    else if (walk.reads_face && !gives_every_face_a_vertex())
-      in_.fail(Error{fmt::format("role '{}' reads the new vertex of a face, and the split {} does "
-                                 "not give every face one",
-                                 name, split.name),
-                     {},
-                     at.file,
-                     at.line,
-                     at.column});
-  }
-
-  std::optional<Walk> checked(RuleKind kind, const Walk& walk, const toml::key& key) {
-    const std::size_t before = in_.faults();
-    check_role(kind, key.str(), walk, in_.place(key));
-    return in_.unharmed_since(before) ? std::optional<Walk>(walk) : std::nullopt;
   }
 
   /// "extends 'a.toml': a.toml:3:1: what is wrong", or where that file only extends what is wrong,
@@ -430,16 +333,13 @@ class SchemeFileReader {
   }
 
   TomlReader in_;
+  RoleReader roles_{in_};
   const ExtendedScheme& extended_;
   Scheme scheme_;
   Unread unread_;
   std::optional<std::string> extends_;
   Place extends_place_;
-  bool has_faulty_split_ = false;  // and that was told
-  bool has_unread_roles_ = false;  // of a rule that is not known
   std::map<std::string, Place> names_;
-  // nothing: its definition is faulty
-  std::map<std::pair<RuleKind, std::string>, std::optional<Walk>> own_roles_;
 };
 
 }  // namespace

@@ -1,4 +1,4 @@
-#include "attribute_options.h"
+#include "options/attribute_options.h"
 
 #include <fmt/core.h>
 #include <fmt/format.h>

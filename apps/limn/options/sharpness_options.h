@@ -4,7 +4,7 @@
 #include <CLI/CLI.hpp>
 #include <string>
 
-#include "control_mesh.h"
+#include "options/control_mesh.h"
 #include "limn/scheme/scheme.h"
 
 namespace limn::app {

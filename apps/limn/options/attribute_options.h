@@ -5,7 +5,7 @@
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 
-#include "control_mesh.h"
+#include "options/control_mesh.h"
 #include "limn/scheme/scheme.h"
 #include "limn/surface/attribute_rules.h"
 

@@ -1,6 +1,6 @@
-#include "mesh_preparation.h"
+#include "options/mesh_preparation.h"
 
-#include "number_option.h"
+#include "options/number_option.h"
 
 namespace limn::app {
 

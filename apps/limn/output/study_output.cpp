@@ -1,4 +1,4 @@
-#include "study_output.h"
+#include "output/study_output.h"
 
 #include <algorithm>
 #include <filesystem>

@@ -1,4 +1,4 @@
-#include "number_option.h"
+#include "options/number_option.h"
 
 #include <cmath>
 #include <string>

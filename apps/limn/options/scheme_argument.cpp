@@ -1,4 +1,4 @@
-#include "scheme_argument.h"
+#include "options/scheme_argument.h"
 
 #include <algorithm>
 #include <filesystem>

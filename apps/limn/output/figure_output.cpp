@@ -1,4 +1,4 @@
-#include "figure_output.h"
+#include "output/figure_output.h"
 
 #include <cstdio>
 

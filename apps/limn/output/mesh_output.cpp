@@ -1,4 +1,4 @@
-#include "mesh_output.h"
+#include "output/mesh_output.h"
 
 #include <algorithm>
 #include <cctype>

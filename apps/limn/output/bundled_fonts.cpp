@@ -1,4 +1,4 @@
-#include "bundled_fonts.h"
+#include "output/bundled_fonts.h"
 
 #if defined(__linux__)
 #include <sys/auxv.h>

@@ -1,4 +1,4 @@
-#include "valences.h"
+#include "options/valences.h"
 
 #include <charconv>
 

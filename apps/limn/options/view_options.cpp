@@ -1,6 +1,6 @@
-#include "view_options.h"
+#include "options/view_options.h"
 
-#include "number_option.h"
+#include "options/number_option.h"
 
 namespace limn::app {
 

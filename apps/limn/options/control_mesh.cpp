@@ -1,4 +1,4 @@
-#include "control_mesh.h"
+#include "options/control_mesh.h"
 
 #include <cstdio>
 

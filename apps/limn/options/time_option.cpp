@@ -1,8 +1,8 @@
-#include "time_option.h"
+#include "options/time_option.h"
 
 #include <limits>
 
-#include "number_option.h"
+#include "options/number_option.h"
 
 namespace limn::app {
 

@@ -9,7 +9,7 @@
 #include "limn/mesh/io/mesh_file.h"
 #include "limn/mesh/mesh.h"
 #include "limn/mesh/repair/repair.h"
-#include "mesh_preparation.h"
+#include "options/mesh_preparation.h"
 
 namespace limn::app {
 

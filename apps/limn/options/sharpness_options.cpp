@@ -1,4 +1,4 @@
-#include "sharpness_options.h"
+#include "options/sharpness_options.h"
 
 #include <fmt/core.h>
 
