@@ -3,13 +3,13 @@
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
 
-#include "options/attribute_options.h"
 #include "command.h"
-#include "options/control_mesh.h"
 #include "limn/base/files/file.h"
 #include "limn/base/printable.h"
 #include "limn/mesh/mesh_limits.h"
 #include "limn/report/mesh_check_report.h"
+#include "options/attribute_options.h"
+#include "options/control_mesh.h"
 #include "output/mesh_output.h"
 
 namespace limn::app {

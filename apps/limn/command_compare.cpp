@@ -4,17 +4,17 @@
 #include <nlohmann/json.hpp>
 
 #include "command.h"
-#include "options/control_mesh.h"
-#include "output/figure_output.h"
 #include "limn/base/progress.h"
 #include "limn/figure/space/visibility.h"
 #include "limn/report/compare/compare_report.h"
 #include "limn/report/compare/field.h"
+#include "options/control_mesh.h"
 #include "options/number_option.h"
 #include "options/scheme_argument.h"
 #include "options/time_option.h"
 #include "options/valences.h"
 #include "options/view_options.h"
+#include "output/figure_output.h"
 
 namespace limn::app {
 namespace {

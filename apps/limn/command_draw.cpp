@@ -4,15 +4,15 @@
 #include <nlohmann/json.hpp>
 
 #include "command.h"
-#include "options/control_mesh.h"
-#include "output/figure_output.h"
 #include "limn/base/printable.h"
 #include "limn/base/progress.h"
 #include "limn/figure/figure.h"
 #include "limn/figure/space/visibility.h"
 #include "limn/report/limit_report.h"
 #include "limn/study/surface_scenes.h"
+#include "options/control_mesh.h"
 #include "options/view_options.h"
+#include "output/figure_output.h"
 
 namespace limn::app {
 namespace {

@@ -6,12 +6,12 @@
 #include <nlohmann/json.hpp>
 
 #include "command.h"
-#include "options/control_mesh.h"
 #include "limn/base/printable.h"
 #include "limn/base/progress.h"
 #include "limn/report/fairness_report.h"
 #include "limn/report/limit_report.h"
 #include "limn/report/spectrum_report.h"
+#include "options/control_mesh.h"
 #include "options/scheme_argument.h"
 
 namespace limn::app {

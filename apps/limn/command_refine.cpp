@@ -5,9 +5,7 @@
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
 
-#include "options/attribute_options.h"
 #include "command.h"
-#include "options/control_mesh.h"
 #include "limn/base/files/file.h"
 #include "limn/base/memory.h"
 #include "limn/base/printable.h"
@@ -17,8 +15,10 @@
 #include "limn/surface/refine_surface.h"
 #include "limn/surface/refined_file.h"
 #include "limn/surface/surface_estimate.h"
-#include "output/mesh_output.h"
+#include "options/attribute_options.h"
+#include "options/control_mesh.h"
 #include "options/sharpness_options.h"
+#include "output/mesh_output.h"
 
 namespace limn::app {
 namespace {

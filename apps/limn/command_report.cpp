@@ -9,10 +9,10 @@
 #include "limn/base/progress.h"
 #include "limn/report/page/page_html.h"
 #include "limn/report/page/page_record.h"
-#include "output/page_file.h"
 #include "options/scheme_argument.h"
 #include "options/time_option.h"
 #include "options/valences.h"
+#include "output/page_file.h"
 
 namespace limn::app {
 namespace {

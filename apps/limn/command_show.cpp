@@ -4,10 +4,10 @@
 #include <nlohmann/json.hpp>
 
 #include "command.h"
-#include "output/figure_output.h"
 #include "limn/base/printable.h"
 #include "limn/report/scheme_report.h"
 #include "limn/report/stencil_report.h"
+#include "output/figure_output.h"
 
 namespace limn::app {
 namespace {

@@ -13,8 +13,8 @@
 #include "limn/search/front.h"
 #include "limn/search/run_study.h"
 #include "options/number_option.h"
-#include "output/study_output.h"
 #include "options/time_option.h"
+#include "output/study_output.h"
 
 namespace limn::app {
 namespace {

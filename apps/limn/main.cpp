@@ -4,11 +4,11 @@
 #include <stdexcept>
 #include <system_error>
 
-#include "output/bundled_fonts.h"
 #include "command.h"
 #include "limn/base/files/file_transaction.h"
 #include "limn/base/near_word.h"
 #include "limn/base/parallel.h"
+#include "output/bundled_fonts.h"
 #include "process.h"
 
 namespace limn::app {

@@ -5,9 +5,9 @@
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 
-#include "options/control_mesh.h"
 #include "limn/scheme/scheme.h"
 #include "limn/surface/attribute_rules.h"
+#include "options/control_mesh.h"
 
 namespace limn::app {
 

@@ -4,8 +4,8 @@
 #include <CLI/CLI.hpp>
 #include <string>
 
-#include "options/control_mesh.h"
 #include "limn/scheme/scheme.h"
+#include "options/control_mesh.h"
 
 namespace limn::app {
 

@@ -55,7 +55,8 @@ std::optional<Walk> RoleReader::find(RuleKind kind, const toml::key& key) {
     if (role.name == name) return checked(kind, parse_walk(role.walk).value(), key);
   if (!has_unread_roles_)
     in_.unknown_key(key, fmt::format("the {} rule of a {} scheme", rule_name(kind), split_->name),
-                    known_in(kind), fmt::format("a role defined under [roles.{}]", rule_name(kind)));
+                    known_in(kind),
+                    fmt::format("a role defined under [roles.{}]", rule_name(kind)));
   return std::nullopt;
 }
 
@@ -95,7 +96,10 @@ bool RoleReader::check(RuleKind kind, std::string_view name, const Walk& walk, c
   in_.fail(Error{fmt::format("role '{}' reads the new vertex of a face, and the split {} does not "
                              "give every face one",
                              name, split_->name),
-                 {}, at.file, at.line, at.column});
+                 {},
+                 at.file,
+                 at.line,
+                 at.column});
   return false;
 }
 
