@@ -2,6 +2,9 @@
 /// Refinement of meshes: scheme × mesh → finer mesh.
 
 #include <functional>
+#include <optional>
+#include <utility>
+#include <vector>
 
 #include "limn/base/memory.h"
 #include "limn/refine/crease_stencils.h"
@@ -20,38 +23,62 @@ struct Refined {
   Sharpness sharpness = {};  ///< what is left of it
 };
 
-/// One step, its number `step`. Fails as `tables.prepare` does.
-template <class Value, class Number>
-[[nodiscard]] Result<Refined<Value>> refine_once(const Scheme& scheme, const Mesh& mesh,
-                                                 const std::vector<Value>& values, int step,
-                                                 RuleTables<Number>& tables) {
-  SplitResult split = scheme.split->apply(mesh, step);
-  if (Status status = tables.prepare(mesh, split.births); !status) return status.error();
-  std::vector<Value> fine = refine_values(scheme, mesh, split.births, tables, values);
-  return Refined<Value>{std::move(split.mesh), std::move(fine)};
+/// One step, its number `step`: calls use(fine, left, values_of) once, with the finer mesh and its
+/// births, what is left of the sharpness, and a function from a value for each old vertex to those
+/// of the new ones, which is to be called before `fine` is moved from. Without tables there are
+/// none of these. Precondition: check_takes_sharpness(scheme, sharpness). Fails as
+/// `tables->prepare` and CreaseStep::make do.
+template <class Number, class Use>
+[[nodiscard]] Status make_step(const Scheme& scheme, const Mesh& mesh, const Sharpness& sharpness,
+                               int step, RuleTables<Number>* tables, Use&& use) {
+  if (!sharpness.any()) {
+    SplitResult fine = scheme.split->apply(mesh, step);
+    if (tables != nullptr)
+      if (Status status = tables->prepare(mesh, fine.births); !status) return status;
+    Sharpness left;
+    left.method = sharpness.method;
+    if (sharpness.has_holes())
+      left = inherit(mesh, {{}, {}, sharpness.holes, sharpness.method}, child_sharpness(mesh, {}),
+                     fine);
+    use(fine, left,
+        [&](const auto& old) { return refine_values(scheme, mesh, fine.births, *tables, old); });
+    return Done{};
+  }
+  Result<CreaseStep> creases = CreaseStep::make(*scheme.split, mesh, sharpness, step);
+  if (!creases) return creases.error();
+  std::optional<CreaseStencils<Number>> stencils;
+  if (tables != nullptr) {
+    if (Status status = prepare_tables(*tables, *creases); !status) return status;
+    stencils.emplace(scheme, *creases, *tables);
+  }
+  use(creases->fine(), creases->fine_sharpness(),
+      [&](const auto& old) { return refine_values(*stencils, old); });
+  return Done{};
 }
 
-/// The same of a mesh with sharpness. Precondition: check_takes_sharpness(scheme, sharpness).
+/// One step of values, its number `step`. Precondition and failures as make_step.
 template <class Value, class Number>
 [[nodiscard]] Result<Refined<Value>> refine_once(const Scheme& scheme, const Mesh& mesh,
                                                  const std::vector<Value>& values,
                                                  const Sharpness& sharpness, int step,
                                                  RuleTables<Number>& tables) {
-  if (!sharpness.any()) {
-    SplitResult split = scheme.split->apply(mesh, step);
-    if (Status status = tables.prepare(mesh, split.births); !status) return status.error();
-    std::vector<Value> fine = refine_values(scheme, mesh, split.births, tables, values);
-    Sharpness left;
-    if (sharpness.has_holes())
-      left = inherit(mesh, {{}, {}, sharpness.holes, {}}, child_sharpness(mesh, {}), split);
-    return Refined<Value>{std::move(split.mesh), std::move(fine), std::move(left)};
-  }
-  Result<CreaseStep> creases = CreaseStep::make(*scheme.split, mesh, sharpness, step);
-  if (!creases) return creases.error();
-  if (Status status = prepare_tables(tables, *creases); !status) return status.error();
-  std::vector<Value> fine = refine_values(CreaseStencils<Number>(scheme, *creases, tables), values);
-  return Refined<Value>{std::move(creases->fine().mesh), std::move(fine),
-                        std::move(creases->fine_sharpness())};
+  Refined<Value> result;
+  const auto take = [&](SplitResult& fine, Sharpness& left, const auto& values_of) {
+    result.values = values_of(values);
+    result.mesh = std::move(fine.mesh);
+    result.sharpness = std::move(left);
+  };
+  if (Status status = make_step(scheme, mesh, sharpness, step, &tables, take); !status)
+    return status.error();
+  return result;
+}
+
+/// The same of a mesh without sharpness.
+template <class Value, class Number>
+[[nodiscard]] Result<Refined<Value>> refine_once(const Scheme& scheme, const Mesh& mesh,
+                                                 const std::vector<Value>& values, int step,
+                                                 RuleTables<Number>& tables) {
+  return refine_once(scheme, mesh, values, Sharpness{}, step, tables);
 }
 
 /// `levels` ≥ 0 steps from the control mesh. Fails as `check_refinable` and

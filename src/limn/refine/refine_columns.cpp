@@ -72,40 +72,17 @@ class ColumnStep {
       : scheme_(scheme), state_(state), options_(options) {}
 
   Status run(int step, RuleTables<double>& tables) {
-    return state_.sharpness.any() ? creased(step, tables) : smooth(step, tables);
+    std::vector<Column>& smooth = state_.columns.smooth;
+    return make_step(scheme_, state_.mesh, state_.sharpness, step,
+                     smooth.empty() ? nullptr : &tables,
+                     [&](SplitResult& fine, Sharpness& left, const auto& values_of) {
+                       for (Column& column : smooth)
+                         replace(column, fine.births, values_of(column));
+                       finish(std::move(fine), std::move(left));
+                     });
   }
 
  private:
-  Status smooth(int step, RuleTables<double>& tables) {
-    SplitResult fine = scheme_.split->apply(state_.mesh, step);
-    if (!state_.columns.smooth.empty())
-      if (Status status = tables.prepare(state_.mesh, fine.births); !status) return status;
-    Sharpness left;
-    left.method = state_.sharpness.method;
-    if (state_.sharpness.has_holes())
-      left = inherit(state_.mesh, {{}, {}, state_.sharpness.holes, {}},
-                     child_sharpness(state_.mesh, {}), fine);
-    for (Column& column : state_.columns.smooth)
-      replace(column, fine.births,
-              refine_values(scheme_, state_.mesh, fine.births, tables, column));
-    finish(std::move(fine), std::move(left));
-    return Done{};
-  }
-
-  Status creased(int step, RuleTables<double>& tables) {
-    Result<CreaseStep> creases =
-        CreaseStep::make(*scheme_.split, state_.mesh, state_.sharpness, step);
-    if (!creases) return creases.error();
-    if (!state_.columns.smooth.empty()) {
-      if (Status status = prepare_tables(tables, *creases); !status) return status;
-      const CreaseStencils<double> stencils(scheme_, *creases, tables);
-      for (Column& column : state_.columns.smooth)
-        replace(column, creases->fine().births, refine_values(stencils, column));
-    }
-    finish(std::move(creases->fine()), std::move(creases->fine_sharpness()));
-    return Done{};
-  }
-
   void replace(Column& column, const Births& births, Column fine) const {
     if (options_.straight_boundary) straighten(*scheme_.split, state_.mesh, births, column, fine);
     column = std::move(fine);
