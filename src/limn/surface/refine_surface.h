@@ -29,8 +29,9 @@ struct SurfaceOptions {
   /// False: a limit that cannot be had is an error.
   bool partial = false;
   bool connectivity = false;  ///< RefinedSurface::mesh, too
-  /// Of the control mesh. Where an edge or vertex is sharp, or a face a hole, the plain engine
-  /// refines it, whatever `engine` says.
+  /// Of the control mesh. Where there is a reason why_no_fast_sharpness (fast/fast_refiner.h), the
+  /// plain engine refines it, whatever `engine` says; and where something is sharp that stays so,
+  /// it finds what is wanted of the limit surface.
   Sharpness sharpness = {};
   /// What the control mesh carries, by its numbers of vertices, half-edges and faces; or null. They
   /// fit it (attributes_fit); an error where their counts do not. Texture coordinates with seams or
