@@ -25,21 +25,31 @@ struct Race {
 /// scheme asked for, by name or file. Throws std::runtime_error where there is none such.
 [[nodiscard]] std::vector<Race> races(const std::string& only);
 
-/// A control mesh with a cut into triangles, for the schemes that need them.
+/// A control mesh with a cut into triangles, for the schemes that need them; and what is sharp of
+/// either.
 struct Control {
   std::string name;
   Polygons triangles, polygons;
   int level = 0;
+  PeerTags triangle_tags = {}, polygon_tags = {};
 
   [[nodiscard]] const Polygons& of(const Race& race) const {
     return race.scheme.split->any_polygons ? polygons : triangles;
   }
+  [[nodiscard]] const PeerTags& tags_of(const Race& race) const {
+    return race.scheme.split->any_polygons ? polygon_tags : triangle_tags;
+  }
 };
+
+/// The control mesh with so large a share of its edges sharp, taken at random, in different ways: a
+/// fifth of them for ever, the others by 0.5, 1, 1.5, … 4, and so that creases end, fade, meet.
+[[nodiscard]] Control with_sharp_edges(Control control, double share);
 
 /// Full refinement, topology and positions: the plain engine on doubles, the fast engine where it
 /// has a layout for the split, on doubles and floats, one thread and two; OpenSubdiv (uniform
 /// refinement), CGAL and OpenMesh, none of which uses more than one thread. Floats where a library
-/// takes them: it is then a little faster. `race` and `control` must outlive the contenders.
+/// takes them: it is then a little faster. With sharpness, limn and OpenSubdiv alone. `race` and
+/// `control` must outlive the contenders.
 [[nodiscard]] std::vector<Contender> full_refinement(const Race& race, const Control& control);
 
 /// Positions alone, the topology being known: `prepare` works it out, `run` evaluates. The quick
