@@ -152,7 +152,7 @@ class Work {
       std::vector<Point3> points(static_cast<std::size_t>(refiner->vertex_count()));
       refiner->evaluate<double>(numbers_of(points_), numbers_of(points));
       Polygons fine = refined_polygons(*refiner, std::move(points));
-      quick_attributes(*refiner, fine);
+      if (Status status = quick_attributes(*refiner, fine); !status) return status.error();
       find_holes(*refiner);
       SharpnessTags sharp = refiner->sharp_tags();
       stop_clock();
@@ -260,8 +260,8 @@ class Work {
   }
 
   /// By the quick engine.
-  void quick_attributes(const FastRefiner& refiner, const Polygons& fine) {
-    if (options_.attributes == nullptr || options_.attributes->empty()) return;
+  Status quick_attributes(const FastRefiner& refiner, const Polygons& fine) {
+    if (options_.attributes == nullptr || options_.attributes->empty()) return Done{};
     Columns columns;
     columns.smooth.emplace_back();
     std::optional<Column> texture;
@@ -278,6 +278,14 @@ class Work {
       refiner.write_parents(face_of);
     }
     hand_down(face_of);
+    const TextureCoordinates& coordinates = options_.attributes->texture;
+    if (coordinates.empty() || texture || options_.levels == 0) return Done{};
+    Result<TextureCoordinates> refined =
+        detail::quick_texture(scheme_, control_, options_.sharpness, coordinates,
+                              options_.attribute_rules.texture, options_.levels);
+    if (!refined) return refined.error();
+    surface_.attributes.texture = *std::move(refined);
+    return Done{};
   }
   Status quick_attributes() {
     const bool any = options_.attributes != nullptr && !options_.attributes->empty();
@@ -286,8 +294,7 @@ class Work {
         FastRefiner::make(scheme_, control_, options_.levels, options_.sharpness);
     if (!refiner) return refiner.error();
     find_holes(*refiner);
-    quick_attributes(*refiner, surface_.polygons);
-    return Done{};
+    return quick_attributes(*refiner, surface_.polygons);
   }
 
   /// Finds what is wanted of the limit surface.
@@ -339,9 +346,10 @@ bool is_quick(const Scheme& scheme, const Mesh& control, const SurfaceOptions& o
   const MeshAttributes& attributes = *options.attributes;
   if (options.attribute_rules.linear && !attributes.vertices.empty()) return false;
   if (attributes.has_labels() && !keeps_old_edges(split)) return false;
+  const TextureRule rule = options.attribute_rules.texture;
   return attributes.texture.empty() ||
-         detail::texture_column(split, control, attributes.texture, options.attribute_rules.texture)
-             .has_value();
+         detail::texture_column(split, control, attributes.texture, rule).has_value() ||
+         detail::has_quick_texture(scheme, control, options.sharpness, attributes.texture, rule);
 }
 
 Result<RefinedSurface> refine_surface(const Scheme& scheme, Mesh control,

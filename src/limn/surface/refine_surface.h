@@ -34,9 +34,9 @@ struct SurfaceOptions {
   /// it finds what is wanted of the limit surface.
   Sharpness sharpness = {};
   /// What the control mesh carries, by its numbers of vertices, half-edges and faces; or null. They
-  /// fit it (attributes_fit); an error where their counts do not. Texture coordinates with seams or
-  /// corners that stay, linear numbers, and labels under √3, √2 and dual splits need the plain
-  /// engine, whatever `engine` says.
+  /// fit it (attributes_fit); an error where their counts do not. Linear numbers, linear texture
+  /// coordinates and those whose boundary stays, and labels under √3, √2 and dual splits need the
+  /// plain engine, whatever `engine` says.
   const MeshAttributes* attributes = nullptr;
   AttributeRules attribute_rules = {};  ///< how they are refined
   /// quick: the quick engine (fast/fast_refiner.h) where it can, else the plain one; plain: the
