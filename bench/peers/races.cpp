@@ -1,5 +1,6 @@
 #include "races.h"
 
+#include <array>
 #include <cstring>
 #include <functional>
 #include <random>
@@ -12,6 +13,7 @@
 #include "limn/fast/fast_refiner.h"
 #include "limn/mesh/sharpness/tags.h"
 #include "limn/refine/refine.h"
+#include "limn/surface/refine_surface.h"
 #include "peers/repeated_peer.h"
 
 namespace limn::peers {
@@ -144,6 +146,62 @@ class QuickAgain final : public Trial {
   typename FastRefiner::Scratch<Real> scratch_;
 };
 
+PeerTexture octants(const Polygons& control) {
+  PeerTexture texture;
+  std::vector<std::array<Index, 8>> point(control.positions.size());
+  for (auto& of_vertex : point) of_vertex.fill(kNone);
+  for (Index f = 0; f < control.face_count(); ++f) {
+    const auto begin = static_cast<std::size_t>(control.face_begin[static_cast<std::size_t>(f)]);
+    const auto end = begin + static_cast<std::size_t>(control.degree(f));
+    Point3 sum;
+    for (std::size_t c = begin; c < end; ++c)
+      sum = sum + control.positions[static_cast<std::size_t>(control.corners[c])];
+    const std::size_t chart = (sum.x > 0 ? 1U : 0U) + (sum.y > 0 ? 2U : 0U) + (sum.z > 0 ? 4U : 0U);
+    for (std::size_t c = begin; c < end; ++c) {
+      const auto v = static_cast<std::size_t>(control.corners[c]);
+      Index& of_chart = point[v][chart];
+      if (of_chart == kNone) {
+        of_chart = static_cast<Index>(texture.points.size());
+        const Point3& p = control.positions[v];
+        texture.points.push_back({p.x + 3 * static_cast<double>(chart), p.y - p.z});
+      }
+      texture.of_corner.push_back(of_chart);
+    }
+  }
+  return texture;
+}
+
+class TexturedTrial final : public Trial {
+ public:
+  TexturedTrial(const Scheme& scheme, const Polygons& control, int steps,
+                const PeerTexture& texture, SurfaceOptions::Engine engine)
+      : scheme_(scheme),
+        control_(value_or_throw(Mesh::build(control))),
+        points_(control.positions) {
+    options_.levels = steps;
+    options_.engine = engine;
+    options_.attributes = &attributes_;
+    for (const auto& [u, v] : texture.points) attributes_.texture.points.push_back({u, v});
+    attributes_.texture.of_corner = texture.of_corner;
+  }
+
+  void run() override {
+    fine_ =
+        value_or_throw(refine_surface(scheme_, std::move(control_), std::move(points_), options_));
+  }
+  [[nodiscard]] Size size() const override {
+    return {double(fine_.polygons.positions.size()), double(fine_.polygons.corners.size())};
+  }
+
+ private:
+  const Scheme& scheme_;
+  Mesh control_;
+  std::vector<Point3> points_;
+  MeshAttributes attributes_;
+  SurfaceOptions options_;
+  RefinedSurface fine_;
+};
+
 class PeerTrial final : public Trial {
  public:
   PeerTrial(std::unique_ptr<Peer> peer, int steps) : peer_(std::move(peer)), steps_(steps) {}
@@ -200,6 +258,29 @@ Contender of_ours(std::string name, int threads, const Race& race, const Control
           }};
 }
 
+std::vector<Contender> textured_refinement(const Race& race, const Control& control) {
+  std::vector<Contender> all;
+  const auto ours = [&](const std::string& name, int threads, SurfaceOptions::Engine engine) {
+    all.push_back({name, true, threads, [&race, &control, threads, engine] {
+                     set_thread_limit(threads);
+                     return std::make_unique<TexturedTrial>(race.scheme, control.of(race),
+                                                            race.steps(control.level),
+                                                            control.texture_of(race), engine);
+                   }});
+  };
+  ours("limn plain", 1, SurfaceOptions::Engine::plain);
+  ours("limn quick", 1, SurfaceOptions::Engine::quick);
+  ours("limn quick, 2 threads", 2, SurfaceOptions::Engine::quick);
+  if (!race.method) return all;
+  all.push_back({"OpenSubdiv, float", false, 1, [&race, &control]() -> std::unique_ptr<Trial> {
+                   std::unique_ptr<Peer> peer = opensubdiv_textured_peer(
+                       *race.method, control.of(race), control.texture_of(race));
+                   if (!peer) return nullptr;
+                   return std::make_unique<PeerTrial>(std::move(peer), race.steps(control.level));
+                 }});
+  return all;
+}
+
 /// On one thread and on two.
 template <class T>
 void add_ours(std::vector<Contender>& all, const std::string& name, const Race& race,
@@ -240,6 +321,13 @@ Control with_sharp_edges(Control control, double share) {
   return control;
 }
 
+Control with_texture(Control control) {
+  control.name += ", textured";
+  control.triangle_texture = octants(control.triangles);
+  control.polygon_texture = octants(control.polygons);
+  return control;
+}
+
 int Race::steps(int level) const { return level + (scheme.split->dilation.growth() == 3 ? 1 : 0); }
 
 std::vector<Race> races(const std::string& only) {
@@ -259,6 +347,7 @@ std::vector<Race> races(const std::string& only) {
 }
 
 std::vector<Contender> full_refinement(const Race& race, const Control& control) {
+  if (!control.texture_of(race).of_corner.empty()) return textured_refinement(race, control);
   std::vector<Contender> all;
   add_ours<PlainTrial>(all, "limn plain", race, control);
   if (has_fast_layout(*race.scheme.split)) {
@@ -285,6 +374,7 @@ std::vector<Contender> full_refinement(const Race& race, const Control& control)
 
 std::vector<Contender> repeated_evaluation(const Race& race, const Control& control) {
   std::vector<Contender> all;
+  if (!control.texture_of(race).of_corner.empty()) return all;  // that is one more column
   if (has_fast_layout(*race.scheme.split)) {
     add_ours<QuickAgain<float>>(all, "limn quick, float", race, control);
     add_ours<QuickAgain<double>>(all, "limn quick", race, control);
