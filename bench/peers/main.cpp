@@ -28,6 +28,8 @@ namespace {
 struct Settings {
   std::string mesh, scheme, part;
   int level = 0;  ///< 0: as deep as makes about three million vertices
+  double sharp = 0.05;
+  bool texture = true;
   int rounds = 1;
 };
 
@@ -56,6 +58,10 @@ std::vector<Control> controls(const Settings& settings) {
   }
   for (Control& control : all)
     if (settings.level > 0) control.level = settings.level;
+  const std::size_t plain = all.size();
+  for (std::size_t i = 0; i < plain && settings.sharp > 0; ++i)
+    all.push_back(with_sharp_edges(all[i], settings.sharp));
+  for (std::size_t i = 0; i < plain && settings.texture; ++i) all.push_back(with_texture(all[i]));
   return all;
 }
 
@@ -119,6 +125,12 @@ int run_command(int argc, char** argv) {
   app.add_option("--rounds", settings.rounds, "how often everything is measured")
       ->capture_default_str();
   app.add_option("--scheme", settings.scheme, "only this one; a scheme that is shipped, or a file");
+  app.add_option("--sharp", settings.sharp,
+                 "every control mesh again, with so large a share of its edges sharp; 0: not")
+      ->capture_default_str()
+      ->check(CLI::Range(0.0, 1.0));
+  app.add_flag("--texture,!--no-texture", settings.texture,
+               "every control mesh again, with texture coordinates that have seams");
   app.add_option("--only", settings.part,
                  "full: full refinement; again: positions, the topology being known")
       ->check(CLI::IsMember({"full", "again"}));

@@ -136,9 +136,9 @@ py::dict refine(const Scheme& scheme, const py::object& vertices, const py::obje
     points = positions.points();
     options.sharpness = sharpness_of(mesh, points, tags, rules);
   }
-  const bool quick = !wanted.plain && !options.has_sharpness() && has_fast_layout(*scheme.split);
+  const bool quick = is_quick(scheme, mesh, options);
   check_memory_for(scheme, mesh, wanted, quick);
-  if (quick && !of_limit)
+  if (quick && !of_limit && !options.has_sharpness())
     return positions.is_float
                ? refine_in_place<float>(scheme, std::move(mesh), positions, wanted.levels)
                : refine_in_place<double>(scheme, std::move(mesh), positions, wanted.levels);

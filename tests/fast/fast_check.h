@@ -6,7 +6,9 @@
 
 #include <cmath>
 #include <functional>
+#include <map>
 #include <random>
+#include <set>
 #include <string>
 #include <tuple>
 #include <utility>
@@ -129,16 +131,44 @@ inline Starts start_each_face(const Mesh& control, int /*levels*/, const Mesh& q
   return starts;
 }
 
+/// What is sharp of two meshes; `partner` takes the first one's vertices to the other's.
+inline void expect_same_tags(const SharpnessTags& a, const SharpnessTags& b,
+                             const std::vector<Index>& partner) {
+  using Crease = std::pair<std::set<Index>, double>;
+  const auto vertices = [&](const SharpnessTags::Crease& crease, bool take) {
+    std::set<Index> ends;
+    for (const Index v : crease.vertices) ends.insert(take ? partner[v] : v);
+    return ends;
+  };
+  std::vector<Crease> creases, others;
+  for (const auto& crease : a.creases)
+    creases.emplace_back(vertices(crease, true), crease.sharpness.at(0));
+  for (const auto& crease : b.creases)
+    others.emplace_back(vertices(crease, false), crease.sharpness.at(0));
+  std::sort(creases.begin(), creases.end());
+  std::sort(others.begin(), others.end());
+  ASSERT_EQ(creases.size(), others.size());
+  for (std::size_t i = 0; i < creases.size(); ++i) {
+    EXPECT_EQ(creases[i].first, others[i].first);
+    EXPECT_NEAR(creases[i].second, others[i].second, 1e-12);
+  }
+  std::map<Index, double> corners, other_corners;
+  for (const auto& corner : a.corners) corners[partner[corner.vertex]] = corner.sharpness;
+  for (const auto& corner : b.corners) other_corners[corner.vertex] = corner.sharpness;
+  EXPECT_EQ(corners, other_corners);
+  if (!creases.empty()) EXPECT_EQ(a.method, b.method);
+}
+
 /// Starts for the plain engine's mesh and the quick one's.
 using StartMaker = std::function<Starts(const Mesh& control, int levels, const Mesh& quick)>;
 
 /// Both engines on random positions: the same mesh, the same points to rounding; or the same error.
 /// Returns how many steps the quick engine left to the plain one, or -1.
 inline int expect_same(const Scheme& scheme, const Mesh& control, int levels, unsigned seed,
-                       const StartMaker& start = start_each_face) {
+                       const StartMaker& start = start_each_face, const Sharpness& sharpness = {}) {
   const std::vector<Point3> points = random_points(control.vertex_count(), seed);
-  const auto plain = refine(scheme, control, points, levels);
-  const auto quick = FastRefiner::make(scheme, control, levels);
+  const auto plain = refine(scheme, control, points, levels, {}, sharpness);
+  const auto quick = FastRefiner::make(scheme, control, levels, sharpness);
   EXPECT_EQ(plain.ok(), quick.ok());
   if (!plain || !quick) {
     if (!plain && !quick) EXPECT_EQ(plain.error().text(), quick.error().text());
@@ -169,6 +199,7 @@ inline int expect_same(const Scheme& scheme, const Mesh& control, int levels, un
   }
   EXPECT_LT(worst, 1e-12);
   EXPECT_LT(worst_float, 1e-5);
+  expect_same_tags(tags_of(plain->mesh, plain->sharpness), quick->sharp_tags(), partner);
   return quick->plain_steps();
 }
 

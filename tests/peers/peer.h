@@ -61,6 +61,7 @@ class Peer {
                                                     Precision precision = Precision::double_float);
 /// With sharpness; its polygons are those that are no holes, with all vertices.
 [[nodiscard]] std::unique_ptr<Peer> opensubdiv_peer(Method method, const Polygons& control,
-                                                    const PeerTags& tags);
+                                                    const PeerTags& tags,
+                                                    Precision precision = Precision::double_float);
 
 }  // namespace limn::peers

@@ -16,7 +16,7 @@ namespace far = OpenSubdiv::Far;
 template <class Real>
 class OpenSubdivPeer final : public Peer {
  public:
-  OpenSubdivPeer(Method method, const Polygons& control, const PeerTags& tags = {})
+  OpenSubdivPeer(Method method, const Polygons& control, const PeerTags& tags)
       : refiner_(osd_topology(method, control, tags)),
         points_(osd_points<Real>(control.positions)) {}
 
@@ -77,16 +77,15 @@ class OpenSubdivPeer final : public Peer {
 }  // namespace
 
 std::unique_ptr<Peer> opensubdiv_peer(Method method, const Polygons& control, Precision precision) {
-  if (!osd_has(method)) return nullptr;
-  if (precision == Precision::double_float)
-    return std::make_unique<OpenSubdivPeer<double>>(method, control);
-  return std::make_unique<OpenSubdivPeer<float>>(method, control);
+  return opensubdiv_peer(method, control, PeerTags(), precision);
 }
 
-std::unique_ptr<Peer> opensubdiv_peer(Method method, const Polygons& control,
-                                      const PeerTags& tags) {
+std::unique_ptr<Peer> opensubdiv_peer(Method method, const Polygons& control, const PeerTags& tags,
+                                      Precision precision) {
   if (!osd_has(method)) return nullptr;
-  return std::make_unique<OpenSubdivPeer<double>>(method, control, tags);
+  if (precision == Precision::double_float)
+    return std::make_unique<OpenSubdivPeer<double>>(method, control, tags);
+  return std::make_unique<OpenSubdivPeer<float>>(method, control, tags);
 }
 
 }  // namespace limn::peers

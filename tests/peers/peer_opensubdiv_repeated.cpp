@@ -17,9 +17,9 @@ namespace far = OpenSubdiv::Far;
 template <class Real>
 class Stencils final : public RepeatedPeer {
  public:
-  Stencils(Method method, const Polygons& control, int levels)
+  Stencils(Method method, const Polygons& control, int levels, const PeerTags& tags)
       : control_(osd_points<Real>(control.positions)) {
-    const std::unique_ptr<far::TopologyRefiner> refiner = osd_topology(method, control);
+    const std::unique_ptr<far::TopologyRefiner> refiner = osd_topology(method, control, tags);
     refiner->RefineUniform(far::TopologyRefiner::UniformOptions(levels));
     using Factory = far::StencilTableFactoryReal<Real>;
     typename Factory::Options options;
@@ -51,8 +51,9 @@ class Stencils final : public RepeatedPeer {
 template <class Real>
 class Primvars final : public RepeatedPeer {
  public:
-  Primvars(Method method, const Polygons& control, int levels)
-      : refiner_(osd_topology(method, control)), levels_{osd_points<Real>(control.positions)} {
+  Primvars(Method method, const Polygons& control, int levels, const PeerTags& tags)
+      : refiner_(osd_topology(method, control, tags)),
+        levels_{osd_points<Real>(control.positions)} {
     refiner_->RefineUniform(far::TopologyRefiner::UniformOptions(levels));
     for (int level = 1; level <= levels; ++level)
       levels_.emplace_back(static_cast<std::size_t>(refiner_->GetLevel(level).GetNumVertices()));
@@ -73,23 +74,25 @@ class Primvars final : public RepeatedPeer {
 
 template <template <class> class Kind>
 std::unique_ptr<RepeatedPeer> make(Method method, const Polygons& control, int levels,
-                                   Precision precision) {
+                                   Precision precision, const PeerTags& tags) {
   if (!osd_has(method)) return nullptr;
   if (precision == Precision::double_float)
-    return std::make_unique<Kind<double>>(method, control, levels);
-  return std::make_unique<Kind<float>>(method, control, levels);
+    return std::make_unique<Kind<double>>(method, control, levels, tags);
+  return std::make_unique<Kind<float>>(method, control, levels, tags);
 }
 
 }  // namespace
 
 std::unique_ptr<RepeatedPeer> opensubdiv_stencils(Method method, const Polygons& control,
-                                                  int levels, Precision precision) {
-  return make<Stencils>(method, control, levels, precision);
+                                                  int levels, Precision precision,
+                                                  const PeerTags& tags) {
+  return make<Stencils>(method, control, levels, precision, tags);
 }
 
 std::unique_ptr<RepeatedPeer> opensubdiv_primvars(Method method, const Polygons& control,
-                                                  int levels, Precision precision) {
-  return make<Primvars>(method, control, levels, precision);
+                                                  int levels, Precision precision,
+                                                  const PeerTags& tags) {
+  return make<Primvars>(method, control, levels, precision, tags);
 }
 
 }  // namespace limn::peers

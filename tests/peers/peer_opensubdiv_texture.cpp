@@ -8,30 +8,79 @@
 #include "textured_peer.h"
 
 namespace limn::peers {
+namespace {
+
+namespace far = OpenSubdiv::Far;
+
+/// Positions, and points of a texture.
+template <class Real>
+struct Channels {
+  std::vector<OsdPoint<Real>> points, values;
+};
+
+template <class Real>
+Channels<Real> channels(const Polygons& control, const PeerTexture& texture) {
+  Channels<Real> all{osd_points<Real>(control.positions), {}};
+  for (const auto& [u, v] : texture.points)
+    all.values.push_back({static_cast<Real>(u), static_cast<Real>(v), 0});
+  return all;
+}
+
+template <class Real>
+void refine(far::TopologyRefiner& refiner, int levels, Channels<Real>& all) {
+  far::TopologyRefiner::UniformOptions uniform(levels);
+  uniform.fullTopologyInLastLevel = true;
+  refiner.RefineUniform(uniform);
+  const far::PrimvarRefinerReal<Real> primvars(refiner);
+  for (int level = 1; level <= levels; ++level) {
+    const far::TopologyLevel& at = refiner.GetLevel(level);
+    std::vector<OsdPoint<Real>> fine(static_cast<std::size_t>(at.GetNumVertices()));
+    primvars.Interpolate(level, all.points, fine);
+    all.points.swap(fine);
+    std::vector<OsdPoint<Real>> fine_values(static_cast<std::size_t>(at.GetNumFVarValues(0)));
+    primvars.InterpolateFaceVarying(level, all.values, fine_values, 0);
+    all.values.swap(fine_values);
+  }
+}
+
+class TexturedPeer final : public Peer {
+ public:
+  TexturedPeer(Method method, const Polygons& control, const PeerTexture& texture)
+      : refiner_(osd_topology(method, control, {}, &texture)),
+        all_(channels<float>(control, texture)) {}
+
+  void refine(int levels) override { peers::refine(*refiner_, levels, all_); }
+  [[nodiscard]] std::size_t vertex_count() const override { return all_.points.size(); }
+  /// Positions alone.
+  [[nodiscard]] Polygons polygons() const override {
+    Polygons result;
+    result.positions = points_of(all_.points);
+    return result;
+  }
+
+ private:
+  std::unique_ptr<far::TopologyRefiner> refiner_;
+  Channels<float> all_;
+};
+
+}  // namespace
+
+std::unique_ptr<Peer> opensubdiv_textured_peer(Method method, const Polygons& control,
+                                               const PeerTexture& texture) {
+  if (!osd_has(method)) return nullptr;
+  return std::make_unique<TexturedPeer>(method, control, texture);
+}
 
 PeerTextured opensubdiv_textured(Method method, const Polygons& control, const PeerTags& tags,
                                  const PeerTexture& texture, int levels) {
-  namespace far = OpenSubdiv::Far;
   const auto refiner = osd_topology(method, control, tags, &texture);
-  far::TopologyRefiner::UniformOptions uniform(levels);
-  uniform.fullTopologyInLastLevel = true;
-  refiner->RefineUniform(uniform);
-  const far::PrimvarRefinerReal<double> primvars(*refiner);
-  std::vector<OsdPoint<double>> points = osd_points<double>(control.positions), values;
-  for (const auto& [u, v] : texture.points) values.push_back({u, v, 0});
-  for (int level = 1; level <= levels; ++level) {
-    const far::TopologyLevel& at = refiner->GetLevel(level);
-    std::vector<OsdPoint<double>> fine(static_cast<std::size_t>(at.GetNumVertices()));
-    primvars.Interpolate(level, points, fine);
-    points.swap(fine);
-    std::vector<OsdPoint<double>> fine_values(static_cast<std::size_t>(at.GetNumFVarValues(0)));
-    primvars.InterpolateFaceVarying(level, values, fine_values, 0);
-    values.swap(fine_values);
-  }
+  Channels<double> all = channels<double>(control, texture);
+  refine(*refiner, levels, all);
   PeerTextured result;
   result.texture.rule = texture.rule;
-  result.polygons.positions = points_of(points);
-  for (const OsdPoint<double>& value : values) result.texture.points.push_back({value.x, value.y});
+  result.polygons.positions = points_of(all.points);
+  for (const OsdPoint<double>& value : all.values)
+    result.texture.points.push_back({value.x, value.y});
   const far::TopologyLevel& level = refiner->GetLevel(levels);
   for (int f = 0; f < level.GetNumFaces(); ++f) {
     const far::ConstIndexArray corners = level.GetFaceVertices(f);

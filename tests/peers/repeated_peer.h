@@ -29,11 +29,11 @@ class RepeatedPeer {
 /// mesh. `levels` ≥ 1.
 [[nodiscard]] std::unique_ptr<RepeatedPeer> opensubdiv_stencils(
     Method method, const Polygons& control, int levels,
-    Precision precision = Precision::double_float);
+    Precision precision = Precision::double_float, const PeerTags& tags = {});
 
 /// The same by Far::PrimvarRefiner, level by level, without tables.
 [[nodiscard]] std::unique_ptr<RepeatedPeer> opensubdiv_primvars(
     Method method, const Polygons& control, int levels,
-    Precision precision = Precision::double_float);
+    Precision precision = Precision::double_float, const PeerTags& tags = {});
 
 }  // namespace limn::peers

@@ -5,6 +5,7 @@
 
 #include <random>
 
+#include "limn/fast/fast_refiner.h"
 #include "limn/limit/crease_limit.h"
 #include "limn/mesh/sharpness/sharpness.h"
 #include "peer_test.h"
@@ -67,18 +68,13 @@ Sharpness sharpness_of(const Mesh& mesh, const PeerTags& tags) {
   return result;
 }
 
-/// With all vertices, and the faces that are no holes, as the peer has them.
-Polygons refined_with(const Scheme& scheme, const Polygons& control, const PeerTags& tags,
-                      int levels) {
-  const Mesh mesh = Mesh::build(control).value();
-  const auto fine =
-      refine(scheme, mesh, control.positions, levels, {}, sharpness_of(mesh, tags)).value();
-  const Polygons all = fine.mesh.polygons(fine.values);
-  if (!fine.sharpness.has_holes()) return all;
+/// Without faces that are holes, but with all vertices, as the peer has them.
+Polygons without(const Polygons& all, const std::vector<bool>& holes) {
+  if (std::find(holes.begin(), holes.end(), true) == holes.end()) return all;
   Polygons result;
   result.positions = all.positions;
   for (Index f = 0; f < all.face_count(); ++f) {
-    if (fine.sharpness.holes[static_cast<std::size_t>(f)]) continue;
+    if (holes[static_cast<std::size_t>(f)]) continue;
     for (Index c = all.face_begin[static_cast<std::size_t>(f)];
          c < all.face_begin[static_cast<std::size_t>(f) + 1]; ++c)
       result.corners.push_back(all.corners[static_cast<std::size_t>(c)]);
@@ -87,12 +83,42 @@ Polygons refined_with(const Scheme& scheme, const Polygons& control, const PeerT
   return result;
 }
 
+/// With all vertices, and the faces that are no holes, as the peer has them.
+Polygons refined_with(const Scheme& scheme, const Polygons& control, const PeerTags& tags,
+                      int levels) {
+  const Mesh mesh = Mesh::build(control).value();
+  const auto fine =
+      refine(scheme, mesh, control.positions, levels, {}, sharpness_of(mesh, tags)).value();
+  return without(fine.mesh.polygons(fine.values), fine.sharpness.holes);
+}
+
+/// The same by the quick engine; empty where it takes no such sharpness.
+Polygons quickly_refined_with(const Scheme& scheme, const Polygons& control, const PeerTags& tags,
+                              int levels) {
+  const Mesh mesh = Mesh::build(control).value();
+  const Sharpness sharpness = sharpness_of(mesh, tags);
+  if (why_no_fast_sharpness(scheme, mesh, sharpness)) return {};
+  const FastRefiner refiner = FastRefiner::make(scheme, mesh, levels, sharpness).value();
+  std::vector<Point3> fine(static_cast<std::size_t>(refiner.vertex_count()));
+  refiner.evaluate<double>(numbers_of(control.positions), numbers_of(fine));
+  std::vector<Index> face_of(static_cast<std::size_t>(refiner.face_count()));
+  refiner.write_parents(face_of);
+  std::vector<bool> holes;
+  for (const Index f : face_of)
+    holes.push_back(sharpness.has_holes() && sharpness.holes[static_cast<std::size_t>(f)]);
+  return without(refined_polygons(refiner, std::move(fine)), holes);
+}
+
 std::string difference_with(Method method, const Polygons& control, const PeerTags& tags, int level,
                             double tolerance) {
   const Scheme scheme = find_scheme(method == Method::loop ? "loop" : "catmull-clark").value();
   const std::unique_ptr<Peer> peer = opensubdiv_peer(method, control, tags);
   peer->refine(level);
-  return difference(refined_with(scheme, control, tags, level), peer->polygons(), tolerance);
+  const Polygons quick = quickly_refined_with(scheme, control, tags, level);
+  const std::string plain =
+      difference(refined_with(scheme, control, tags, level), peer->polygons(), tolerance);
+  if (!plain.empty() || quick.face_count() == 0) return plain;
+  return difference(quick, peer->polygons(), tolerance);
 }
 
 std::vector<ControlMesh> meshes_for(Method method) {

@@ -26,4 +26,9 @@ struct PeerTextured {
                                                const PeerTags& tags, const PeerTexture& texture,
                                                int levels);
 
+/// The same as a peer, for benchmarks: positions and texture coordinates as floats, and the last
+/// level's connectivity of both. nullptr where the library has no such method.
+[[nodiscard]] std::unique_ptr<Peer> opensubdiv_textured_peer(Method method, const Polygons& control,
+                                                             const PeerTexture& texture);
+
 }  // namespace limn::peers

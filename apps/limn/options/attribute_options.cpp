@@ -26,8 +26,8 @@ void AttributeOptions::declare(CLI::App& command) {
   command
       .add_option("--uv", texture,
                   "what of texture coordinates stays in place at seams and boundaries; all: they "
-                  "are linear on each face (default: cornersPlus1). Seams, corners that stay and "
-                  "linear numbers are refined by the plain engine")
+                  "are linear on each face (default: cornersPlus1). Boundaries, all and linear "
+                  "numbers are refined by the plain engine")
       ->check(CLI::IsMember(rule_names()));
 }
 

@@ -15,9 +15,10 @@ Result<std::optional<FastRefiner::Limit>> approx_fast_limit(const Scheme& scheme
 Result<std::optional<FastLimitMesh>> approx_fast_limit_mesh(const Scheme& scheme,
                                                             const Mesh& control,
                                                             const std::vector<Point3>& positions,
-                                                            int levels) {
+                                                            int levels,
+                                                            const Sharpness& sharpness) {
   using Found = std::optional<FastLimitMesh>;
-  const Result<FastRefiner> refiner = FastRefiner::make(scheme, control, levels);
+  const Result<FastRefiner> refiner = FastRefiner::make(scheme, control, levels, sharpness);
   if (!refiner) return refiner.error();
   const Result<std::optional<FastRefiner::Limit>> limit = approx_fast_limit(scheme, *refiner);
   if (!limit) return limit.error();

@@ -20,6 +20,7 @@ struct FastLimitMesh {
 };
 /// All of it in one call. Nothing as approx_fast_limit; fails as FastRefiner::make, too.
 [[nodiscard]] Result<std::optional<FastLimitMesh>> approx_fast_limit_mesh(
-    const Scheme& scheme, const Mesh& control, const std::vector<Point3>& positions, int levels);
+    const Scheme& scheme, const Mesh& control, const std::vector<Point3>& positions, int levels,
+    const Sharpness& sharpness = {});
 
 }  // namespace limn

@@ -6,6 +6,8 @@
 #include <limits>
 #include <optional>
 
+#include <fmt/core.h>
+
 #include "limn/base/parallel.h"
 #include "limn/fast/kernel/patch_step.h"
 #include "limn/fast/kernel/row_step.h"
@@ -27,6 +29,11 @@ double needed_bytes(double vertices, double faces, double corners) {
 
 bool has_fast_layout(const Split& split) { return fast::has_family(split); }
 
+std::optional<std::string> why_no_fast_sharpness(const Scheme& scheme, const Mesh& control,
+                                                 const Sharpness& sharpness) {
+  return fast::why_no_family(scheme, control, sharpness);
+}
+
 RefineEstimate FastRefiner::estimate(const Split& split, const Mesh& control, int levels) {
   RefineEstimate estimate = estimate_refinement(split, control, levels, sizeof(Point3));
   const double corners = (split.lattice == Lattice::triangle ? 3 : 4) * estimate.faces;
@@ -35,18 +42,23 @@ RefineEstimate FastRefiner::estimate(const Split& split, const Mesh& control, in
 }
 
 Status FastRefiner::State::choose(const Scheme& scheme) {
+  if (Status takes = check_takes_sharpness(scheme, sharpness); !takes) return takes;
+  if (const auto why = fast::why_no_family(scheme, control, sharpness))
+    return Error{
+        fmt::format("the quick engine cannot refine this mesh by {}: {}", scheme.name, *why),
+        "use the plain engine"};
   constexpr double kUnlimited = std::numeric_limits<double>::infinity();
   // before anything is made that could be too large for an index
   if (Status status = check_refinable(scheme, control, levels, sizeof(Point3), kUnlimited); !status)
     return status;
-  family = fast::make_family(scheme, control, levels);
+  family = fast::make_family(scheme, control, levels, sharpness);
   size = family->size(levels);
   return Done{};
 }
 
 Status FastRefiner::State::work_out(const Scheme& scheme) {
   const int first = family->plain_steps();
-  Result<fast::PlainSteps> made = fast::PlainSteps::make(scheme, control, first);
+  Result<fast::PlainSteps> made = fast::PlainSteps::make(scheme, control, first, sharpness);
   if (!made) return made.error();
   plain.emplace(std::move(*made));
   plain->write_down(family->plain_order(plain->splits()));
@@ -87,9 +99,10 @@ FastRefiner::FastRefiner(FastRefiner&&) noexcept = default;
 FastRefiner& FastRefiner::operator=(FastRefiner&&) noexcept = default;
 FastRefiner::~FastRefiner() = default;
 
-Result<FastRefiner> FastRefiner::make(const Scheme& scheme, Mesh control, int levels) {
+Result<FastRefiner> FastRefiner::make(const Scheme& scheme, Mesh control, int levels,
+                                      Sharpness sharpness) {
   assert(has_fast_layout(*scheme.split));
-  auto state = std::make_unique<State>(std::move(control), levels);
+  auto state = std::make_unique<State>(std::move(control), levels, std::move(sharpness));
   if (Status status = state->choose(scheme); !status) return status.error();
   const Mesh& mesh = state->control;
   if (state->is_plain())
@@ -165,6 +178,13 @@ void FastRefiner::write_face_begin(std::span<Index> begin) const {
   parallel_for(0, face_count() + 1, [&](Index first, Index last) {
     for (Index f = first; f < last; ++f) begin[static_cast<std::size_t>(f)] = each * f;
   });
+}
+
+SharpnessTags FastRefiner::sharp_tags() const {
+  SharpnessTags tags = state_->family->sharp_tags(state_->levels);
+  const CreaseMethod method = state_->sharpness.method;
+  if (!tags.empty() && method != CreaseMethod::uniform) tags.method = method;
+  return tags;
 }
 
 void FastRefiner::write_parents(std::span<Index> faces) const {

@@ -17,8 +17,10 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <string>
 
 #include "limn/base/huge_array.h"
+#include "limn/mesh/sharpness/tags.h"
 #include "limn/refine/refine_estimate.h"
 
 namespace limn {
@@ -29,14 +31,24 @@ class LimitReader;  // limit/limit_forms.h
 /// Whether there is a fast engine for schemes of this split.
 [[nodiscard]] bool has_fast_layout(const Split& split);
 
+/// Why the fast engine does not take a mesh with this sharpness, though the scheme can
+/// (check_takes_sharpness, refine/crease_step.h): "its split … ". Nothing where it does. Cost
+/// O(control mesh), and sometimes 1 ms.
+[[nodiscard]] std::optional<std::string> why_no_fast_sharpness(const Scheme& scheme,
+                                                               const Mesh& control,
+                                                               const Sharpness& sharpness);
+
 /// A control mesh's topology, worked out for a scheme and a number of steps.
 class FastRefiner {
  public:
   /// Precondition: has_fast_layout(*scheme.split); `scheme` must outlive the refiner. Fails as
-  /// `refine` (refine.h) does, with the same errors but for the memory that it says is needed.
-  /// Cost: reading the tables, some 0.1 ms for each valence that is in the mesh, the plain steps,
-  /// and for each further level some 0.1 µs a control vertex.
-  [[nodiscard]] static Result<FastRefiner> make(const Scheme& scheme, Mesh control, int levels);
+  /// `refine` (refine.h) does, with the same errors but for the memory that it says is needed, and
+  /// where there is a reason why_no_fast_sharpness. Faces that are holes are refined as others.
+  /// Cost: reading the tables, some 0.1 ms for each valence that is in the mesh and for each kind
+  /// of place where something is sharp, the plain steps, and for each further level some 0.1 µs a
+  /// control vertex.
+  [[nodiscard]] static Result<FastRefiner> make(const Scheme& scheme, Mesh control, int levels,
+                                                Sharpness sharpness = {});
 
   /// What `fast_refine` will make and need at most, by counting.
   [[nodiscard]] static RefineEstimate estimate(const Split& split, const Mesh& control, int levels);
@@ -91,8 +103,8 @@ class FastRefiner {
     std::unique_ptr<const Plan> plan_;
   };
   /// `reader` knows the limit surface (fast/limit/limit_forms.h). Nothing where it looks too far
-  /// for so few levels (sums over two rings need control edges cut into 4 or 8), or a normal at a
-  /// regular vertex is not that of two sums. Fails as `reader`.
+  /// for so few levels (sums over two rings need control edges cut into 4 or 8), a normal at a
+  /// regular vertex is not that of two sums, or something is still sharp. Fails as `reader`.
   [[nodiscard]] Result<std::optional<Limit>> limit(fast::LimitReader& reader) const;
 
   /// Limit positions and unit normals at the refined vertices from the positions of the control
@@ -110,6 +122,9 @@ class FastRefiner {
   /// The control face that each refined face lies in: face_count() of them. Precondition: the split
   /// refines the boundary in every step and is no dual one.
   void write_parents(std::span<Index> faces) const;
+
+  /// What of the refined mesh is still sharp, as tags_of (mesh/sharpness/tags.h) has it.
+  [[nodiscard]] SharpnessTags sharp_tags() const;
 
   /// What the refiner itself holds, in bytes.
   [[nodiscard]] std::size_t bytes() const;

@@ -25,13 +25,15 @@ struct ReadyStep {
 struct FastRefiner::State {
   Mesh control;
   int levels = 0;
+  Sharpness sharpness;
   std::unique_ptr<fast::Family> family;
   std::optional<fast::PlainSteps> plain;
   fast::Family::Size size;
   std::vector<fast::ReadyStep> steps;
   std::vector<Index> vertices;  ///< before each step, and after the last
 
-  State(Mesh mesh, int steps_wanted) : control(std::move(mesh)), levels(steps_wanted) {}
+  State(Mesh mesh, int steps_wanted, Sharpness sharp = {})
+      : control(std::move(mesh)), levels(steps_wanted), sharpness(std::move(sharp)) {}
 
   /// Finds the family, and the size of the result; fails where that is beyond an index.
   [[nodiscard]] Status choose(const Scheme& scheme);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <utility>
 
 #include <fmt/core.h>
@@ -140,37 +141,72 @@ class CreaseStep::Maker {
     if (count > 0) step_.mean_ending_ = sum / count;
   }
 
+  /// A split with a boundary that rests makes of a cut mesh another one than of the whole. Under
+  /// all others births tell what it makes.
   [[nodiscard]] View view_of(const std::vector<bool>& along) const {
     View view;
     view.cut = cut_along(mesh_, along);
-    view.fine = split_.apply(view.cut.mesh, number_);
+    if (split_.boundary_rests()) {
+      view.fine = split_.apply(view.cut.mesh, number_);
+      return view;
+    }
+    Births& births = view.fine.births = step_.fine_.births;
+    assert(births.edges.empty() && births.faces.empty() && births.isolated.empty());
+    births.from_vertices = view.cut.mesh.vertex_count();
+    if (births.from_edges > 0) births.from_edges = view.cut.mesh.edge_count();
     return view;
   }
+
+  /// Notes copies of new vertices as they are met.
+  class Copies {
+   public:
+    Copies(View& view, Index vertices, Index copies) : view_(view), seen_(at(copies), false) {
+      view.first.assign(at(vertices), kNone);
+      view.next.assign(at(copies), kNone);
+    }
+    void see(Index vertex, Index copy) {
+      if (seen_[at(copy)]) return;
+      seen_[at(copy)] = true;
+      view_.next[at(copy)] = std::exchange(view_.first[at(vertex)], copy);
+    }
+
+   private:
+    View& view_;
+    std::vector<bool> seen_;
+  };
 
   /// Finds the copies of each new vertex: half-edges have the same numbers, cut or not.
   void find_copies(View& view) const {
     const Mesh& whole = step_.fine_.mesh;
-    view.first.assign(at(whole.vertex_count()), kNone);
-    view.next.assign(at(view.fine.mesh.vertex_count()), kNone);
-    std::vector<bool> seen(view.next.size(), false);
-    for (Index g = 0; g < whole.halfedge_count(); ++g) {
-      const Index copy = view.fine.mesh.origin(g);
-      if (seen[at(copy)]) continue;
-      seen[at(copy)] = true;
-      view.next[at(copy)] = std::exchange(view.first[at(whole.origin(g))], copy);
-    }
+    if (!split_.boundary_rests()) return find_births(view);
+    Copies copies(view, whole.vertex_count(), view.fine.mesh.vertex_count());
+    for (Index g = 0; g < whole.halfedge_count(); ++g)
+      copies.see(whole.origin(g), view.fine.mesh.origin(g));
     view.fine.mesh = Mesh();  // it has served
+  }
+  void find_births(View& view) const {
+    const Mesh& cut = view.cut.mesh;
+    const Births &whole = step_.fine_.births, &births = view.fine.births;
+    const Index faces = whole.from_vertices + whole.from_edges;
+    const Index cut_faces = births.from_vertices + births.from_edges;
+    const Index more = births.from_faces + births.from_corners;
+    Copies copies(view, faces + more, cut_faces + more);
+    for (Index h = 0; h < cut.halfedge_count(); ++h) copies.see(mesh_.origin(h), cut.origin(h));
+    for (Index h = 0; births.from_edges > 0 && h < cut.halfedge_count(); ++h)
+      copies.see(whole.from_vertices + mesh_.edge(h), births.from_vertices + cut.edge(h));
+    for (Index i = 0; i < more; ++i) copies.see(faces + i, cut_faces + i);
   }
 
   Status make_now() {
     std::vector<bool> along(at(mesh_.edge_count()));
     for (Index e = 0; e < mesh_.edge_count(); ++e) along[at(e)] = sharp(e) > 0;
-    step_.now_ = view_of(along);
     if (!split_.boundary_rests()) {
       step_.fine_ = split_.apply(mesh_, number_);
+      step_.now_ = view_of(along);
       step_.whole_births_ = step_.fine_.births;
       step_.fine_sharpness_ = inherit(mesh_, sharpness_, step_.children_, step_.fine_);
     } else {
+      step_.now_ = view_of(along);
       if (step_.darts_) step_.whole_births_ = split_.apply(mesh_, number_).births;
       Result<JoinedMesh> joined = join_again(mesh_, step_.now_.cut, step_.now_.fine);
       if (!joined) return joined.error();

@@ -5,7 +5,9 @@
 
 #include <fmt/core.h>
 
+#include "limn/fast/fast_refiner.h"
 #include "limn/mesh/split/heritage.h"
+#include "limn/refine/crease_step.h"
 
 namespace limn {
 namespace {
@@ -136,6 +138,34 @@ Result<TextureCoordinates> refine_texture(const Scheme& scheme, const Mesh& cont
     for (const Index f : face_of) without.push_back(f == kNone || of_control[at(f)]);
   return texture_of(fine->mesh, (linear ? fine->columns.linear : fine->columns.smooth)[0], without,
                     texture.type);
+}
+
+bool has_quick_texture(const Scheme& scheme, const Mesh& control, const Sharpness& sharpness,
+                       const TextureCoordinates& texture, TextureRule rule) {
+  rule = rule_for(*scheme.split, rule);
+  if (rule >= TextureRule::boundaries || !keeps_old_edges(*scheme.split)) return false;
+  const TextureMesh cut = make_texture_mesh(control, sharpness, texture, rule);
+  return check_takes_sharpness(scheme, cut.sharpness).ok() &&
+         !why_no_fast_sharpness(scheme, cut.mesh, cut.sharpness);
+}
+
+Result<TextureCoordinates> quick_texture(const Scheme& scheme, const Mesh& control,
+                                         const Sharpness& sharpness,
+                                         const TextureCoordinates& texture, TextureRule rule,
+                                         int levels) {
+  TextureMesh cut = make_texture_mesh(control, sharpness, texture, rule_for(*scheme.split, rule));
+  Result<FastRefiner> refiner =
+      FastRefiner::make(scheme, std::move(cut.mesh), levels, std::move(cut.sharpness));
+  if (!refiner) return refiner.error();
+  std::vector<Point3> points(at(refiner->vertex_count()));
+  refiner->evaluate<double>(numbers_of(std::as_const(cut.points)), numbers_of(points));
+  std::vector<bool> without;
+  if (const std::vector<bool> of_control = faces_without(control, texture); !of_control.empty()) {
+    std::vector<Index> face_of(at(refiner->face_count()));
+    refiner->write_parents(face_of);
+    for (const Index f : face_of) without.push_back(of_control[at(f)]);
+  }
+  return texture_of(refined_polygons(*refiner, std::move(points)), without, texture.type);
 }
 
 void hand_down_labels(const MeshAttributes& control, const std::vector<Index>& face_of,

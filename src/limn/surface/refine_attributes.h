@@ -44,6 +44,19 @@ namespace detail {
                                                         TextureRule rule, int levels,
                                                         const std::vector<Index>& face_of);
 
+/// Whether the quick engine refines texture coordinates that are no texture_column, as a mesh of
+/// their own: not where they are linear or their boundary rests, nor where there is a reason
+/// why_no_fast_sharpness (fast/fast_refiner.h). Cost O(control mesh).
+[[nodiscard]] bool has_quick_texture(const Scheme& scheme, const Mesh& control,
+                                     const Sharpness& sharpness, const TextureCoordinates& texture,
+                                     TextureRule rule);
+/// Refines them so, in the order of the quick engine's faces. Preconditions: that is so, and those
+/// of refine_texture.
+[[nodiscard]] Result<TextureCoordinates> quick_texture(const Scheme& scheme, const Mesh& control,
+                                                       const Sharpness& sharpness,
+                                                       const TextureCoordinates& texture,
+                                                       TextureRule rule, int levels);
+
 /// Labels and material files of faces that lie in the control faces `face_of`.
 void hand_down_labels(const MeshAttributes& control, const std::vector<Index>& face_of,
                       MeshAttributes& fine);

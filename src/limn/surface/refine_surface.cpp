@@ -40,6 +40,7 @@ class Work {
       if (!whole) return whole.error();
       if (*whole) {
         if (Status status = quick_attributes(); !status) return status.error();
+        leave_out_holes(holes_);
         return std::move(surface_);
       }
     }
@@ -52,7 +53,7 @@ class Work {
     surface_.polygons = refined->mesh.polygons(std::move(refined->values));
     const std::vector<bool> holes = std::exchange(refined->sharpness.holes, {});
     if (refined->sharpness.any()) surface_.sharp = tags_of(refined->mesh, refined->sharpness);
-    if (std::find(holes.begin(), holes.end(), true) != holes.end()) leave_out_holes(holes);
+    leave_out_holes(holes);
     if (options_.connectivity) surface_.mesh = std::move(refined->mesh);
     return std::move(surface_);
   }
@@ -81,6 +82,7 @@ class Work {
 
   /// The vertices that only holes have are gone, from all that is by vertex.
   void leave_out_holes(const std::vector<bool>& holes) {
+    if (std::find(holes.begin(), holes.end(), true) == holes.end()) return;
     std::vector<Index> kept, number(surface_.polygons.positions.size(), kNone);
     const Polygons all = std::move(surface_.polygons);
     surface_.polygons = without_holes(all, holes, kept);
@@ -120,7 +122,7 @@ class Work {
   /// Refinement and limit in one; false where the limit has no quick way.
   Result<bool> quick_limit() {
     Result<std::optional<FastLimitMesh>> quick =
-        approx_fast_limit_mesh(scheme_, control_, points_, options_.levels);
+        approx_fast_limit_mesh(scheme_, control_, points_, options_.levels, options_.sharpness);
     stop_clock();
     // where there is no limit somewhere, the plain way knows where, and gives the rest
     if (!quick && !options_.partial) return quick.error();
@@ -144,24 +146,49 @@ class Work {
   /// they are in surface_, and the result is empty.
   Result<Refined<Point3>> refined_mesh() {
     if (quick_) {
-      Result<FastRefiner> refiner = FastRefiner::make(scheme_, control_, options_.levels);
+      Result<FastRefiner> refiner =
+          FastRefiner::make(scheme_, control_, options_.levels, options_.sharpness);
       if (!refiner) return refiner.error();
       std::vector<Point3> points(static_cast<std::size_t>(refiner->vertex_count()));
       refiner->evaluate<double>(numbers_of(points_), numbers_of(points));
       Polygons fine = refined_polygons(*refiner, std::move(points));
-      quick_attributes(*refiner, fine);
+      if (Status status = quick_attributes(*refiner, fine); !status) return status.error();
+      find_holes(*refiner);
+      SharpnessTags sharp = refiner->sharp_tags();
       stop_clock();
       if (!mesh_is_needed()) {
         surface_.polygons = std::move(fine);
+        surface_.sharp = std::move(sharp);
+        leave_out_holes(holes_);
         return Refined<Point3>{};
       }
-      // polygons do not tell what the mesh is where two edges of it have the same ends
-      if (Result<Mesh> mesh = Mesh::build(fine))
-        return Refined<Point3>{*std::move(mesh), std::move(fine.positions)};
+      if (std::optional<Refined<Point3>> built = built_again(fine, sharp)) return std::move(*built);
     }
     Result<Refined<Point3>> plain = plain_mesh();
     stop_clock();
     return plain;
+  }
+
+  /// Which faces of the quick engine's mesh are holes.
+  void find_holes(const FastRefiner& refiner) {
+    const std::vector<bool>& holes = options_.sharpness.holes;
+    if (holes.empty()) return;
+    std::vector<Index> face_of(static_cast<std::size_t>(refiner.face_count()));
+    refiner.write_parents(face_of);
+    for (const Index f : face_of) holes_.push_back(holes[static_cast<std::size_t>(f)]);
+  }
+
+  /// The quick engine's mesh; nothing where two edges of it have the same ends, so that polygons do
+  /// not tell what it is.
+  [[nodiscard]] std::optional<Refined<Point3>> built_again(Polygons& fine,
+                                                           const SharpnessTags& sharp) {
+    Result<Mesh> mesh = Mesh::build(fine);
+    if (!mesh) return std::nullopt;
+    Refined<Point3> built{*std::move(mesh), {}};
+    if (!apply_tags(built.mesh, {}, sharp, built.sharpness)) return std::nullopt;
+    built.values = std::move(fine.positions);
+    built.sharpness.holes = std::move(holes_);
+    return built;
   }
 
   /// By the plain engine, with the attributes.
@@ -233,8 +260,8 @@ class Work {
   }
 
   /// By the quick engine.
-  void quick_attributes(const FastRefiner& refiner, const Polygons& fine) {
-    if (options_.attributes == nullptr || options_.attributes->empty()) return;
+  Status quick_attributes(const FastRefiner& refiner, const Polygons& fine) {
+    if (options_.attributes == nullptr || options_.attributes->empty()) return Done{};
     Columns columns;
     columns.smooth.emplace_back();
     std::optional<Column> texture;
@@ -251,13 +278,23 @@ class Work {
       refiner.write_parents(face_of);
     }
     hand_down(face_of);
+    const TextureCoordinates& coordinates = options_.attributes->texture;
+    if (coordinates.empty() || texture || options_.levels == 0) return Done{};
+    Result<TextureCoordinates> refined =
+        detail::quick_texture(scheme_, control_, options_.sharpness, coordinates,
+                              options_.attribute_rules.texture, options_.levels);
+    if (!refined) return refined.error();
+    surface_.attributes.texture = *std::move(refined);
+    return Done{};
   }
   Status quick_attributes() {
-    if (options_.attributes == nullptr || options_.attributes->empty()) return Done{};
-    const Result<FastRefiner> refiner = FastRefiner::make(scheme_, control_, options_.levels);
+    const bool any = options_.attributes != nullptr && !options_.attributes->empty();
+    if (!any && !options_.sharpness.has_holes()) return Done{};
+    const Result<FastRefiner> refiner =
+        FastRefiner::make(scheme_, control_, options_.levels, options_.sharpness);
     if (!refiner) return refiner.error();
-    quick_attributes(*refiner, surface_.polygons);
-    return Done{};
+    find_holes(*refiner);
+    return quick_attributes(*refiner, surface_.polygons);
   }
 
   /// Finds what is wanted of the limit surface.
@@ -293,6 +330,7 @@ class Work {
   const SurfaceOptions& options_;
   bool quick_;
   std::chrono::steady_clock::time_point start_;
+  std::vector<bool> holes_;  // of the quick engine's faces
   RefinedSurface surface_;
 };
 
@@ -300,16 +338,18 @@ class Work {
 
 bool is_quick(const Scheme& scheme, const Mesh& control, const SurfaceOptions& options) {
   const Split& split = *scheme.split;
-  if (options.engine != SurfaceOptions::Engine::quick || !has_fast_layout(split) ||
-      options.has_sharpness())
+  if (options.engine != SurfaceOptions::Engine::quick || !has_fast_layout(split)) return false;
+  if (!check_takes_sharpness(scheme, options.sharpness) ||
+      why_no_fast_sharpness(scheme, control, options.sharpness))
     return false;
   if (options.attributes == nullptr) return true;
   const MeshAttributes& attributes = *options.attributes;
   if (options.attribute_rules.linear && !attributes.vertices.empty()) return false;
   if (attributes.has_labels() && !keeps_old_edges(split)) return false;
+  const TextureRule rule = options.attribute_rules.texture;
   return attributes.texture.empty() ||
-         detail::texture_column(split, control, attributes.texture, options.attribute_rules.texture)
-             .has_value();
+         detail::texture_column(split, control, attributes.texture, rule).has_value() ||
+         detail::has_quick_texture(scheme, control, options.sharpness, attributes.texture, rule);
 }
 
 Result<RefinedSurface> refine_surface(const Scheme& scheme, Mesh control,

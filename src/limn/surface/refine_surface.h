@@ -29,13 +29,14 @@ struct SurfaceOptions {
   /// False: a limit that cannot be had is an error.
   bool partial = false;
   bool connectivity = false;  ///< RefinedSurface::mesh, too
-  /// Of the control mesh. Where an edge or vertex is sharp, or a face a hole, the plain engine
-  /// refines it, whatever `engine` says.
+  /// Of the control mesh. Where there is a reason why_no_fast_sharpness (fast/fast_refiner.h), the
+  /// plain engine refines it, whatever `engine` says; and where something is sharp that stays so,
+  /// it finds what is wanted of the limit surface.
   Sharpness sharpness = {};
   /// What the control mesh carries, by its numbers of vertices, half-edges and faces; or null. They
-  /// fit it (attributes_fit); an error where their counts do not. Texture coordinates with seams or
-  /// corners that stay, linear numbers, and labels under √3, √2 and dual splits need the plain
-  /// engine, whatever `engine` says.
+  /// fit it (attributes_fit); an error where their counts do not. Linear numbers, linear texture
+  /// coordinates and those whose boundary stays, and labels under √3, √2 and dual splits need the
+  /// plain engine, whatever `engine` says.
   const MeshAttributes* attributes = nullptr;
   AttributeRules attribute_rules = {};  ///< how they are refined
   /// quick: the quick engine (fast/fast_refiner.h) where it can, else the plain one; plain: the

@@ -5,8 +5,10 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <string>
 
 #include "limn/fast/kernel/step_plan.h"
+#include "limn/mesh/sharpness/tags.h"
 #include "limn/mesh/split/split.h"
 #include "limn/scheme/scheme.h"
 
@@ -50,14 +52,22 @@ class Family {
   /// where each face begins (size().faces + 1 numbers).
   [[nodiscard]] virtual Index corners_per_face() const = 0;
   virtual void write_face_begin(int /*level*/, std::span<Index> /*begin*/) const {}
+  /// What of a level is still sharp, by its numbers: as tags_of (mesh/sharpness/tags.h) has it.
+  [[nodiscard]] virtual SharpnessTags sharp_tags(int /*level*/) const { return {}; }
 };
 
 /// Whether there is a family for schemes of this split.
 [[nodiscard]] bool has_family(const Split& split);
 
-/// Precondition: has_family(*scheme.split), and `control` is what the split takes. Both must
-/// outlive the family.
+/// Why no family takes a mesh with this sharpness, though the scheme can (check_takes_sharpness,
+/// refine/crease_step.h); nothing where one does. The one place that knows.
+[[nodiscard]] std::optional<std::string> why_no_family(const Scheme& scheme, const Mesh& control,
+                                                       const Sharpness& sharpness);
+
+/// Preconditions: has_family(*scheme.split), `control` is what the split takes, and there is no
+/// reason why_no_family. The first two must outlive the family. Of a sharpness, holes are not
+/// looked at.
 [[nodiscard]] std::unique_ptr<Family> make_family(const Scheme& scheme, const Mesh& control,
-                                                  int levels);
+                                                  int levels, const Sharpness& sharpness);
 
 }  // namespace limn::fast

@@ -6,6 +6,7 @@
 #include "limn/base/parallel.h"
 #include "limn/fast/limit/limit_tables.h"
 #include "limn/fast/plain/plain_order.h"
+#include "limn/fast/sites/sharp_steps.h"
 #include "limn/fast/sites/zones.h"
 
 namespace limn::fast {
@@ -14,18 +15,28 @@ namespace {
 class GridFamily final : public Family {
  public:
   /// All steps are left to the plain engine where there are no tables.
-  GridFamily(const Scheme& scheme, const GridCycle& cycle, const Mesh& control, int levels)
-      : cycle_(cycle), split_(*scheme.split), control_(control), plain_(levels) {
+  GridFamily(const Scheme& scheme, const GridCycle& cycle, const Mesh& control, int levels,
+             Sharpness sharpness)
+      : cycle_(cycle),
+        split_(*scheme.split),
+        control_(control),
+        sharpness_(std::move(sharpness)),
+        plain_(levels) {
     while (!is_grid(mesh()) && first_ < levels) refine_once();
     // the cycle begins with its first step
     while (first_ % cycle.steps != 0 && first_ < levels) refine_once();
     if (control.face_count() == 0 || !is_cycle_begun()) return;
     groups_ = group_vertices(mesh(), cycle.lattice);
     Result<std::vector<StencilTables>> read =
-        read_stencils(scheme, cycle, kinds(), boundary_sides(mesh()));
+        read_stencils(scheme, cycle, kinds(), sharp_sides(mesh(), sharpness_));
     if (!read) return;
     tables_ = std::move(*read);
     while (plain_ > first_ && fits(plain_ - 1)) --plain_;
+    if (!find_sharp_steps(scheme, levels)) {
+      plain_ = levels;
+      tables_.clear();
+      return;
+    }
     faces_ = PatchTopology(mesh(), corners());
     if (!mesh().has_boundary()) return;
     for (Index e = 0; e < mesh().edge_count(); ++e)
@@ -42,12 +53,16 @@ class GridFamily final : public Family {
   }
 
   [[nodiscard]] StepPlan plan(int level) const override {
-    return plan(tables_of(level), step(level), Made::next_level);
+    StepPlan plan = this->plan(tables_of(level), step(level), Made::next_level);
+    const GridStep grid = step(level);
+    if (sharp_) sharp_->add_rows(level - first_, grid.old_points, grid.new_points, plan.rows);
+    return plan;
   }
 
   [[nodiscard]] Result<std::optional<StepPlan>> limit_plan(int level,
                                                            LimitReader& reader) const override {
-    if (tables_.empty() || level < first_) return std::optional<StepPlan>();
+    if (tables_.empty() || level < first_ || sharpness_at(level).any())
+      return std::optional<StepPlan>();
     LimitControl control{split_, cycle_, kinds(), !sides_.empty(), false};
     for (const Index h : sides_)
       control.lone = control.lone ||
@@ -102,7 +117,39 @@ class GridFamily final : public Family {
     for (Index f = 0; f <= mesh().face_count(); ++f) begin[f] = mesh().face_begin(f);
   }
 
+  [[nodiscard]] SharpnessTags sharp_tags(int level) const override {
+    const Sharpness left = sharpness_at(level);
+    SharpnessTags tags = tags_of(mesh(), left);
+    if (!is_cycle_begun()) return tags;
+    const GridLayout at = step(level).old_points;
+    tags.creases.clear();
+    for (Index e = 0; e < std::ssize(left.edges); ++e) {
+      const Index h = mesh().halfedge_of_edge(e);
+      const double sharp = left.edges[static_cast<std::size_t>(e)];
+      if (!(sharp > 0) || mesh().is_boundary_edge(e)) continue;
+      Index before = mesh().origin(h);
+      for (Index t = 1; t <= at.n(); ++t) {
+        const Index next = t < at.n() ? at.edge_point(h, t) : mesh().target(h);
+        tags.creases.push_back({{before, next}, {sharp}, 0});
+        before = next;
+      }
+    }
+    return tags;
+  }
+
  private:
+  /// False where there are no tables of some place.
+  bool find_sharp_steps(const Scheme& scheme, int levels) {
+    if (!sharpness_.any()) return true;
+    Result<SharpSteps> made = SharpSteps::make(scheme, cycle_, tables_.front(), mesh(), sharpness_,
+                                               plain_ - first_, levels - first_);
+    if (made) sharp_.emplace(std::move(*made));
+    return made.ok();
+  }
+  /// Of the mesh's edges and vertices, what is left of it at a level.
+  [[nodiscard]] Sharpness sharpness_at(int level) const {
+    return after_steps(sharpness_, level - first_);
+  }
   [[nodiscard]] StepPlan plan(const StencilTables& tables, const GridStep& step, Made made) const {
     const GridLayout& from = step.old_points;
     const GridLayout& to = made == Made::same_level ? from : step.new_points;
@@ -136,7 +183,10 @@ class GridFamily final : public Family {
     return is_grid(mesh()) && first_ % cycle_.steps == 0;
   }
   void refine_once() {
-    refined_ = split_.apply(mesh(), first_).mesh;
+    SplitResult fine = split_.apply(mesh(), first_);
+    if (sharpness_.any())
+      sharpness_ = inherit(mesh(), sharpness_, child_sharpness(mesh(), sharpness_), fine);
+    refined_ = std::move(fine.mesh);
     ++first_;
   }
   [[nodiscard]] GridStep step(int level) const {
@@ -155,11 +205,13 @@ class GridFamily final : public Family {
   const Split& split_;
   const Mesh& control_;
   Mesh refined_;
-  int first_ = 0;  // the level whose faces are the patches
+  Sharpness sharpness_;  // of mesh()
+  int first_ = 0;        // the level whose faces are the patches
   int plain_;
   std::vector<StencilTables> tables_;  // by the cycle's steps
   std::vector<ZoneGroup> groups_;
   PatchTopology faces_;
+  std::optional<SharpSteps> sharp_;
   std::vector<Index> sides_;  // half-edges on the boundary
 };
 
@@ -188,8 +240,8 @@ std::optional<GridCycle> grid_cycle(const Split& split) {
 }
 
 std::unique_ptr<Family> make_grid_family(const Scheme& scheme, const GridCycle& cycle,
-                                         const Mesh& control, int levels) {
-  return std::make_unique<GridFamily>(scheme, cycle, control, levels);
+                                         const Mesh& control, int levels, Sharpness sharpness) {
+  return std::make_unique<GridFamily>(scheme, cycle, control, levels, std::move(sharpness));
 }
 
 }  // namespace limn::fast

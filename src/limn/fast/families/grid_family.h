@@ -17,9 +17,12 @@ namespace limn::fast {
 /// The cycle of a split, if its levels are such grids.
 [[nodiscard]] std::optional<GridCycle> grid_cycle(const Split& split);
 
-/// `control` is what the split takes; it must outlive the family, as the scheme. Cost: the tables,
-/// some 0.1 ms for each valence in the mesh, and for other faces than quads one split of the mesh.
+/// `control` is what the split takes; it must outlive the family, as the scheme. What is sharp
+/// fades uniformly, and only a cycle of one step takes it. Cost: the tables, some 0.1 ms for each
+/// valence in the mesh and each kind of sharp place, and for other faces than quads one split of
+/// the mesh.
 [[nodiscard]] std::unique_ptr<Family> make_grid_family(const Scheme& scheme, const GridCycle& cycle,
-                                                       const Mesh& control, int levels);
+                                                       const Mesh& control, int levels,
+                                                       Sharpness sharpness);
 
 }  // namespace limn::fast

@@ -109,8 +109,9 @@ struct Quad {
 
 }  // namespace
 
-std::optional<PlainRows> PlainRows::record(const StepStencils<double>& stencils,
-                                           std::vector<Index> places, std::size_t limit) {
+template <class Stencils>
+std::optional<PlainRows> PlainRows::record_any(const Stencils& stencils, std::vector<Index> places,
+                                               std::size_t limit) {
   PlainRows rows;
   rows.vertex_count_ = stencils.count();
   rows.places_ = std::move(places);
@@ -185,6 +186,10 @@ std::size_t PlainRows::bytes() const {
   return indices * sizeof(Index) + lists_.bytes();
 }
 
+template std::optional<PlainRows> PlainRows::record_any(const StepStencils<double>&,
+                                                        std::vector<Index>, std::size_t);
+template std::optional<PlainRows> PlainRows::record_any(const CreaseStencils<double>&,
+                                                        std::vector<Index>, std::size_t);
 template void PlainRows::evaluate<float>(const float*, float*) const;
 template void PlainRows::evaluate<double>(const double*, double*) const;
 

@@ -1,12 +1,14 @@
 #pragma once
-/// A step of the plain engine, written down once and made often: for each new vertex a sparse row,
-/// of what it weighs and how much. Rows of equal weights share them, so that a row is the number of
-/// its list of weights and the numbers of its sources: some 12 of 4 bytes for a butterfly's edge.
+/// A step of the plain engine (step_stencils.h, crease_stencils.h), written down once and made
+/// often: for each new vertex a sparse row, of what it weighs and how much. Rows of equal weights
+/// share them, so that a row is the number of its list of weights and the numbers of its sources:
+/// some 12 of 4 bytes for a butterfly's edge.
 
 #include <optional>
 #include <vector>
 
 #include "limn/fast/plain/weight_lists.h"
+#include "limn/refine/crease_stencils.h"
 #include "limn/refine/step_stencils.h"
 
 namespace limn::fast {
@@ -18,7 +20,15 @@ class PlainRows {
   /// (`places` not counted). Cost: about that of refining points once, on all threads.
   [[nodiscard]] static std::optional<PlainRows> record(const StepStencils<double>& stencils,
                                                        std::vector<Index> places,
-                                                       std::size_t limit);
+                                                       std::size_t limit) {
+    return record_any(stencils, std::move(places), limit);
+  }
+  /// The same of a mesh with sharpness.
+  [[nodiscard]] static std::optional<PlainRows> record(const CreaseStencils<double>& stencils,
+                                                       std::vector<Index> places,
+                                                       std::size_t limit) {
+    return record_any(stencils, std::move(places), limit);
+  }
 
   /// x, y, z of the old vertices, and a number more → those of the new ones. Sums are made in
   /// `Real`, float or double, each by one thread in a fixed order.
@@ -37,6 +47,9 @@ class PlainRows {
 
  private:
   PlainRows() = default;
+  template <class Stencils>
+  static std::optional<PlainRows> record_any(const Stencils& stencils, std::vector<Index> places,
+                                             std::size_t limit);
   template <class Real>
   void make(const Chunk& chunk, const std::vector<Real>& weights, const Real* old,
             Real* fresh) const;
@@ -48,6 +61,10 @@ class PlainRows {
   std::size_t of_faces_ = 0;
 };
 
+extern template std::optional<PlainRows> PlainRows::record_any(const StepStencils<double>&,
+                                                               std::vector<Index>, std::size_t);
+extern template std::optional<PlainRows> PlainRows::record_any(const CreaseStencils<double>&,
+                                                               std::vector<Index>, std::size_t);
 extern template void PlainRows::evaluate<float>(const float*, float*) const;
 extern template void PlainRows::evaluate<double>(const double*, double*) const;
 

@@ -15,18 +15,47 @@ std::size_t row_limit(Index vertices) { return 48 * (static_cast<std::size_t>(ve
 
 }  // namespace
 
-Result<PlainSteps> PlainSteps::make(const Scheme& scheme, const Mesh& control, int count) {
+Result<PlainSteps> PlainSteps::make(const Scheme& scheme, const Mesh& control, int count,
+                                    Sharpness sharpness) {
   PlainSteps steps(scheme, control);
-  for (int step = 0; step < count; ++step) {
-    const Mesh& mesh = steps.mesh(static_cast<std::size_t>(step));
-    // nobody looks at the mesh that a single step makes
-    SplitResult split = count > 1 ? scheme.split->apply(mesh, step)
-                                  : SplitResult{{}, first_births(*scheme.split, mesh)};
-    if (Status status = steps.tables_.prepare(mesh, split.births); !status) return status.error();
-    steps.splits_.push_back(std::move(split));
-    ++steps.count_;
-  }
+  sharpness.holes.clear();
+  steps.splits_.reserve(static_cast<std::size_t>(count));  // what is sharp refers to these
+  for (int step = 0; step < count; ++step)
+    if (Status status = steps.add_step(count == 1, sharpness); !status) return status.error();
   return steps;
+}
+
+Status PlainSteps::add_step(bool alone, Sharpness& sharpness) {
+  const Split& split = *scheme_->split;
+  const Mesh& old = mesh(static_cast<std::size_t>(count_));
+  std::unique_ptr<CreaseStep> creases;
+  SplitResult made;
+  if (sharpness.any()) {
+    Result<CreaseStep> step = CreaseStep::make(split, old, sharpness, count_);
+    if (!step) return step.error();
+    if (Status status = prepare_tables(tables_, *step); !status) return status;
+    creases = std::make_unique<CreaseStep>(std::move(*step));
+    sharpness = creases->fine_sharpness();
+    made = alone ? SplitResult{{}, creases->fine().births} : creases->fine();
+  } else {
+    // nobody looks at the mesh that a single step makes
+    made = alone ? SplitResult{{}, first_births(split, old)} : split.apply(old, count_);
+    if (Status status = tables_.prepare(old, made.births); !status) return status;
+  }
+  splits_.push_back(std::move(made));
+  creases_.push_back(std::move(creases));
+  ++count_;
+  return Done{};
+}
+
+std::optional<PlainRows> PlainSteps::rows_of(std::size_t step, std::vector<Index> places) const {
+  if (creases_[step]) {
+    const CreaseStencils<double> stencils(*scheme_, *creases_[step], tables_);
+    return PlainRows::record(stencils, std::move(places), row_limit(stencils.count()));
+  }
+  StepStencils<double> stencils(*scheme_, mesh(step), splits_[step].births, tables_);
+  stencils.prepare_all();
+  return PlainRows::record(stencils, std::move(places), row_limit(stencils.count()));
 }
 
 void PlainSteps::write_down(std::vector<Index> order) {
@@ -36,16 +65,14 @@ void PlainSteps::write_down(std::vector<Index> order) {
   order_ = std::move(order);
   std::vector<PlainRows> rows;
   for (std::size_t step = 0; step < splits_.size(); ++step) {
-    StepStencils<double> stencils(*scheme_, mesh(step), splits_[step].births, tables_);
-    stencils.prepare_all();
     std::vector<Index> places_here;
     if (step + 1 == splits_.size()) places_here.swap(places);
-    std::optional<PlainRows> made =
-        PlainRows::record(stencils, std::move(places_here), row_limit(stencils.count()));
+    std::optional<PlainRows> made = rows_of(step, std::move(places_here));
     if (!made) return;
     rows.push_back(std::move(*made));
   }
   rows_ = std::move(rows);
+  creases_.clear();
   splits_ = std::vector<SplitResult>();
   order_ = std::vector<Index>();
 }
@@ -84,7 +111,9 @@ void PlainSteps::evaluate_anew(const Real* control, Real* fine) const {
   for (std::size_t v = 0; v < vertices; ++v, control += 3)
     points[v] = {double(control[0]), double(control[1]), double(control[2])};
   for (std::size_t step = 0; step < splits_.size(); ++step)
-    points = refine_values(*scheme_, mesh(step), splits_[step].births, tables_, points);
+    points = creases_[step]
+                 ? refine_values(CreaseStencils<double>(*scheme_, *creases_[step], tables_), points)
+                 : refine_values(*scheme_, mesh(step), splits_[step].births, tables_, points);
   for (std::size_t i = 0; i < points.size(); ++i) {
     const Point3& point = points[order_.empty() ? i : static_cast<std::size_t>(order_[i])];
     *fine++ = static_cast<Real>(point.x);

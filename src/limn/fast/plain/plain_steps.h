@@ -2,6 +2,7 @@
 /// The first steps, by the plain engine, with vertices renumbered as the fast engine has them.
 /// What it sums is written down once, as rows.
 
+#include <memory>
 #include <vector>
 
 #include "limn/fast/plain/plain_rows.h"
@@ -10,10 +11,10 @@ namespace limn::fast {
 
 class PlainSteps {
  public:
-  /// `count` ≥ 0 steps from the control mesh; scheme and mesh must outlive them. Fails as refine
-  /// (refine/refine.h) does.
-  [[nodiscard]] static Result<PlainSteps> make(const Scheme& scheme, const Mesh& control,
-                                               int count);
+  /// `count` ≥ 0 steps from the control mesh, of this sharpness (holes are not looked at); scheme
+  /// and mesh must outlive them. Fails as refine (refine/refine.h) does.
+  [[nodiscard]] static Result<PlainSteps> make(const Scheme& scheme, const Mesh& control, int count,
+                                               Sharpness sharpness = {});
 
   [[nodiscard]] int count() const { return count_; }
 
@@ -40,6 +41,9 @@ class PlainSteps {
     return step == 0 ? *control_ : splits_[step - 1].mesh;
   }
 
+  /// Finds what one more step makes; `sharpness` is then what is left of it.
+  Status add_step(bool alone, Sharpness& sharpness);
+  [[nodiscard]] std::optional<PlainRows> rows_of(std::size_t step, std::vector<Index> places) const;
   template <class Real>
   void evaluate_rows(const Real* control, Real* fine) const;
   template <class Real>
@@ -49,9 +53,10 @@ class PlainSteps {
   const Mesh* control_;
   RuleTables<double> tables_;
   int count_ = 0;
-  std::vector<SplitResult> splits_;  ///< unless there are rows
-  std::vector<Index> order_;         ///< likewise
-  std::vector<PlainRows> rows_;      ///< of each step, or empty
+  std::vector<SplitResult> splits_;                   ///< unless there are rows
+  std::vector<std::unique_ptr<CreaseStep>> creases_;  ///< likewise; null: nothing is sharp
+  std::vector<Index> order_;                          ///< likewise
+  std::vector<PlainRows> rows_;                       ///< of each step, or empty
 };
 
 extern template void PlainSteps::evaluate<float>(const float*, float*) const;

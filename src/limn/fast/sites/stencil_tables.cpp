@@ -124,20 +124,11 @@ class TableMaker {
     return points;
   }
 
-  /// On which zones, and points so many steps farther out, see as far as they look.
   [[nodiscard]] Site site(Index sectors, bool open, Index more) const {
-    constexpr Index kMargin = 2;  // control edges, of which the rim is within
-    Index seen = 0;
-    for (const StencilTables& table : tables_) {
-      const Reach& reach = table.reach;
-      const Index corner = reach.corner_zone.size * (cycle_.lattice == Lattice::triangle ? 2 : 1);
-      seen = std::max({seen, reach.star_zone.size, reach.fan_zone.size, corner, reach.star_rings,
-                       reach.fan_rings, reach.corner_rings});
-    }
     return {*scheme_.split,
             cycle_,
             {cycle_.lattice, sectors, open},
-            (seen + more) / cycle_.edge() + kMargin};
+            rings_of_site(cycle_, tables_, more)};
   }
 
   const Scheme& scheme_;
@@ -149,6 +140,18 @@ class TableMaker {
 };
 
 }  // namespace
+
+Index rings_of_site(const GridCycle& cycle, std::span<const StencilTables> tables, Index more) {
+  constexpr Index kMargin = 2;  // control edges, of which the rim is within
+  Index seen = 0;
+  for (const StencilTables& table : tables) {
+    const Reach& reach = table.reach;
+    const Index corner = reach.corner_zone.size * (cycle.lattice == Lattice::triangle ? 2 : 1);
+    seen = std::max({seen, reach.star_zone.size, reach.fan_zone.size, corner, reach.star_rings,
+                     reach.fan_rings, reach.corner_rings});
+  }
+  return (seen + more) / cycle.edge() + kMargin;
+}
 
 Result<std::vector<Form>> read_new_points(const Scheme& scheme, RuleTables<double>& rules,
                                           const Site& site, int step,

@@ -57,6 +57,11 @@ struct StencilTables {
 
 inline constexpr Index kLargestTable = 1000;  ///< valence of a table
 
+/// How many rings of control edges a site needs, so that on all zones, and on points so many steps
+/// farther out, rules see as far as they look.
+[[nodiscard]] Index rings_of_site(const GridCycle& cycle, std::span<const StencilTables> tables,
+                                  Index more);
+
 /// The tables of each step of the cycle that refining a mesh with vertices and faces of these kinds
 /// needs. Fails where a rule is missing, or looks too far (find_reach), or a vertex has too few
 /// faces in a ring (fewest_sectors) or more than kLargestTable: then the plain engine is the one to

@@ -221,23 +221,30 @@ std::vector<bool> faces_without(const Mesh& mesh, const TextureCoordinates& text
 
 TextureCoordinates texture_of(const Mesh& mesh, const std::vector<Point3>& points,
                               const std::vector<bool>& without, NumberType type) {
+  return texture_of(mesh.polygons(points), without, type);
+}
+
+TextureCoordinates texture_of(const Polygons& polygons, const std::vector<bool>& without,
+                              NumberType type) {
   TextureCoordinates result;
   result.type = type;
-  result.of_corner.reserve(at(mesh.halfedge_count()));
-  std::vector<Index> number(points.size(), kNone);
-  for (Index h = 0; h < mesh.halfedge_count(); ++h) {
-    if (!without.empty() && without[at(mesh.face(h))]) {
-      result.of_corner.push_back(kNone);
-      continue;
+  result.of_corner.reserve(polygons.corners.size());
+  std::vector<Index> number(polygons.positions.size(), kNone);
+  for (Index f = 0; f < polygons.face_count(); ++f)
+    for (Index c = polygons.face_begin[at(f)]; c < polygons.face_begin[at(f + 1)]; ++c) {
+      if (!without.empty() && without[at(f)]) {
+        result.of_corner.push_back(kNone);
+        continue;
+      }
+      const Index vertex = polygons.corners[at(c)];
+      Index& of_vertex = number[at(vertex)];
+      if (of_vertex == kNone) {
+        const Point3& p = polygons.positions[at(vertex)];
+        of_vertex = static_cast<Index>(result.points.size());
+        result.points.push_back({p.x, p.y});
+      }
+      result.of_corner.push_back(of_vertex);
     }
-    Index& of_vertex = number[at(mesh.origin(h))];
-    if (of_vertex == kNone) {
-      const Point3& p = points[at(mesh.origin(h))];
-      of_vertex = static_cast<Index>(result.points.size());
-      result.points.push_back({p.x, p.y});
-    }
-    result.of_corner.push_back(of_vertex);
-  }
   return result;
 }
 

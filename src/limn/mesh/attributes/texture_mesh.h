@@ -34,5 +34,8 @@ struct TextureMesh {
 /// `without`. Points are numbered as they are met. Cost O(H).
 [[nodiscard]] TextureCoordinates texture_of(const Mesh& mesh, const std::vector<Point3>& points,
                                             const std::vector<bool>& without, NumberType type);
+/// The same of polygons, whose positions are u, v and 0.
+[[nodiscard]] TextureCoordinates texture_of(const Polygons& polygons,
+                                            const std::vector<bool>& without, NumberType type);
 
 }  // namespace limn
