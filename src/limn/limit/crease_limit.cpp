@@ -284,6 +284,7 @@ class CreaseLimit {
   /// Until the point rests, or nearly, and the normals: their steps shrink by a factor each. The
   /// point is kept at 0, so that nothing is lost of what is round it.
   Result<Rested> rest(Index v) const {
+    if (kinds_[at(v)] == Kind::corner && !normals_) return Rested{values_[at(v)], {}, true};
     RuleTables<double> tables(scheme_);
     PartCutter cutter(mesh_, values_, sharpness_);
     MeshPart part = cutter.run({v}, rings_);
