@@ -82,25 +82,29 @@ Result<MarkedOptions> wanted_of(const DrawOptions& options, const Scheme& scheme
   return wanted;
 }
 
+/// The edges of a mesh.
+SceneMarks edge_marks(const ControlNet& net) {
+  SceneMarks marks{.colour = {0.10, 0.12, 0.16}, .stroke = {0.5, {}}};
+  for (const auto& [from, to] : net.edges)
+    marks.curves.push_back(
+        {net.vertices[static_cast<std::size_t>(from)], net.vertices[static_cast<std::size_t>(to)]});
+  return marks;
+}
+
 /// A scene of the control mesh, at the scale of the surface's.
-SurfaceScene control_scene(const DrawOptions& options, MarkedSurface flat, ControlNet net,
-                           SurfaceScene& scene) {
+SurfaceScene control_scene(MarkedSurface flat, const ControlNet& net, SurfaceScene& scene) {
   SurfaceScene both = scene;  // scaled as one, where that is needed
   both.surfaces.push_back(std::move(flat.surface));
   const auto marks = static_cast<std::ptrdiff_t>(both.marks.size());
-  for (SceneMarks& kind : flat.marks) {
-    kind.name.clear();  // one legend is enough
-    both.marks.push_back(std::move(kind));
-  }
-  both.net = std::move(net);
+  both.marks.push_back(edge_marks(net));
+  for (SceneMarks& kind : flat.marks) both.marks.push_back(std::move(kind));
   scale_to_draw(both);
   SurfaceScene control = both;
   control.surfaces.erase(control.surfaces.begin());
   control.marks.erase(control.marks.begin(), control.marks.begin() + marks);
-  control.net.points = false;
+  control.net = {};
   both.surfaces.pop_back();
   both.marks.resize(static_cast<std::size_t>(marks));
-  if (!options.net) both.net = {};
   scene = std::move(both);
   scene.seen_frame = control.seen_frame = frame_of(control);
   return control;
@@ -131,7 +135,7 @@ Result<Drawing> drawing_of(const DrawOptions& options, const Scheme& scheme) {
   if (options.net) scene.net = control_net(control->mesh, control->points);
   std::optional<SurfaceScene> before;
   if (options.control)
-    before = control_scene(options, marked_control(scheme, control->mesh, control->points, *wanted),
+    before = control_scene(marked_control(scheme, control->mesh, control->points, *wanted),
                            control_net(control->mesh, control->points), scene);
   else
     scale_to_draw(scene);

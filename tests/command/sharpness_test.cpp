@@ -236,7 +236,8 @@ TEST(Sharpness, IsStatedByNamesOfFaces) {
        "t crease 2/1/0 0 1 10\n");
   same("[[corner]]\ngroups = [\"down\", \"front\", \"sides\"]\nsharpness = 10\n",
        "t corner 2/1/0 0 1 10\n");
-  same("[[crease]]\nmaterials = [\"steel\", \"wood\"]\nsharpness = 1\n", "t crease 2/1/0 6 7 1\n");
+  same("[[crease]]\nmaterials = [\"steel\", \"wood\"]\nsharpness = 1\n",
+       "t crease 6/1/0 0 4 6 7 5 1 1\n");
   same("[[hole]]\ngroups = [\"back\"]\n", "t hole 1/0/0 3\n");
   folder.write("tags.toml", "[[hole]]\ngroups = [\"roof\"]\n");
   expect_refused(folder.limn("refine cube.obj --tags tags.toml -s catmull-clark -o c.obj"),

@@ -119,10 +119,13 @@ TEST_P(CreaseLimitLaws, AreThoseOfTheMeshCutThere) {
 // What fades is smooth after so many steps, of whatever mesh the limit is asked for.
 TEST_P(CreaseLimitLaws, OfWhatFadesAreThoseOfTheSmoothMeshLater) {
   if (scheme().split->boundary_rests()) GTEST_SKIP() << "takes infinite sharpness only";
+  // these are not C1 at some valences, where the normal is that of the faces some steps on
+  const bool has_planes =
+      GetParam().find("butterfly") == std::string::npos && GetParam() != "interpolating-loop";
   int compared = 0;
-  for (unsigned seed = 1; seed < 40 && compared < 4; ++seed) {
+  for (unsigned seed = 1; seed < 60 && compared < 3; ++seed) {
     const Mesh mesh = control_mesh(scheme(), seed);
-    if (mesh.vertex_count() > 30) continue;
+    if (mesh.vertex_count() > 20) continue;
     const std::vector<Point3> points = random_points(mesh.vertex_count(), seed);
     Sharpness sharpness = random_sharpness(mesh, seed, 0.3, seed % 2 == 0);
     if (seed % 3 == 0) sharpness.method = CreaseMethod::chaikin;
@@ -135,8 +138,9 @@ TEST_P(CreaseLimitLaws, OfWhatFadesAreThoseOfTheSmoothMeshLater) {
     for (std::size_t v = 0; v < points.size(); ++v) {
       EXPECT_LT(distance(early->positions[v], late->positions[v]), 1e-10)
           << "seed " << seed << ", vertex " << v;
-      EXPECT_LT(distance(early->normals[v], late->normals[v]), 1e-6)
-          << "seed " << seed << ", vertex " << v;
+      if (has_planes)
+        EXPECT_LT(distance(early->normals[v], late->normals[v]), 1e-6)
+            << "seed " << seed << ", vertex " << v;
     }
     ++compared;
   }

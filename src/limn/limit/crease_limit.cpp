@@ -15,6 +15,7 @@
 #include "limn/mesh/sharpness/cut_mesh.h"
 #include "limn/mesh/unit_normal.h"
 #include "limn/refine/refine.h"
+#include "limn/scheme/seen_from.h"
 
 namespace limn {
 namespace {
@@ -22,7 +23,7 @@ namespace {
 constexpr int kMostSteps = 160;
 constexpr int kRestingSteps = 4;  // so many in which a point does not move by more than rounding
 constexpr double kNormalRests = 1e-14;
-constexpr std::size_t kTogether = 512;  // vertices whose neighbourhoods fade in one part
+constexpr std::size_t kTogether = 128;  // vertices whose neighbourhoods fade in one part
 
 std::size_t at(Index i) { return static_cast<std::size_t>(i); }
 
@@ -47,9 +48,10 @@ int reach_of(const Scheme& scheme) {
   return static_cast<int>(reach);
 }
 
-/// Whether a rule crosses edges but round its own vertex, so that the limit near a corner or dart
-/// depends on the rule there.
+/// Whether the limit at a vertex depends on the rules that make its neighbours: because a rule
+/// crosses edges but round its own vertex, or is seen from one.
 bool goes_far(const Scheme& scheme) {
+  if (has_rules_seen_from(scheme)) return true;
   for (const std::optional<Rule>& rule : scheme.rules) {
     if (!rule) continue;
     for (const RuleCase& one : *rule)
@@ -93,7 +95,7 @@ class CreaseLimit {
     }
     if (Status status = find_on_cut(); !status) return status.error();
     if (Status status = rest_all(); !status) return status.error();
-    if (Status status = find_after_fading(); !status) return status.error();
+    if (Status status = find_later(); !status) return status.error();
     if (result_.sides.empty()) result_.sides.of_corner.clear();
     return std::move(result_);
   }
@@ -101,7 +103,7 @@ class CreaseLimit {
  private:
   using Kind = CreaseStep::Rule;
   /// How a vertex's limit is found.
-  enum class Way : std::uint8_t { none, on_cut, resting, after_fading };
+  enum class Way : std::uint8_t { none, on_cut, resting, later };
 
   void classify() {
     std::vector<Index> count(at(mesh_.vertex_count()), 0);
@@ -124,9 +126,11 @@ class CreaseLimit {
       if (fades(own)) fading[at(v)] = true;
       resting[at(v)] = kinds_.back() == Kind::dart || kinds_.back() == Kind::corner;
     }
+    std::vector<bool> near = fading;
     if (goes_far(scheme_)) {
+      for (std::size_t v = 0; v < near.size(); ++v) near[v] = near[v] || resting[v];
+      widen(near);
       widen(fading);
-      widen(resting);
     }
     std::vector<bool> wanted(at(mesh_.vertex_count()), options_.vertices.empty());
     for (const Index v : options_.vertices) wanted[at(v)] = true;
@@ -136,16 +140,16 @@ class CreaseLimit {
       ways_[at(v)] = Way::on_cut;
       if (mesh_.is_isolated(v)) continue;
       if (resting[at(v)]) ways_[at(v)] = Way::resting;
-      if (fading[at(v)]) ways_[at(v)] = Way::after_fading;
+      if (resting[at(v)] ? fading[at(v)] : near[at(v)]) ways_[at(v)] = Way::later;
     }
   }
 
-  /// All within so many rings of these.
+  /// All that is near these. What a part cuts at its rim is farther from its centres.
   void widen(std::vector<bool>& taken) const {
     std::vector<Index> near;
     for (Index v = 0; v < mesh_.vertex_count(); ++v)
       if (taken[at(v)]) near.push_back(v);
-    for (int ring = 0; ring < rings_; ++ring) {
+    for (int ring = 0; ring + 1 < rings_; ++ring) {
       std::vector<Index> next;
       for (const Index v : near) {
         const Index first = mesh_.halfedge_of_vertex(v);
@@ -338,20 +342,21 @@ class CreaseLimit {
     return centre;
   }
 
-  /// Vertices at which something fades: their neighbourhoods are refined until it has.
-  Status find_after_fading() {
-    const std::vector<Index> vertices = those(Way::after_fading);
+  /// Vertices at which something fades, or near which something fades or rests: their
+  /// neighbourhoods are refined until it has faded, or is farther off.
+  Status find_later() {
+    const std::vector<Index> vertices = those(Way::later);
     for (std::size_t first = 0; first < vertices.size(); first += kTogether) {
       const std::size_t end = std::min(first + kTogether, vertices.size());
       const std::vector<Index> some(vertices.begin() + static_cast<std::ptrdiff_t>(first),
                                     vertices.begin() + static_cast<std::ptrdiff_t>(end));
-      if (Status status = find_after_fading(some); !status) return status;
+      if (Status status = find_later(some); !status) return status;
       if (options_.progress) options_.progress(static_cast<int>(vertices.size() - end));
     }
     return Done{};
   }
 
-  Status find_after_fading(const std::vector<Index>& vertices) {
+  Status find_later(const std::vector<Index>& vertices) {
     PartCutter cutter(mesh_, values_, sharpness_);
     MeshPart part = cutter.run(vertices, rings_);
     for (const Index v : vertices) name_edges(mesh_, sharpness_, v, cutter, part);
@@ -359,13 +364,14 @@ class CreaseLimit {
     const auto centres = static_cast<Index>(vertices.size());
     LimitOptions there = options_;
     there.partial = true;
-    for (; part.sharpness.fades(); ++there.steps_made) {
+    do {
       Result<Refined<Point3>> fine =
           refine_once(scheme_, part.mesh, part.values, part.sharpness, there.steps_made, tables);
       if (!fine) return fine.error();
       part = cut_out({std::move(fine->mesh), std::move(fine->values), std::move(fine->sharpness)},
                      centres, rings_);
-    }
+      ++there.steps_made;
+    } while (part.sharpness.fades());
     there.vertices.resize(vertices.size());
     std::iota(there.vertices.begin(), there.vertices.end(), 0);
     const Result<SharpLimitPoints> found =

@@ -110,8 +110,8 @@ SceneMarks marks_of(double sharpness, std::string name) {
     marks.stroke.width = 1.8;
     return marks;
   }
-  const double t = std::min(sharpness, 5.0) / 5;
-  marks.colour = {0.98 - 0.18 * t, 0.70 - 0.48 * t, 0.20 - 0.12 * t};
+  const double t = std::min(sharpness, 4.0) / 4;
+  marks.colour = {1 - 0.2 * t, 0.84 - 0.74 * t, 0.1 + 0.25 * t};
   marks.stroke.width = 0.8 + 0.7 * t;
   return marks;
 }
