@@ -5,9 +5,11 @@ find_package(Python3 COMPONENTS Interpreter)
 if(Python3_FOUND)
   add_test(NAME tools:documents_name_existing_files
     COMMAND Python3::Interpreter ${PROJECT_SOURCE_DIR}/tests/tools/documents_test.py)
+  add_test(NAME tools:fault_table
+    COMMAND Python3::Interpreter ${PROJECT_SOURCE_DIR}/tests/tools/fault_table_test.py)
   add_test(NAME tools:follow_walkthrough
     COMMAND Python3::Interpreter ${PROJECT_SOURCE_DIR}/tests/tools/follow_walkthrough_test.py)
-  set_tests_properties(tools:documents_name_existing_files tools:follow_walkthrough
+  set_tests_properties(tools:documents_name_existing_files tools:fault_table tools:follow_walkthrough
     PROPERTIES TIMEOUT 60 LABELS tools)
   if(CMAKE_EXPORT_COMPILE_COMMANDS)
     add_test(NAME tools:headers_together

@@ -1,4 +1,5 @@
 #include <memory>
+#include <optional>
 
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
@@ -9,8 +10,12 @@
 #include "limn/figure/figure.h"
 #include "limn/figure/space/visibility.h"
 #include "limn/report/limit_report.h"
+#include "limn/study/marked_surface.h"
 #include "limn/study/surface_scenes.h"
+#include "options/attribute_options.h"
 #include "options/control_mesh.h"
+#include "options/number_option.h"
+#include "options/sharpness_options.h"
 #include "options/view_options.h"
 #include "output/figure_output.h"
 
@@ -30,40 +35,148 @@ struct DrawOptions {
   bool net = false;
   ViewOptions view;
   MeshPreparation preparation;
+  SharpnessOptions sharpness;
+  AttributeOptions attributes;
+  bool marks = false;
+  bool control = false;
+  std::string texture;  // squares along a unit; empty: no texture
   bool json = false;
+
+  [[nodiscard]] bool is_textured() const { return !texture.empty(); }
+  [[nodiscard]] double squares() const {
+    double number = 0;
+    return read_number(texture, number) ? number : 0;
+  }
 };
 
 /// What is drawn, and what there is to say of it.
 struct Drawing {
   SurfaceScene scene;
+  std::optional<SurfaceScene> control;  ///< what is drawn beside it
   LimitGaps gaps;
   MeshRemarks remarks;
 };
 
+/// What the options ask of the surface.
+Result<MarkedOptions> wanted_of(const DrawOptions& options, const Scheme& scheme,
+                                ControlMesh& control) {
+  MarkedOptions wanted{.steps = options.levels};
+  Result<Sharpness> sharpness = options.sharpness.of(control, scheme);
+  if (!sharpness) return sharpness.error();
+  wanted.sharpness = *std::move(sharpness);
+  wanted.marks = options.marks;
+  wanted.textured = options.is_textured();
+  const TextureCoordinates& texture = control.attributes.texture;
+  if (!wanted.marks && !wanted.textured) return wanted;
+  if (texture.empty()) {
+    if (!wanted.textured) return wanted;
+    Error error("the mesh has no texture coordinates to draw", "leave out --texture");
+    error.file = options.mesh;
+    return error;
+  }
+  wanted.texture = &texture;
+  wanted.rule = options.attributes.rules().texture;
+  if (wanted.textured)
+    if (Status takes = check_takes_texture(scheme, control.mesh, texture, wanted.rule); !takes)
+      return takes.error();
+  return wanted;
+}
+
+/// The edges of a mesh.
+SceneMarks edge_marks(const ControlNet& net) {
+  SceneMarks marks{.colour = {0.10, 0.12, 0.16}, .stroke = {0.5, {}}};
+  for (const auto& [from, to] : net.edges)
+    marks.curves.push_back(
+        {net.vertices[static_cast<std::size_t>(from)], net.vertices[static_cast<std::size_t>(to)]});
+  return marks;
+}
+
+/// A scene of the control mesh, at the scale of the surface's.
+SurfaceScene control_scene(MarkedSurface flat, const ControlNet& net, SurfaceScene& scene) {
+  SurfaceScene both = scene;  // scaled as one, where that is needed
+  both.surfaces.push_back(std::move(flat.surface));
+  const auto marks = static_cast<std::ptrdiff_t>(both.marks.size());
+  both.marks.push_back(edge_marks(net));
+  for (SceneMarks& kind : flat.marks) both.marks.push_back(std::move(kind));
+  scale_to_draw(both);
+  SurfaceScene control = both;
+  control.surfaces.erase(control.surfaces.begin());
+  control.marks.erase(control.marks.begin(), control.marks.begin() + marks);
+  control.net = {};
+  both.surfaces.pop_back();
+  both.marks.resize(static_cast<std::size_t>(marks));
+  scene = std::move(both);
+  scene.seen_frame = control.seen_frame = frame_of(control);
+  return control;
+}
+
 Result<Drawing> drawing_of(const DrawOptions& options, const Scheme& scheme) {
-  Result<ControlMesh> control = load_control_mesh(options.mesh, options.preparation);
+  const bool attributes =
+      options.marks || options.is_textured() || options.sharpness.may_name_faces();
+  Result<ControlMesh> control =
+      load_control_mesh(options.mesh, options.preparation, options.sharpness.use(),
+                        attributes ? AttributeUse::keep : AttributeUse::leave_out);
   if (!control) return control.error();
-  LimitGaps gaps;
   if (Status status = check_drawable(scheme, control->mesh, options.levels); !status)
     return status.error();
   set_step("finding limit points of " + options.mesh);
-  Result<SmoothSurface> surface =
-      limit_surface(scheme, control->mesh, control->points, options.levels, &gaps);
+  const Result<MarkedOptions> wanted = wanted_of(options, scheme, *control);
+  if (!wanted) return wanted.error();
+  Result<MarkedSurface> surface = marked_surface(scheme, control->mesh, control->points, *wanted);
   if (!surface) {
     if (surface.error().file.empty()) surface.error().file = options.mesh;
     return surface.error();
   }
   SurfaceScene scene;
-  scene.surfaces.push_back(std::move(*surface));
+  scene.surfaces.push_back(std::move(surface->surface));
+  scene.marks = std::move(surface->marks);
   scene.azimuth = options.view.azimuth;
   scene.elevation = options.view.elevation;
   if (options.net) scene.net = control_net(control->mesh, control->points);
-  scale_to_draw(scene);
-  return Drawing{std::move(scene), std::move(gaps), std::move(control->remarks)};
+  std::optional<SurfaceScene> before;
+  if (options.control)
+    before = control_scene(marked_control(scheme, control->mesh, control->points, *wanted),
+                           control_net(control->mesh, control->points), scene);
+  else
+    scale_to_draw(scene);
+  return Drawing{std::move(scene), std::move(before), std::move(surface->gaps),
+                 std::move(control->remarks)};
+}
+
+void add_panel(const DrawOptions& options, const SurfaceScene& scene, Figure& figure) {
+  const LightLines lights{.count = options.lights};
+  if (options.lines) {
+    figure.add(ReflectionLinePanel{.scene = scene, .lights = lights});
+    return;
+  }
+  ShadedPanel panel{.scene = scene};
+  if (options.stripes) panel.stripes = lights;
+  if (options.is_textured()) panel.checker = CheckerLook{.squares = options.squares()};
+  figure.add(std::move(panel));
+}
+
+Figure figure_of(const DrawOptions& options, const Drawing& drawing) {
+  Figure figure(drawing.control ? 2 : 1, kWidth);
+  if (drawing.control) {
+    ShadedPanel panel{.scene = *drawing.control};
+    if (options.is_textured()) panel.checker = CheckerLook{.squares = options.squares()};
+    figure.add(std::move(panel));
+  }
+  add_panel(options, drawing.scene, figure);
+  return figure;
+}
+
+nlohmann::ordered_json marks_json(const std::vector<SceneMarks>& marks) {
+  nlohmann::ordered_json json = nlohmann::ordered_json::array();
+  for (const SceneMarks& kind : marks)
+    json.push_back(
+        {{"name", kind.name}, {"curves", kind.curves.size()}, {"points", kind.points.size()}});
+  return json;
 }
 
 int draw(const DrawOptions& options) {
-  const bool curves = options.lines || options.stripes || options.net;
+  const bool curves =
+      options.lines || options.stripes || options.net || options.marks || options.control;
   if (!figures_available() || (curves && !rays_available()))
     return report({"this limn draws no surfaces", "build it with cairo and Embree"});
   if (Status status = check_mesh_path(options.mesh); !status) return report(status.error());
@@ -86,13 +199,7 @@ int draw(const DrawOptions& options) {
   if (options.lines || options.stripes)
     if (Status status = check_lights(*scene, lights, kWidth); !status)
       return report(status.error());
-  Figure figure(1, kWidth);
-  if (options.lines)
-    figure.add(ReflectionLinePanel{.scene = *scene, .lights = lights});
-  else if (options.stripes)
-    figure.add(ShadedPanel{.scene = *scene, .stripes = lights});
-  else
-    figure.add(ShadedPanel{.scene = *scene});
+  const Figure figure = figure_of(options, *drawing);
   if (Status status = options.output.write(figure); !status) return report(status.error());
   const std::size_t vertices = scene->surfaces.front().vertices.size();
   if (options.json) {
@@ -100,6 +207,7 @@ int draw(const DrawOptions& options) {
                                 {"scheme", scheme->name},
                                 {"levels", options.levels},
                                 {"vertices", vertices}};
+    if (!scene->marks.empty()) json["marks"] = marks_json(scene->marks);
     if (drawing->gaps.any()) json["missing"] = gaps_json(drawing->gaps);
     add_remarks(json, drawing->remarks);
     print_json(json);
@@ -122,6 +230,16 @@ void declare_look(CLI::App& command, DrawOptions& options) {
       ->capture_default_str()
       ->check(CLI::Range(1, 10000));
   command.add_flag("--net", options.net, "the control net too, dashed where hidden");
+  command.add_flag("--control", options.control,
+                   "the control mesh beside it, its faces flat, at the same scale");
+  command.add_flag("--marks", options.marks,
+                   "sharp edges and vertices in lines and dots, the sharper the darker and the "
+                   "wider, and the seams of the texture, dashed; with a legend");
+  command
+      .add_flag("--texture{8}", options.texture,
+                "the texture as a checker of 8 squares along a unit of its coordinates "
+                "(--texture=N: of N)")
+      ->check(number_between(1e-6, 1e6).description(""));
   options.view.declare(command);
 }
 
@@ -129,7 +247,8 @@ void declare_look(CLI::App& command, DrawOptions& options) {
 
 void declare_draw(CLI::App& parser, Action& action) {
   CLI::App* command = add_command(
-      parser, "draw", "a picture of a mesh's limit surface: shaded, or with reflection lines");
+      parser, "draw",
+      "a picture of a mesh's limit surface: shaded, textured, or with reflection lines");
   const auto options = std::make_shared<DrawOptions>();
   command->add_option("MESH", options->mesh, kMeshArgumentHelp)->required();
   command->add_option("-s,--scheme", options->scheme.name, kSchemeArgumentHelp)->required();
@@ -140,10 +259,13 @@ void declare_draw(CLI::App& parser, Action& action) {
   options->scheme.declare_parameters(*command);
   declare_look(*command, *options);
   options->preparation.declare(*command);
+  options->sharpness.declare(*command);
+  options->attributes.declare_texture(*command);
   command->add_flag("--json", options->json, "print one JSON object");
   command->footer(
       "Example: limn draw mesh.obj -s loop -o surface.png\n"
-      "         limn draw mesh.obj -s catmull-clark --reflection-lines --net -o lines.pdf");
+      "         limn draw mesh.obj -s catmull-clark --reflection-lines --net -o lines.pdf\n"
+      "         limn draw part.obj -s catmull-clark --texture --marks -o part.png");
   command->callback([&action, options] { action = [options] { return draw(*options); }; });
 }
 

@@ -135,6 +135,34 @@ void warn_of_lost_tags(const RefineOptions& options, const SharpnessTags& tags,
   add_warnings(control.remarks, {warning});
 }
 
+/// Those of the vertices, and of their sides where they have several and the format holds them.
+void add_normals(const RefineOptions& options, RefinedSurface& surface, ControlMesh& control,
+                 WriteOptions& extras) {
+  extras.normals = std::move(surface.normals);
+  if (surface.sides.empty()) return;
+  const std::vector<Index>& corners = surface.polygons.corners;
+  const std::string extension = options.output.extension();
+  if (!holds_corner_normals(extension)) {
+    std::vector<bool> sided(extras.normals.size(), false);
+    for (std::size_t c = 0; c < corners.size(); ++c)
+      if (surface.sides.of_corner[c] != kNone) sided[static_cast<std::size_t>(corners[c])] = true;
+    Error warning(fmt::format("{} vertices have a normal on each side, for which {} files have no "
+                              "place: written as {}",
+                              std::count(sided.begin(), sided.end(), true), extension,
+                              options.output.missing_normal()),
+                  "obj and glb have normals of corners");
+    warning.file = options.output.path;
+    return add_warnings(control.remarks, {warning});
+  }
+  const auto vertices = static_cast<Index>(extras.normals.size());
+  extras.normals.insert(extras.normals.end(), surface.sides.normals.begin(),
+                        surface.sides.normals.end());
+  for (std::size_t c = 0; c < corners.size(); ++c) {
+    const Index side = surface.sides.of_corner[c];
+    extras.normal_of_corner.push_back(side == kNone ? corners[c] : vertices + side);
+  }
+}
+
 /// The whole mesh in memory first, and then written.
 Result<RefinedFile> refine_then_write(const RefineOptions& options, const Scheme& scheme,
                                       ControlMesh& control, const SurfaceOptions& wanted,
@@ -153,7 +181,7 @@ Result<RefinedFile> refine_then_write(const RefineOptions& options, const Scheme
       return status.error();
   if (options.limit) surface->polygons.positions = std::move(surface->limit);
   WriteOptions extras;
-  extras.normals = std::move(surface->normals);
+  add_normals(options, *surface, control, extras);
   extras.tags = surface->sharp;
   extras.attributes = std::move(surface->attributes);
   warn_of_lost_tags(options, extras.tags, control);

@@ -20,6 +20,9 @@ class Surface(Tuple[Any, ...]):
 
     normals: Optional[Array]
     """(n, 3) of length 1, zero where the surface has none; None where not asked for."""
+    corner_normals: Optional[Array]
+    """One for each corner of the faces, where vertices on creases have one on each side (their
+    ``normals`` are zero); None where none has."""
     curvatures: Optional[Array]
     """(n, 2): the largest and the smallest principal curvature, NaN where there is none, or None."""
     tags: dict[str, Any]
@@ -48,6 +51,7 @@ class Surface(Tuple[Any, ...]):
         parts += [part for part in (normals, curvatures) if part is not None]
         surface = Surface(parts)
         surface.normals = normals
+        surface.corner_normals = made.get("corner_normals")
         surface.curvatures = curvatures
         surface.tags = made.get("sharp", {})
         surface.missing = made.get("missing", {})

@@ -87,10 +87,24 @@ py::object as_wanted(py::array_t<double> array, bool is_float) {
   return is_float ? array.attr("astype")("float32") : py::object(std::move(array));
 }
 
+/// The normal of each corner, where vertices have several.
+std::vector<Point3> corner_normals(const RefinedSurface& surface) {
+  std::vector<Point3> normals;
+  for (std::size_t c = 0; c < surface.sides.of_corner.size(); ++c) {
+    const Index side = surface.sides.of_corner[c];
+    normals.push_back(side == kNone
+                          ? surface.normals[static_cast<std::size_t>(surface.polygons.corners[c])]
+                          : surface.sides.normals[static_cast<std::size_t>(side)]);
+  }
+  return normals;
+}
+
 /// What refine_surface has made, as arrays over its memory.
 py::dict surface_dict(RefinedSurface surface, const Wanted& wanted, bool is_float) {
   py::dict result;
   Polygons& mesh = surface.polygons;
+  if (wanted.normals && !surface.sides.empty())
+    result["corner_normals"] = as_wanted(points_array(corner_normals(surface)), is_float);
   result["vertices"] =
       as_wanted(points_array(std::move(wanted.limit ? surface.limit : mesh.positions)), is_float);
   result["faces"] = faces_object(std::move(mesh.face_begin), std::move(mesh.corners));

@@ -220,3 +220,15 @@ def test_prescribe(command, tmp_path):
     scheme = limn.Scheme("loop").prescribe(7, ["1/4", "1/2", "1/4", "1/8"])
     assert scheme.eigen(7) == limn.Scheme(out).eigen(7)
     assert scheme.eigen(7)["components"]["tangent"] == pytest.approx(0.5)
+
+
+def test_creases_have_a_normal_on_each_side():
+    cube = np.array([[x, y, z] for z in (0, 1) for y in (0, 1) for x in (0, 1)], dtype=float)
+    quads = [[0, 2, 3, 1], [4, 5, 7, 6], [0, 1, 5, 4], [2, 6, 7, 3], [0, 4, 6, 2], [1, 3, 7, 5]]
+    scheme = limn.Scheme("catmull-clark")
+    sharp = scheme.refine(cube, quads, 1, normals=True, crease_angle=60)
+    assert sharp.missing == {}
+    normals = sharp.corner_normals.reshape(24, 4, 3)
+    assert np.allclose(np.linalg.norm(normals, axis=2), 1)
+    assert np.allclose(normals, normals[:, :1])  # faces stay flat
+    assert scheme.refine(cube, quads, 1, normals=True).corner_normals is None

@@ -74,6 +74,38 @@ TEST(DrawCommand, IsTheSameAtAnySize) {
   }
 }
 
+TEST(DrawCommand, ShowsCreasesSeamsAndTexture) {
+  const Folder folder;
+  const std::string knob = "draw " LIMN_EXAMPLES "/knob.obj -s catmull-clark -n 2 -o ";
+  const Outcome plain = folder.limn(knob + "a.png --json");
+  if (plain.code == 2) GTEST_SKIP() << plain.err;
+  EXPECT_FALSE(nlohmann::json::parse(plain.out).contains("missing"));  // each side has a normal
+  const Outcome marked = folder.limn(knob + "b.png --json --marks");
+  ASSERT_EQ(marked.code, 0) << marked.err;
+  const auto marks = nlohmann::json::parse(marked.out).at("marks");
+  std::vector<std::string> names;
+  for (const auto& kind : marks) names.push_back(kind.at("name"));
+  EXPECT_EQ(names,
+            (std::vector<std::string>{"edges of sharpness 0.5", "edges of sharpness 1.5",
+                                      "edges of sharpness 2", "edges of sharpness 3",
+                                      "edges of sharpness infinite", "seams of the texture"}));
+  EXPECT_EQ(marks[0].at("curves"), 1);  // a closed one
+  for (const std::string more :
+       {" --texture", " --texture=3", " --texture --uv all", " --control --texture --marks",
+        " --marks --reflection-lines", " --no-tags", " --stripes --texture"}) {
+    const Outcome outcome = folder.limn(knob + "c.png" + more);
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    EXPECT_NE(folder.read("c.png"), folder.read("a.png")) << more;
+  }
+  EXPECT_EQ(folder.limn(knob + "d.svg --marks --texture").code, 0);
+  EXPECT_NE(folder.read("d.svg").find("<image"), std::string::npos);
+  expect_refused(folder.limn("draw " + kQuads + " -s catmull-clark --texture -o e.png"),
+                 "bracket-quads.obj: the mesh has no texture coordinates to draw");
+  expect_refused(folder.limn("draw " LIMN_EXAMPLES "/knob.obj -s doo-sabin -o e.png"),
+                 "doo-sabin takes no sharp edges");
+  expect_refused(folder.limn(knob + "e.png --texture=0"), "--texture");
+}
+
 TEST(DrawCommand, RefusesBadInput) {
   const Folder folder;
   const auto refused = [&](const std::string& arguments, const std::string& part) {

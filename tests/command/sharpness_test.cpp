@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <sstream>
 #include <string>
 
 #include "command/run_command.h"
@@ -145,8 +146,6 @@ TEST(Sharpness, IsRefusedWhereASchemeCannotTakeIt) {
       "that stays in place");
   expect_refused(folder.limn("refine cube.obj -s four-eight -o fine.obj"),
                  "four-eight takes infinite sharpness only");
-  expect_refused(folder.limn("refine cube.obj -s catmull-clark -n 2 --limit -o fine.obj"),
-                 "after 2 levels edges or vertices of the mesh are still sharp");
   expect_done(folder.limn("refine cube.obj -s catmull-clark -n 3 --limit -o fine.obj"));
   expect_done(folder.limn(
       "refine cube.obj --no-tags --crease-angle 60 -s catmull-clark -n 1 --limit -o fine.obj"));
@@ -155,6 +154,101 @@ TEST(Sharpness, IsRefusedWhereASchemeCannotTakeIt) {
   folder.write("bad.obj", kCube + "t crease 2/1/0 0 7 3\n");
   expect_refused(folder.limn("refine bad.obj -s catmull-clark -o fine.obj"),
                  "bad.obj:15: no edge joins the vertices 0 and 7 of a crease");
+}
+
+TEST(Sharpness, ThatStillFadesHasLimitPoints) {
+  const Folder folder;
+  folder.write("cube.obj", kCube + "t crease 2/1/0 0 1 3.5\n");
+  expect_done(folder.limn("refine cube.obj -s catmull-clark -n 1 --limit -o early.obj"));
+  expect_done(folder.limn("refine cube.obj -s catmull-clark -n 4 --limit -o late.obj"));
+  const MeshFile early = read(folder, "early.obj");
+  const std::vector<Point3> late = read(folder, "late.obj").polygons.positions;
+  EXPECT_FALSE(early.tags.creases.empty());
+  for (const Point3& p : early.polygons.positions)
+    EXPECT_TRUE(std::any_of(late.begin(), late.end(),
+                            [&](const Point3& q) { return dot(p - q, p - q) < 1e-20; }));
+}
+
+/// The numbers behind "vn" of each corner of each "f".
+std::vector<Point3> corner_normals(const std::string& obj) {
+  std::istringstream lines(obj);
+  std::vector<Point3> normals, corners;
+  for (std::string line; std::getline(lines, line);) {
+    std::istringstream words(line);
+    std::string word;
+    words >> word;
+    if (word == "vn") {
+      Point3 n;
+      words >> n.x >> n.y >> n.z;
+      normals.push_back(n);
+    } else if (word == "f") {
+      while (words >> word)
+        corners.push_back(normals.at(std::stoul(word.substr(word.rfind('/') + 1)) - 1));
+    }
+  }
+  return corners;
+}
+
+TEST(Sharpness, GivesEachSideItsNormal) {
+  const Folder folder;
+  folder.write("cube.obj", kCube);
+  const std::string how = "refine cube.obj --crease-angle 60 -s catmull-clark -n 1 --normals -o ";
+  const Outcome obj = folder.limn(how + "fine.obj");
+  expect_done(obj);
+  EXPECT_EQ(obj.err, "");
+  const std::vector<Point3> normals = corner_normals(folder.read("fine.obj"));
+  ASSERT_EQ(normals.size(), 96U);
+  for (std::size_t c = 0; c < normals.size(); ++c) {
+    EXPECT_NEAR(dot(normals[c], normals[c]), 1, 1e-12);
+    EXPECT_LT(dot(normals[c] - normals[c - c % 4], normals[c] - normals[c - c % 4]), 1e-24);
+  }
+  const Outcome glb = folder.limn(how + "fine.glb");
+  expect_done(glb);
+  EXPECT_EQ(glb.err.find("normal"), std::string::npos) << glb.err;
+  // a corner has three sides, the middle of an edge two, the middle of a face one
+  EXPECT_EQ(read(folder, "fine.glb").polygons.positions.size(), 8U * 3 + 12 * 2 + 6);
+  const Outcome ply = folder.limn(how + "fine.ply");
+  expect_done(ply);
+  EXPECT_NE(
+      ply.err.find("20 vertices have a normal on each side, for which ply files have no place: "
+                   "written as 0 0 0 (obj and glb have normals of corners)"),
+      std::string::npos)
+      << ply.err;
+}
+
+TEST(Sharpness, IsStatedByNamesOfFaces) {
+  const Folder folder;
+  const std::string cube =
+      "v -1 -1 -1\nv 1 -1 -1\nv -1 1 -1\nv 1 1 -1\nv -1 -1 1\nv 1 -1 1\nv -1 1 1\nv 1 1 1\n"
+      "g down\nf 1 3 4 2\ng up lid\nusemtl steel\nf 5 6 8 7\ng front\nf 1 2 6 5\ng back\n"
+      "usemtl wood\nf 3 7 8 4\ng sides\nf 1 5 7 3\nf 2 4 8 6\n";
+  folder.write("cube.obj", cube);
+  const auto same = [&](const std::string& tags, const std::string& lines) {
+    folder.write("tags.toml", tags);
+    folder.write("tags.obj", cube + lines);
+    const std::string rest = " -s catmull-clark -n 2 -o ";
+    expect_done(folder.limn("refine cube.obj --tags tags.toml" + rest + "a.obj"));
+    expect_done(folder.limn("refine tags.obj" + rest + "b.obj"));
+    EXPECT_EQ(folder.read("a.obj"), folder.read("b.obj")) << tags;
+  };
+  same("[[crease]]\ngroups = [\"lid\"]\nsharpness = 2.5\n", "t crease 5/1/0 4 5 7 6 4 2.5\n");
+  same("[[crease]]\ngroups = [\"down\", \"front\"]\nsharpness = \"infinite\"\n",
+       "t crease 2/1/0 0 1 10\n");
+  same("[[corner]]\ngroups = [\"down\", \"front\", \"sides\"]\nsharpness = 10\n",
+       "t corner 2/1/0 0 1 10\n");
+  same("[[crease]]\nmaterials = [\"steel\", \"wood\"]\nsharpness = 1\n",
+       "t crease 6/1/0 0 4 6 7 5 1 1\n");
+  same("[[hole]]\ngroups = [\"back\"]\n", "t hole 1/0/0 3\n");
+  folder.write("tags.toml", "[[hole]]\ngroups = [\"roof\"]\n");
+  expect_refused(folder.limn("refine cube.obj --tags tags.toml -s catmull-clark -o c.obj"),
+                 "tags.toml:1: no face has the name 'roof' among the groups (there are 'down', 'up "
+                 "lid', 'front', 'back', 'sides')");
+  folder.write("tags.toml", "[[crease]]\ngroups = [\"lid\"]\n");
+  expect_refused(folder.limn("refine cube.obj --tags tags.toml -s catmull-clark -o c.obj"),
+                 "[[crease]] needs one sharpness");
+  folder.write("tags.toml", "[[hole]]\nobjects = [\"lid\"]\n");
+  expect_refused(folder.limn("refine cube.obj --tags tags.toml -s catmull-clark -o c.obj"),
+                 "the mesh has no object names, 'lid' is none of them");
 }
 
 }  // namespace

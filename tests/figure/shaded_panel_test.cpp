@@ -277,6 +277,65 @@ TEST_F(Pictures, NameTiesInTheLegend) {
   EXPECT_EQ(words, "one other both ");
 }
 
+/// The unit square, from the front, in four squares.
+TEST_F(Pictures, ShowTexturesAsCheckers) {
+  SurfaceScene scene{.azimuth = 0, .elevation = 0};
+  scene.surfaces.push_back({.vertices = {{0, 0, 0}, {0, 1, 0}, {0, 1, 1}, {0, 0, 1}},
+                            .normals = {{1, 0, 0}, {1, 0, 0}, {1, 0, 0}, {1, 0, 0}},
+                            .triangles = {{0, 1, 2}, {0, 2, 3}},
+                            .texture = {{0, 0}, {1, 0}, {1, 1}, {0, 1}}});
+  const CheckerLook look{.squares = 2, .colours = {{grey(1), grey(0)}}};
+  const Canvas canvas = drawn(ShadedPanel{.scene = scene, .checker = look});
+  const ImageOp& op = image_of(canvas);
+  const std::vector<PagePoint> light = {{53, 153}, {153, 53}, {99, 107}, {107, 99}};
+  const std::vector<PagePoint> dark = {{153, 153}, {53, 53}, {107, 107}, {99, 99}};
+  for (const PagePoint& at : light) EXPECT_GT(brightness(op, at), 0.6);
+  for (const PagePoint& at : dark) EXPECT_LT(brightness(op, at), 0.4);
+  // one that has no coordinates has its own colour, as has one with too few
+  scene.surfaces[0].texture[2] = {std::numeric_limits<double>::quiet_NaN(), 0};
+  EXPECT_GT(brightness(image_of(drawn(ShadedPanel{.scene = scene, .checker = look})), {153, 153}),
+            0.6);
+  scene.surfaces[0].texture.pop_back();
+  EXPECT_GT(brightness(image_of(drawn(ShadedPanel{.scene = scene, .checker = look})), {153, 153}),
+            0.6);
+}
+
+/// A circle round the sphere is seen on its front alone, and so is a dot.
+TEST_F(Pictures, ShowMarksWhereNothingHidesThem) {
+  SurfaceScene scene = sphere_from_x(80);
+  SceneMarks marks{.colour = {1, 0, 0}, .stroke = {1.7, {}}, .name = "circle"};
+  marks.curves.emplace_back();
+  for (int i = 0; i <= 360; ++i) {
+    const double angle = i * std::numbers::pi / 180;
+    marks.curves[0].push_back({0.999 * std::cos(angle), 0.999 * std::sin(angle), 0});
+  }
+  marks.curves.push_back({{1e300, 0, 0}, {0, 0, 0}});
+  scene.marks = {marks, {.points = {{1, 0, 0}, {-1, 0, 0}}, .stroke = {0.5, {}}, .name = "dots"}};
+  const ShadedPanel panel{.scene = scene, .resolution = 36};
+  EXPECT_EQ(panel.height(206), 206 + 2 * 11);
+  const Canvas canvas = drawn(panel, {0, 0, 206, 228});
+  double left = 1e9, right = -1e9, lowest = -1e9;
+  for (const DrawingOp& op : canvas.ops())
+    if (const auto* stroke = std::get_if<StrokeOp>(&op);
+        stroke != nullptr && stroke->stroke.width == 1.7 && stroke->path.points()[0][1] < 206)
+      for (const PagePoint& at : stroke->path.points()) {
+        left = std::min(left, at[0]), right = std::max(right, at[0]);
+        lowest = std::max(lowest, std::abs(at[1] - 103));
+      }
+  EXPECT_NEAR(left, 3, 3);
+  EXPECT_NEAR(right, 203, 3);
+  EXPECT_LT(lowest, 0.1);
+  int dots = 0;
+  std::string words;
+  for (const DrawingOp& op : canvas.ops()) {
+    if (const auto* fill = std::get_if<FillOp>(&op); fill != nullptr && !fill->path.empty())
+      dots += fill->path.points()[0][1] < 206 ? 1 : 0;
+    if (const auto* text = std::get_if<TextOp>(&op)) words += text->text + " ";
+  }
+  EXPECT_EQ(dots, 1);
+  EXPECT_EQ(words, "circle dots ");
+}
+
 TEST(SurfacePanels, TakeBadInput) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   SmoothSurface broken = sphere(6), far = sphere(6), flat = sphere(6), thin = sphere(6);

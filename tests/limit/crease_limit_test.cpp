@@ -9,15 +9,11 @@
 #include <random>
 
 #include "limn/refine/refine.h"
-#include "mesh/random_mesh.h"
+#include "refine/crease_meshes.h"
 #include "support/shipped.h"
 
 namespace limn::test {
 namespace {
-
-double distance(Point3 a, Point3 b) {
-  return std::max({std::abs(a.x - b.x), std::abs(a.y - b.y), std::abs(a.z - b.z)});
-}
 
 Sharpness random_infinite(const Mesh& mesh, unsigned seed) {
   std::mt19937 random(seed);
@@ -29,17 +25,14 @@ Sharpness random_infinite(const Mesh& mesh, unsigned seed) {
   return sharpness;
 }
 
-Result<std::vector<Point3>> limit_after(const Scheme& scheme, const Mesh& mesh,
-                                        const std::vector<Point3>& points,
-                                        const Sharpness& sharpness, int levels) {
+Result<SharpLimitPoints> limit_after(const Scheme& scheme, const Mesh& mesh,
+                                     const std::vector<Point3>& points, const Sharpness& sharpness,
+                                     int levels) {
   const auto fine = refine(scheme, mesh, points, levels, {}, sharpness);
   if (!fine) return fine.error();
   LimitOptions options;
   options.steps_made = levels;
-  Result<LimitPoints> limit =
-      approx_limit_points(scheme, fine->mesh, fine->values, fine->sharpness, options);
-  if (!limit) return limit.error();
-  return std::move(limit->positions);
+  return approx_limit_points(scheme, fine->mesh, fine->values, fine->sharpness, options);
 }
 
 class CreaseLimits : public ::testing::TestWithParam<std::string> {};
@@ -63,9 +56,9 @@ TEST_P(CreaseLimits, DoNotDependOnTheLevel) {
     const auto second = limit_after(scheme, mesh, points, sharpness, 2 * step);
     if (!first || !second) continue;  // no rule for some boundary
     for (std::size_t v = 0; v < points.size(); ++v) {
-      EXPECT_LT(distance((*first)[v], (*second)[v]), 1e-11)
+      EXPECT_LT(distance(first->positions[v], second->positions[v]), 1e-11)
           << GetParam() << ", seed " << seed << ", vertex " << v;
-      if (sharpness.vertices[v] > 0) EXPECT_EQ((*first)[v], points[v]);
+      if (sharpness.vertices[v] > 0) EXPECT_EQ(first->positions[v], points[v]);
     }
     ++compared;
   }
@@ -78,6 +71,145 @@ INSTANTIATE_TEST_SUITE_P(Shipped, CreaseLimits,
                                            "four-eight"),
                          [](const auto& one) { return test_name(one.param); });
 
+class CreaseLimitLaws : public ::testing::TestWithParam<std::string> {
+ protected:
+  [[nodiscard]] const Scheme& scheme() const { return shipped(GetParam()); }
+};
+
+/// The normal at a corner's vertex, on the side of its face.
+Point3 normal_at(const SharpLimitPoints& limit, const Mesh& mesh, Index corner) {
+  const Index side = limit.sides.empty() ? kNone : limit.sides.of_corner[at(corner)];
+  return side == kNone ? limit.normals[at(mesh.origin(corner))] : limit.sides.normals[at(side)];
+}
+
+// A crease is a boundary that is seen from either side: limits are those of the mesh that is cut
+// there, and each side has the normal of its part.
+TEST_P(CreaseLimitLaws, AreThoseOfTheMeshCutThere) {
+  std::mt19937 random(8);
+  int compared = 0;
+  for (unsigned seed = 1; seed < 60 && compared < 4; ++seed) {
+    const Mesh mesh = control_mesh(scheme(), seed);
+    const std::vector<bool> inside = region(mesh, random);
+    if (inside.empty() || mesh.vertex_count() > 80) continue;
+    const Polygons whole = mesh.polygons(random_points(mesh.vertex_count(), seed));
+    const auto limit = approx_limit_points(scheme(), mesh, whole.positions, rim_of(mesh, inside));
+    if (!limit) continue;  // no rule for some boundary
+    for (const bool which : {false, true}) {
+      const Polygons polygons = part_of(whole, inside, which);
+      const Result<Mesh> part = Mesh::build(polygons);
+      if (!part) continue;
+      const auto of_part = approx_limit_points(scheme(), *part, polygons.positions);
+      if (!of_part) continue;
+      Index corner = 0;  // of the part: its faces stand in the same order
+      for (Index h = 0; h < mesh.halfedge_count(); ++h) {
+        if (inside[at(mesh.face(h))] != which) continue;
+        const Index v = mesh.origin(h), copy = polygons.corners[at(corner++)];
+        ASSERT_EQ(whole.positions[at(v)], polygons.positions[at(copy)]);
+        EXPECT_LT(distance(limit->positions[at(v)], of_part->positions[at(copy)]), 1e-10)
+            << "seed " << seed << ", vertex " << v;
+        EXPECT_LT(distance(normal_at(*limit, mesh, h), of_part->normals[at(copy)]), 1e-7)
+            << "seed " << seed << ", vertex " << v;
+      }
+      ++compared;
+    }
+  }
+  EXPECT_GT(compared, 0);
+}
+
+// What fades is smooth after so many steps, of whatever mesh the limit is asked for.
+TEST_P(CreaseLimitLaws, OfWhatFadesAreThoseOfTheSmoothMeshLater) {
+  if (scheme().split->boundary_rests()) GTEST_SKIP() << "takes infinite sharpness only";
+  // these are not C1 at some valences, where the normal is that of the faces some steps on
+  const bool has_planes =
+      GetParam().find("butterfly") == std::string::npos && GetParam() != "interpolating-loop";
+  int compared = 0;
+  for (unsigned seed = 1; seed < 60 && compared < 3; ++seed) {
+    const Mesh mesh = control_mesh(scheme(), seed);
+    if (mesh.vertex_count() > 20) continue;
+    const std::vector<Point3> points = random_points(mesh.vertex_count(), seed);
+    Sharpness sharpness = random_sharpness(mesh, seed, 0.3, seed % 2 == 0);
+    if (seed % 3 == 0) sharpness.method = CreaseMethod::chaikin;
+    if (compared % 2 == 1)  // some of it stays
+      for (std::size_t e = 0; e < sharpness.edges.size(); e += 5)
+        sharpness.edges[e] = kInfinitelySharp;
+    const auto early = limit_after(scheme(), mesh, points, sharpness, 0);
+    const auto late = limit_after(scheme(), mesh, points, sharpness, 3);
+    if (!early || !late) continue;  // no rule for some boundary
+    for (std::size_t v = 0; v < points.size(); ++v) {
+      EXPECT_LT(distance(early->positions[v], late->positions[v]), 1e-10)
+          << "seed " << seed << ", vertex " << v;
+      if (has_planes)
+        EXPECT_LT(distance(early->normals[v], late->normals[v]), 1e-6)
+            << "seed " << seed << ", vertex " << v;
+    }
+    ++compared;
+  }
+  EXPECT_GT(compared, 0);
+}
+
+INSTANTIATE_TEST_SUITE_P(Shipped, CreaseLimitLaws, ::testing::ValuesIn(schemes_that_take_creases()),
+                         [](const auto& one) { return test_name(one.param); });
+
+TEST(CreaseLimit, HasTheNormalsOfACubesFaces) {
+  const Mesh mesh = cube();
+  const std::vector<Point3> points{{-1, -1, -1}, {1, -1, -1}, {1, 1, -1}, {-1, 1, -1},
+                                   {-1, -1, 1},  {1, -1, 1},  {1, 1, 1},  {-1, 1, 1}};
+  Sharpness sharpness;
+  sharpness.edges.assign(12, kInfinitelySharp);
+  for (const int levels : {0, 2}) {
+    const auto fine = refine(shipped("catmull-clark"), mesh, points, levels, {}, sharpness).value();
+    const SharpLimitPoints limit =
+        approx_limit_points(shipped("catmull-clark"), fine.mesh, fine.values, fine.sharpness)
+            .value();
+    for (Index h = 0; h < fine.mesh.halfedge_count(); ++h) {
+      const Index f = fine.mesh.face_begin(fine.mesh.face(h));
+      const Point3 a = fine.values[at(fine.mesh.origin(f))];
+      const Point3 b = fine.values[at(fine.mesh.origin(f + 1))] - a;
+      const Point3 c = fine.values[at(fine.mesh.origin(f + 2))] - a;
+      const Point3 n{b.y * c.z - b.z * c.y, b.z * c.x - b.x * c.z, b.x * c.y - b.y * c.x};
+      const Point3 unit = (1 / std::sqrt(dot(n, n))) * n;
+      EXPECT_LT(distance(normal_at(limit, fine.mesh, h), unit), 1e-13);
+    }
+  }
+}
+
+// Of a single face the tangents are its edges, by Loop's and Catmull and Clark's rules.
+TEST(CreaseLimit, HasTheNormalsOfSharpFacesAtTheirCorners) {
+  for (const std::string name : {"loop", "catmull-clark"}) {
+    const Scheme& scheme = shipped(name);
+    unsigned seed = 4;
+    const Mesh mesh = control_mesh(scheme, seed);
+    const std::vector<Point3> points = random_points(mesh.vertex_count(), seed);
+    Sharpness sharpness;
+    sharpness.edges.assign(at(mesh.edge_count()), kInfinitelySharp);
+    sharpness.vertices.assign(at(mesh.vertex_count()), kInfinitelySharp);
+    const SharpLimitPoints limit = approx_limit_points(scheme, mesh, points, sharpness).value();
+    for (Index h = 0; h < mesh.halfedge_count(); ++h) {
+      const Point3 p = points[at(mesh.origin(h))];
+      const Point3 b = points[at(mesh.target(h))] - p;
+      const Point3 c = points[at(mesh.origin(mesh.prev(h)))] - p;
+      const Point3 n{b.y * c.z - b.z * c.y, b.z * c.x - b.x * c.z, b.x * c.y - b.y * c.x};
+      EXPECT_LT(distance(normal_at(limit, mesh, h), (1 / std::sqrt(dot(n, n))) * n), 1e-10)
+          << name << ", corner " << h;
+    }
+  }
+}
+
+// A cone's tip has no normal, nor has a vertex that is sharp amid a smooth surface.
+TEST(CreaseLimit, HasNoNormalAtATip) {
+  const Mesh mesh = cube();
+  unsigned seed = 2;
+  Sharpness sharpness;
+  sharpness.vertices.assign(8, 0);
+  sharpness.vertices[3] = kInfinitelySharp;
+  const SharpLimitPoints limit =
+      approx_limit_points(shipped("catmull-clark"), mesh, random_points(8, seed), sharpness)
+          .value();
+  EXPECT_EQ(limit.normals[3], Point3{});
+  EXPECT_NE(limit.normals[2], Point3{});
+  EXPECT_TRUE(limit.sides.empty());
+}
+
 TEST(CreaseLimit, OfACubicCreaseIsThatOfItsSpline) {
   const Mesh mesh = torus(Lattice::quad, 5, 5);
   std::vector<Point3> points;
@@ -89,8 +221,9 @@ TEST(CreaseLimit, OfACubicCreaseIsThatOfItsSpline) {
     const Index h = mesh.halfedge_of_edge(e);
     sharpness.edges.push_back(mesh.origin(h) < 5 && mesh.target(h) < 5 ? kInfinitelySharp : 0);
   }
-  const LimitPoints limit =
+  const SharpLimitPoints limit =
       approx_limit_points(shipped("catmull-clark"), mesh, points, sharpness).value();
+  EXPECT_EQ(limit.sides.normals.size(), 10U);  // each on two sides
   for (std::size_t v = 0; v < 5; ++v) {
     const Point3 expected =
         (1.0 / 6) * points[(v + 4) % 5] + (2.0 / 3) * points[v] + (1.0 / 6) * points[(v + 1) % 5];

@@ -3,6 +3,8 @@
 // OpenSubdiv keeps sharpness as floats, which is exact for infinite and for integer sharpness. Its
 // weights are those of doubles all the same.
 
+#include <algorithm>
+#include <cmath>
 #include <random>
 
 #include "limn/fast/fast_refiner.h"
@@ -204,6 +206,43 @@ TEST_P(Sharp, LimitsOfInfiniteCreasesAndCorners) {
         approx_limit_points(scheme, fine.mesh, fine.values, fine.sharpness).value();
     EXPECT_EQ(difference(fine.mesh.polygons(limit.positions), peer->polygons(), 1e-11), "")
         << control.name;
+  }
+}
+
+// After so many levels nothing is sharp in OpenSubdiv's mesh, so that its limits are those of a
+// smooth one; ours are found two levels earlier, while much still fades.
+TEST_P(Sharp, LimitsOfWhatFades) {
+  constexpr int sharp_levels = 3, levels = 5;
+  unsigned seed = 50;
+  for (const ControlMesh& control : meshes_for(GetParam())) {
+    const Mesh mesh = Mesh::build(control.polygons).value();
+    if (mesh.face_count() > kLargeMesh / 2) continue;
+    for (const bool chaikin : {false, true}) {
+      PeerTags tags = random_tags(mesh, Kind::fractional, 0.4, ++seed);
+      tags.chaikin = chaikin;
+      const auto peer = opensubdiv_peer(GetParam(), control.polygons, tags);
+      peer->want_limit();
+      peer->refine(levels);
+      ASSERT_TRUE(peer->move_to_limit(0));
+      const Polygons theirs = peer->polygons();
+      const Scheme scheme =
+          find_scheme(GetParam() == Method::loop ? "loop" : "catmull-clark").value();
+      const auto fine = refine(scheme, mesh, control.polygons.positions, sharp_levels, {},
+                               sharpness_of(mesh, tags))
+                            .value();
+      EXPECT_TRUE(fine.sharpness.fades());
+      const SharpLimitPoints limit =
+          approx_limit_points(scheme, fine.mesh, fine.values, fine.sharpness).value();
+      // each of ours is one of theirs: the child of its child
+      double most = 0;
+      for (const Point3& ours : limit.positions) {
+        double nearest = HUGE_VAL;
+        for (const Point3& p : theirs.positions)
+          nearest = std::min(nearest, dot(p - ours, p - ours));
+        most = std::max(most, nearest);
+      }
+      EXPECT_LT(std::sqrt(most), 1e-5) << control.name << (chaikin ? ", chaikin" : "");
+    }
   }
 }
 

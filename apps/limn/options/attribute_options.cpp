@@ -23,6 +23,10 @@ void AttributeOptions::declare(CLI::App& command) {
                   "coordinates and names of faces too")
       ->capture_default_str()
       ->check(CLI::IsMember({"smooth", "linear", "none"}));
+  declare_texture(command);
+}
+
+void AttributeOptions::declare_texture(CLI::App& command) {
   command
       .add_option("--uv", texture,
                   "what of texture coordinates stays in place at seams and boundaries; all: they "

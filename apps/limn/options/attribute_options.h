@@ -17,6 +17,8 @@ struct AttributeOptions {
   std::string texture;             // as USD names the rules; empty: cornersPlus1
 
   void declare(CLI::App& command);
+  /// --uv alone.
+  void declare_texture(CLI::App& command);
   /// Whether there are to be any.
   [[nodiscard]] bool wanted() const { return numbers != "none"; }
   [[nodiscard]] AttributeRules rules() const;

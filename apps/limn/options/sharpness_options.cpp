@@ -29,8 +29,8 @@ void SharpnessOptions::declare(CLI::App& command) {
   command
       .add_option(
           "--tags", tags_file,
-          "sharp edges, corners and holes from FILE (.toml), by the numbers of MESH, beside "
-          "what an .obj file's own tags ('t') say")
+          "sharp edges, corners and holes from FILE (.toml), by the numbers of MESH or by names of "
+          "its faces (groups, objects, materials), beside what an .obj file's own tags ('t') say")
       ->type_name("FILE");
   command.add_flag("--no-tags", no_tags, "leave the tags of MESH itself out");
   command
@@ -83,8 +83,12 @@ Result<Sharpness> SharpnessOptions::of(ControlMesh& control, const Scheme& schem
   };
   if (Status status = add(control.tags); !status) return status.error();
   if (!tags_file.empty()) {
-    const Result<SharpnessTags> tags = read_tags_file(tags_file, control.source.first);
+    LabelTags labels;
+    const Result<SharpnessTags> tags = read_tags_file(tags_file, control.source.first, &labels);
     if (!tags) return tags.error();
+    if (Status named = apply_label_tags(control.mesh, control.attributes, labels, sharpness);
+        !named)
+      return named.error();
     if (Status status = add(*tags); !status) return status.error();
   }
   if (crease_angle >= 0)

@@ -17,6 +17,8 @@ struct SharpnessOptions {
   std::string boundary, creases;  // as USD names them; empty: as the files say
 
   void declare(CLI::App& command);
+  /// Whether names of faces may be needed: those of `of`'s control mesh.
+  [[nodiscard]] bool may_name_faces() const { return !tags_file.empty(); }
   /// Whether the mesh file's own tags count.
   [[nodiscard]] TagUse use() const { return no_tags ? TagUse::leave_out : TagUse::keep; }
   /// All of it together: what is stated later counts, in the order mesh file, --tags,

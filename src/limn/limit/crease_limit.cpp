@@ -1,127 +1,31 @@
 #include "limn/limit/crease_limit.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
-#include <unordered_map>
+#include <numeric>
 #include <utility>
 
+#include <fmt/core.h>
+
 #include "limn/base/parallel.h"
+#include "limn/limit/mesh_part.h"
+#include "limn/limit/vertex_sides.h"
 #include "limn/mesh/sharpness/cut_mesh.h"
+#include "limn/mesh/unit_normal.h"
 #include "limn/refine/refine.h"
+#include "limn/scheme/seen_from.h"
 
 namespace limn {
 namespace {
 
 constexpr int kMostSteps = 160;
 constexpr int kRestingSteps = 4;  // so many in which a point does not move by more than rounding
+constexpr double kNormalRests = 1e-14;
+constexpr std::size_t kTogether = 128;  // vertices whose neighbourhoods fade in one part
 
 std::size_t at(Index i) { return static_cast<std::size_t>(i); }
-
-/// A part of a mesh: the surroundings of one vertex, its number 0.
-struct Part {
-  Mesh mesh;
-  std::vector<Point3> values;
-  Sharpness sharpness;
-};
-
-/// Cuts out the faces within some rings of vertex `centre`. Where they meet in a vertex only, each
-/// fan gets a copy of it. Cost O(size of the part).
-class Cutter {
- public:
-  Cutter(const Mesh& mesh, const std::vector<Point3>& values, const Sharpness& sharpness)
-      : mesh_(mesh), values_(values), sharpness_(sharpness) {}
-
-  Part run(Index centre, int rings) {
-    find_faces(centre, rings);
-    arrays_.face_begin.push_back(0);
-    for (const Index f : faces_) {
-      first_[f] = arrays_.face_begin.back();
-      arrays_.face_begin.push_back(arrays_.face_begin.back() + mesh_.degree(f));
-    }
-    vertex_.assign(at(arrays_.face_begin.back()), kNone);
-    name_fan(mesh_.halfedge_of_vertex(centre));  // so that it is number 0
-    for (const Index f : faces_)
-      for (Index h = mesh_.face_begin(f); h < mesh_.face_begin(f + 1); ++h) add(h);
-    part_.mesh = Mesh::from_arrays(std::move(arrays_));
-    return std::move(part_);
-  }
-
- private:
-  void find_faces(Index centre, int rings) {
-    std::vector<Index> reached{centre}, next;
-    std::unordered_map<Index, bool> seen{{centre, true}};
-    for (int ring = 0; ring < rings; ++ring) {
-      for (const Index v : reached) visit_fan(v, seen, next);
-      reached = std::exchange(next, {});
-    }
-  }
-  void visit_fan(Index v, std::unordered_map<Index, bool>& seen, std::vector<Index>& next) {
-    const Index first = mesh_.halfedge_of_vertex(v);
-    Index h = first;
-    do {
-      const Index f = mesh_.face(h);
-      if (first_.try_emplace(f, kNone).second) {
-        faces_.push_back(f);
-        for (Index g = mesh_.face_begin(f); g < mesh_.face_begin(f + 1); ++g)
-          if (seen.try_emplace(mesh_.origin(g), true).second) next.push_back(mesh_.origin(g));
-      }
-      h = mesh_.rotate(h);
-    } while (h != kNone && h != first);
-  }
-
-  [[nodiscard]] Index number(Index h) const {
-    const Index f = mesh_.face(h);
-    return first_.at(f) + (h - mesh_.face_begin(f));
-  }
-  /// The other side, where that is in the part.
-  [[nodiscard]] Index twin(Index h) const {
-    const Index t = mesh_.twin(h);
-    return t != kNone && first_.count(mesh_.face(t)) != 0 ? t : kNone;
-  }
-
-  /// A vertex for all corners of the fan that h is in.
-  void name_fan(Index h) {
-    const Index v = mesh_.origin(h), name = arrays_.vertex_count++;
-    part_.values.push_back(values_[at(v)]);
-    if (!sharpness_.vertices.empty())
-      part_.sharpness.vertices.push_back(sharpness_.vertices[at(v)]);
-    const Index start = h;
-    do {  // counterclockwise, and clockwise from the beginning where that ends
-      vertex_[at(number(h))] = name;
-      h = twin(mesh_.prev(h));
-    } while (h != kNone && h != start);
-    if (h != kNone) return;
-    for (Index t = twin(start); t != kNone; t = twin(h)) {
-      h = mesh_.next(t);
-      vertex_[at(number(h))] = name;
-    }
-  }
-
-  void add(Index h) {
-    if (vertex_[at(number(h))] == kNone) name_fan(h);
-    arrays_.origin.push_back(vertex_[at(number(h))]);
-    const Index t = twin(h);
-    arrays_.twin.push_back(t == kNone ? kNone : number(t));
-    const bool second = t != kNone && number(t) < number(h);
-    arrays_.edge.push_back(second ? arrays_.edge[at(number(t))] : arrays_.edge_count++);
-    if (!second && !sharpness_.edges.empty())
-      part_.sharpness.edges.push_back(sharpness_.edges[at(mesh_.edge(h))]);
-  }
-
-  const Mesh& mesh_;
-  const std::vector<Point3>& values_;
-  const Sharpness& sharpness_;
-  std::vector<Index> faces_;
-  std::unordered_map<Index, Index> first_;  // of each face of the part, its first half-edge there
-  std::vector<Index> vertex_;               // of each half-edge of the part
-  Mesh::Arrays arrays_;
-  Part part_;
-};
-
-Part cut_out(const Part& part, Index centre, int rings) {
-  return Cutter(part.mesh, part.values, part.sharpness).run(centre, rings);
-}
 
 double distance(Point3 a, Point3 b) {
   return std::max({std::abs(a.x - b.x), std::abs(a.y - b.y), std::abs(a.z - b.z)});
@@ -144,12 +48,13 @@ int reach_of(const Scheme& scheme) {
   return static_cast<int>(reach);
 }
 
-/// Whether a smooth rule crosses edges but round its own vertex, so that the limit near a corner or
-/// dart depends on the rule there.
+/// Whether the limit at a vertex depends on the rules that make its neighbours: because a rule
+/// crosses edges but round its own vertex, or is seen from one.
 bool goes_far(const Scheme& scheme) {
-  for (const RuleKind kind : {RuleKind::vertex, RuleKind::edge, RuleKind::face}) {
-    if (!scheme.rule(kind)) continue;
-    for (const RuleCase& one : *scheme.rule(kind))
+  if (has_rules_seen_from(scheme)) return true;
+  for (const std::optional<Rule>& rule : scheme.rules) {
+    if (!rule) continue;
+    for (const RuleCase& one : *rule)
       for (const Weight& weight : one.weights)
         if (!weight.walk.repeated &&
             std::count(weight.walk.before.begin(), weight.walk.before.end(), Move::face) > 0)
@@ -158,55 +63,93 @@ bool goes_far(const Scheme& scheme) {
   return false;
 }
 
+bool fades(double sharpness) { return sharpness > 0 && sharpness < kInfinitelySharp; }
+
+/// What rests in the end: a vertex's point, and the normal of each of its sides.
+struct Rested {
+  Point3 point;
+  std::vector<Point3> normals;  ///< empty: none is known
+  bool reached = false;
+};
+
 class CreaseLimit {
  public:
   CreaseLimit(const Scheme& scheme, const Mesh& mesh, const std::vector<Point3>& values,
-              const Sharpness& sharpness, const LimitOptions& options)
+              const Sharpness& sharpness, const LimitOptions& options, bool normals)
       : scheme_(scheme),
         mesh_(mesh),
         values_(values),
         sharpness_(sharpness),
         options_(options),
+        normals_(normals),
         rings_(3 * reach_of(scheme) + 2) {}
 
-  Result<LimitPoints> run() {
+  Result<SharpLimitPoints> run() {
     classify();
+    result_.positions.resize(kinds_.size());
+    result_.normals.resize(kinds_.size());
+    if (options_.curvatures) {
+      constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+      result_.curvatures.assign(kinds_.size(), {nan, nan});
+      result_.no_curvature.assign(kinds_.size(), NoCurvature::no_normal);
+    }
     if (Status status = find_on_cut(); !status) return status.error();
-    if (Status status = refine_round(local_); !status) return status.error();
+    if (Status status = rest_all(); !status) return status.error();
+    if (Status status = find_later(); !status) return status.error();
+    if (result_.sides.empty()) result_.sides.of_corner.clear();
     return std::move(result_);
   }
 
  private:
   using Kind = CreaseStep::Rule;
+  /// How a vertex's limit is found.
+  enum class Way : std::uint8_t { none, on_cut, resting, later };
 
   void classify() {
     std::vector<Index> count(at(mesh_.vertex_count()), 0);
+    std::vector<bool> fading(at(mesh_.vertex_count()), false);
     along_.resize(at(mesh_.edge_count()));
     for (Index e = 0; e < mesh_.edge_count(); ++e) {
-      along_[at(e)] = sharpness_of_edge(mesh_, sharpness_, e) > 0;
+      const double sharp = sharpness_of_edge(mesh_, sharpness_, e);
+      along_[at(e)] = sharp > 0;
       if (!along_[at(e)]) continue;
-      ++count[at(mesh_.origin(mesh_.halfedge_of_edge(e)))];
-      ++count[at(mesh_.target(mesh_.halfedge_of_edge(e)))];
+      const Index h = mesh_.halfedge_of_edge(e);
+      for (const Index v : {mesh_.origin(h), mesh_.target(h)}) {
+        ++count[at(v)];
+        if (fades(sharp)) fading[at(v)] = true;
+      }
     }
-    const bool far = goes_far(scheme_);
-    std::vector<Index> near;
+    std::vector<bool> resting(at(mesh_.vertex_count()), false);
     for (Index v = 0; v < mesh_.vertex_count(); ++v) {
       const double own = sharpness_.vertices.empty() ? 0 : sharpness_.vertices[at(v)];
       kinds_.push_back(CreaseStep::rule_of(own, count[at(v)]));
-      if (kinds_.back() == Kind::dart || (far && kinds_.back() == Kind::corner)) near.push_back(v);
-      if (kinds_.back() == Kind::dart) local_.push_back(v);
+      if (fades(own)) fading[at(v)] = true;
+      resting[at(v)] = kinds_.back() == Kind::dart || kinds_.back() == Kind::corner;
     }
-    if (far) widen(near);
-    for (const Kind kind : kinds_)
-      has_normal_.push_back(kind == Kind::smooth || kind == Kind::crease);
-    for (const Index v : local_) has_normal_[at(v)] = false;
+    std::vector<bool> near = fading;
+    if (goes_far(scheme_)) {
+      for (std::size_t v = 0; v < near.size(); ++v) near[v] = near[v] || resting[v];
+      widen(near);
+      widen(fading);
+    }
+    std::vector<bool> wanted(at(mesh_.vertex_count()), options_.vertices.empty());
+    for (const Index v : options_.vertices) wanted[at(v)] = true;
+    ways_.assign(at(mesh_.vertex_count()), Way::none);
+    for (Index v = 0; v < mesh_.vertex_count(); ++v) {
+      if (!wanted[at(v)]) continue;
+      ways_[at(v)] = Way::on_cut;
+      if (mesh_.is_isolated(v)) continue;
+      if (resting[at(v)]) ways_[at(v)] = Way::resting;
+      if (resting[at(v)] ? fading[at(v)] : near[at(v)]) ways_[at(v)] = Way::later;
+    }
   }
 
-  /// All within so many rings of these, corners but for.
-  void widen(std::vector<Index> near) {
-    std::vector<bool> taken(at(mesh_.vertex_count()), false);
-    for (const Index v : near) taken[at(v)] = true;
-    for (int ring = 0; ring < rings_; ++ring) {
+  /// All that is near these. What a part cuts at its rim is farther from its centres.
+  void widen(std::vector<bool>& taken) const {
+    std::vector<Index> near;
+    for (Index v = 0; v < mesh_.vertex_count(); ++v)
+      if (taken[at(v)]) near.push_back(v);
+    for (int ring = 0; ring + 1 < rings_; ++ring) {
       std::vector<Index> next;
       for (const Index v : near) {
         const Index first = mesh_.halfedge_of_vertex(v);
@@ -222,9 +165,13 @@ class CreaseLimit {
       }
       near = std::move(next);
     }
-    local_.clear();
+  }
+
+  [[nodiscard]] std::vector<Index> those(Way way) const {
+    std::vector<Index> vertices;
     for (Index v = 0; v < mesh_.vertex_count(); ++v)
-      if (taken[at(v)] && kinds_[at(v)] != Kind::corner) local_.push_back(v);
+      if (ways_[at(v)] == way) vertices.push_back(v);
+    return vertices;
   }
 
   /// Smooth vertices and those on creases have the limits of the mesh that is cut there.
@@ -232,78 +179,228 @@ class CreaseLimit {
     const CutMesh cut = cut_along(mesh_, along_);
     std::vector<Point3> values;
     values.reserve(cut.originals.size());
-    for (const Index v : cut.originals) values.push_back(values_[at(v)]);
-    LimitOptions all = options_;  // copies have numbers of their own
-    all.vertices.clear();
-    Result<LimitPoints> found = approx_limit_points(scheme_, cut.mesh, values, all);
-    if (!found) return found.error();
+    LimitOptions some = options_;
+    some.vertices.clear();
+    some.partial = true;  // so that vertices have their own numbers here
     std::vector<Index> copies(kinds_.size(), 0);
-    for (const Index v : cut.originals) ++copies[at(v)];
-    const bool curvatures = !found->curvatures.empty();
-    result_.positions.resize(kinds_.size());
-    result_.normals.resize(kinds_.size());
-    if (curvatures) {
-      constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-      result_.curvatures.assign(kinds_.size(), {nan, nan});
-      result_.no_curvature.assign(kinds_.size(), NoCurvature::no_normal);
-    }
     for (std::size_t copy = 0; copy < cut.originals.size(); ++copy) {
       const std::size_t v = at(cut.originals[copy]);
-      result_.positions[v] = result_.positions[v] + (1.0 / copies[v]) * found->positions[copy];
-      if (copies[v] > 1 || !has_normal_[v]) continue;
-      result_.normals[v] = found->normals[copy];
-      if (!curvatures) continue;
-      result_.curvatures[v] = found->curvatures[copy];
-      result_.no_curvature[v] = found->no_curvature[copy];
+      values.push_back(values_[v]);
+      ++copies[v];
+      if (ways_[v] == Way::on_cut) some.vertices.push_back(static_cast<Index>(copy));
     }
-    for (std::size_t v = 0; v < kinds_.size(); ++v)
-      if (kinds_[v] == Kind::corner) result_.positions[v] = values_[v];
-    for (LimitPoints::Refused& gap : found->refused) {
-      gap.vertex = cut.originals[at(gap.vertex)];
-      const Kind kind = kinds_[at(gap.vertex)];
-      const bool known = kind == Kind::dart || kind == Kind::corner;
-      if (!known) result_.refused.push_back(std::move(gap));
+    if (some.vertices.empty()) return Done{};
+    Result<LimitPoints> found = approx_limit_points(scheme_, cut.mesh, values, some);
+    if (!found) return found.error();
+    for (const Index copy : some.vertices) {
+      const std::size_t v = at(cut.originals[at(copy)]);
+      result_.positions[v] = result_.positions[v] + (1.0 / copies[v]) * found->positions[at(copy)];
+      if (copies[v] > 1) continue;
+      take(*found, at(copy), v);
     }
+    find_sides_on_cut(cut, copies, found->normals);
+    for (LimitPoints::Refused& gap : found->refused) gap.vertex = cut.originals[at(gap.vertex)];
+    return refuse(std::move(found->refused));
+  }
+
+  /// These have no limit, which is an error but where that is allowed.
+  Status refuse(std::vector<LimitPoints::Refused> gaps) {
+    if (gaps.empty()) return Done{};
+    if (!options_.partial)
+      return Error{fmt::format("no limit point at vertex {}: {}", gaps[0].vertex, gaps[0].reason)};
+    std::vector<LimitPoints::Refused>& all = result_.refused;
+    for (LimitPoints::Refused& gap : gaps) all.push_back(std::move(gap));
     using Refused = LimitPoints::Refused;
     const auto before = [](const Refused& a, const Refused& b) { return a.vertex < b.vertex; };
     const auto same = [](const Refused& a, const Refused& b) { return a.vertex == b.vertex; };
-    std::stable_sort(result_.refused.begin(), result_.refused.end(), before);
-    result_.refused.erase(std::unique(result_.refused.begin(), result_.refused.end(), same),
-                          result_.refused.end());
+    std::stable_sort(all.begin(), all.end(), before);
+    all.erase(std::unique(all.begin(), all.end(), same), all.end());
     return Done{};
   }
 
-  Status refine_round(const std::vector<Index>& vertices) {
+  /// Normal and curvature of a vertex with one side.
+  void take(const LimitPoints& found, std::size_t from, std::size_t to) {
+    result_.normals[to] = found.normals[from];
+    if (!options_.curvatures) return;
+    result_.curvatures[to] = found.curvatures[from];
+    result_.no_curvature[to] = found.no_curvature[from];
+  }
+
+  void find_sides_on_cut(const CutMesh& cut, const std::vector<Index>& copies,
+                         const std::vector<Point3>& normals) {
+    std::vector<Index> number(cut.originals.size(), kNone);
+    for (Index h = 0; h < mesh_.halfedge_count(); ++h) {
+      const std::size_t v = at(mesh_.origin(h));
+      if (ways_[v] != Way::on_cut || copies[v] < 2) continue;
+      Index& side = number[at(cut.mesh.origin(h))];
+      if (side == kNone) side = add_side(normals[at(cut.mesh.origin(h))]);
+      of_corner(h) = side;
+    }
+  }
+
+  Index add_side(const Point3& normal) {
+    result_.sides.normals.push_back(normal);
+    return static_cast<Index>(result_.sides.normals.size()) - 1;
+  }
+  Index& of_corner(Index h) {
+    if (result_.sides.of_corner.empty())
+      result_.sides.of_corner.assign(at(mesh_.halfedge_count()), kNone);
+    return result_.sides.of_corner[at(h)];
+  }
+
+  /// One for each side, or none.
+  void put_normals(Index v, const VertexSides& sides, const std::vector<Point3>& normals) {
+    if (normals.empty()) return;
+    if (sides.count() == 1) {
+      result_.normals[at(v)] = normals[0];
+      return;
+    }
+    for (std::size_t side = 0; side < sides.count(); ++side) {
+      const Index number = add_side(normals[side]);
+      for (std::size_t i = sides.begins[side]; i < sides.begins[side + 1]; ++i)
+        of_corner(sides.halfedges[i]) = number;
+    }
+  }
+
+  Status rest_all() {
+    const std::vector<Index> vertices = those(Way::resting);
+    std::vector<Rested> rested(vertices.size());
     std::vector<Status> done(vertices.size(), Done{});
-    const auto refine_some = [&](Index first, Index last) {
-      for (Index i = first; i < last; ++i) done[at(i)] = refine_round(vertices[at(i)]);
+    const auto rest_some = [&](Index first, Index last) {
+      for (Index i = first; i < last; ++i) {
+        Result<Rested> one = rest(vertices[at(i)]);
+        if (one)
+          rested[at(i)] = std::move(*one);
+        else
+          done[at(i)] = one.error();
+      }
     };
-    parallel_for(Index{0}, static_cast<Index>(vertices.size()), refine_some, 1);
-    for (Status& status : done)
-      if (!status) return status;
+    parallel_for(Index{0}, static_cast<Index>(vertices.size()), rest_some, 1);
+    for (std::size_t i = 0; i < vertices.size(); ++i) {
+      if (!done[i]) return done[i];
+      if (!rested[i].reached) return Error{"the limit at a vertex is not reached"};
+      result_.positions[at(vertices[i])] = rested[i].point;
+      put_normals(vertices[i], sides_of(mesh_, sharpness_, vertices[i]), rested[i].normals);
+    }
     return Done{};
   }
 
-  /// Until the point rests, or nearly: its steps shrink by a factor each.
-  Status refine_round(Index v) {
+  /// Until the point rests, or nearly, and the normals: their steps shrink by a factor each. The
+  /// point is kept at 0, so that nothing is lost of what is round it.
+  Result<Rested> rest(Index v) const {
+    if (kinds_[at(v)] == Kind::corner && !normals_) return Rested{values_[at(v)], {}, true};
     RuleTables<double> tables(scheme_);
-    Part part = Cutter(mesh_, values_, sharpness_).run(v, rings_);
+    PartCutter cutter(mesh_, values_, sharpness_);
+    MeshPart part = cutter.run({v}, rings_);
+    const VertexSides sides = sides_of(mesh_, sharpness_, v);
+    name_edges(mesh_, sharpness_, v, cutter, part);
     double size = 0;
     for (const Point3& p : part.values) size = std::max(size, distance(p, {}));
+    Rested result;
+    result.point = moved_to_origin(part);
+    int exponent = 0;  // the part is 2^exponent times as large as it was
+    // a cone has no normal
+    const bool cone = kinds_[at(v)] == Kind::corner && !sides.open && sides.count() == 1;
     int resting = 0;
     for (int step = 0; step < kMostSteps && resting < kRestingSteps; ++step) {
       Result<Refined<Point3>> fine = refine_once(scheme_, part.mesh, part.values, part.sharpness,
                                                  options_.steps_made + step, tables);
       if (!fine) return fine.error();
-      const bool rests = distance(fine->values[0], part.values[0]) <=
-                         std::numeric_limits<double>::epsilon() * size;
-      resting = rests ? resting + 1 : 0;
       part = cut_out({std::move(fine->mesh), std::move(fine->values), std::move(fine->sharpness)},
-                     0, rings_);
+                     1, rings_);
+      const Point3 way = scaled({moved_to_origin(part)}, -exponent)[0];
+      exponent += made_usual(part);
+      result.point = result.point + way;
+      result.reached = distance(way, {}) <= std::numeric_limits<double>::epsilon() * size;
+      std::vector<Point3> normals;
+      if (normals_ && !cone)
+        normals = normals_of_faces(part.mesh, part.values, same_sides(part, 0, mesh_, sides));
+      bool rests = result.reached && normals.size() == result.normals.size();
+      for (std::size_t i = 0; rests && i < normals.size(); ++i)
+        rests = distance(normals[i], result.normals[i]) <= kNormalRests;
+      resting = rests ? resting + 1 : 0;
+      result.normals = std::move(normals);
     }
-    result_.positions[at(v)] = part.values[0];
-    if (resting < kRestingSteps) return Error{"the limit at a vertex is not reached"};
+    return result;
+  }
+
+  /// Multiplies by a power of two, so that nothing is lost however small the part becomes; returns
+  /// its exponent.
+  static int made_usual(MeshPart& part) {
+    int largest = kNoExponent;
+    for (const Point3& p : part.values)
+      largest = std::max(largest, largest_exponent(std::array{p.x, p.y, p.z}));
+    if (largest == kNoExponent) return 0;
+    part.values = scaled(std::move(part.values), -largest);
+    return -largest;
+  }
+
+  /// Where the centre was.
+  static Point3 moved_to_origin(MeshPart& part) {
+    const Point3 centre = part.values[0];
+    for (Point3& p : part.values) p = p - centre;
+    return centre;
+  }
+
+  /// Vertices at which something fades, or near which something fades or rests: their
+  /// neighbourhoods are refined until it has faded, or is farther off.
+  Status find_later() {
+    const std::vector<Index> vertices = those(Way::later);
+    for (std::size_t first = 0; first < vertices.size(); first += kTogether) {
+      const std::size_t end = std::min(first + kTogether, vertices.size());
+      const std::vector<Index> some(vertices.begin() + static_cast<std::ptrdiff_t>(first),
+                                    vertices.begin() + static_cast<std::ptrdiff_t>(end));
+      if (Status status = find_later(some); !status) return status;
+      if (options_.progress) options_.progress(static_cast<int>(vertices.size() - end));
+    }
     return Done{};
+  }
+
+  Status find_later(const std::vector<Index>& vertices) {
+    PartCutter cutter(mesh_, values_, sharpness_);
+    MeshPart part = cutter.run(vertices, rings_);
+    for (const Index v : vertices) name_edges(mesh_, sharpness_, v, cutter, part);
+    RuleTables<double> tables(scheme_);
+    const auto centres = static_cast<Index>(vertices.size());
+    LimitOptions there = options_;
+    there.partial = true;
+    do {
+      Result<Refined<Point3>> fine =
+          refine_once(scheme_, part.mesh, part.values, part.sharpness, there.steps_made, tables);
+      if (!fine) return fine.error();
+      part = cut_out({std::move(fine->mesh), std::move(fine->values), std::move(fine->sharpness)},
+                     centres, rings_);
+      ++there.steps_made;
+    } while (part.sharpness.fades());
+    there.vertices.resize(vertices.size());
+    std::iota(there.vertices.begin(), there.vertices.end(), 0);
+    const Result<SharpLimitPoints> found =
+        approx_limit_points(scheme_, part.mesh, part.values, part.sharpness, there, normals_);
+    if (!found) return found.error();
+    for (std::size_t i = 0; i < vertices.size(); ++i) {
+      const Index v = vertices[i];
+      result_.positions[at(v)] = found->positions[i];
+      take(*found, i, at(v));
+      put_normals(v, sides_of(mesh_, sharpness_, v),
+                  normals_there(part, *found, static_cast<Index>(i), v));
+    }
+    std::vector<LimitPoints::Refused> gaps = found->refused;
+    for (LimitPoints::Refused& gap : gaps) gap.vertex = vertices[at(gap.vertex)];
+    return refuse(std::move(gaps));
+  }
+
+  /// Of the sides of vertex v, which is centre i of a part whose limits were found.
+  [[nodiscard]] std::vector<Point3> normals_there(const MeshPart& part,
+                                                  const SharpLimitPoints& found, Index i,
+                                                  Index v) const {
+    if (found.sides.empty()) return {found.normals[at(i)]};
+    const VertexSides there = same_sides(part, i, mesh_, sides_of(mesh_, sharpness_, v));
+    std::vector<Point3> normals;
+    for (std::size_t side = 0; side < there.count(); ++side) {
+      const Index number = found.sides.of_corner[at(there.halfedges[there.begins[side]])];
+      normals.push_back(number == kNone ? found.normals[at(i)] : found.sides.normals[at(number)]);
+    }
+    return normals;
   }
 
   const Scheme& scheme_;
@@ -311,21 +408,26 @@ class CreaseLimit {
   const std::vector<Point3>& values_;
   const Sharpness& sharpness_;
   const LimitOptions& options_;
+  bool normals_;
   int rings_;
   std::vector<bool> along_;  // the sharp edges
   std::vector<Kind> kinds_;
-  std::vector<bool> has_normal_;
-  std::vector<Index> local_;  // the vertices whose neighbourhoods are refined
-  LimitPoints result_;
+  std::vector<Way> ways_;
+  SharpLimitPoints result_;
 };
 
 }  // namespace
 
-Result<LimitPoints> approx_limit_points(const Scheme& scheme, const Mesh& mesh,
-                                        const std::vector<Point3>& values,
-                                        const Sharpness& sharpness, const LimitOptions& options) {
-  if (!sharpness.any()) return approx_limit_points(scheme, mesh, values, options);
-  return CreaseLimit(scheme, mesh, values, sharpness, options).run();
+Result<SharpLimitPoints> approx_limit_points(const Scheme& scheme, const Mesh& mesh,
+                                             const std::vector<Point3>& values,
+                                             const Sharpness& sharpness,
+                                             const LimitOptions& options, bool normals) {
+  if (sharpness.any()) return CreaseLimit(scheme, mesh, values, sharpness, options, normals).run();
+  Result<LimitPoints> smooth = approx_limit_points(scheme, mesh, values, options);
+  if (!smooth) return smooth.error();
+  SharpLimitPoints result;
+  static_cast<LimitPoints&>(result) = *std::move(smooth);
+  return result;
 }
 
 }  // namespace limn

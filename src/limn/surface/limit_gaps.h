@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "limn/limit/limit_points.h"
+#include "limn/limit/side_normals.h"
 
 namespace limn {
 
@@ -26,6 +27,9 @@ struct LimitGaps {
 
 /// The vertices whose normal is zero.
 [[nodiscard]] std::vector<Index> without_normal(const std::vector<Point3>& normals);
+/// The same where vertices may have several sides: those of which one has no normal. Cost O(H).
+[[nodiscard]] std::vector<Index> without_normal(const std::vector<Point3>& normals,
+                                                const Mesh& mesh, const SideNormals& sides);
 /// The vertices that have no curvature, by reason.
 [[nodiscard]] std::vector<LimitGaps::Curvatures> without_curvature(
     const std::vector<NoCurvature>& reasons);

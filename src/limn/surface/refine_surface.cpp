@@ -47,7 +47,6 @@ class Work {
     Result<Refined<Point3>> refined = refined_mesh();
     if (!refined) return refined.error();
     if (!mesh_is_needed()) return std::move(surface_);  // polygons are all
-    if (options_.of_limit() && refined->sharpness.fades()) return still_sharp();
     if (options_.of_limit())
       if (Status status = find_limit(*refined); !status) return status.error();
     surface_.polygons = refined->mesh.polygons(std::move(refined->values));
@@ -72,21 +71,13 @@ class Work {
     if (options_.progress) options_.progress(what);
   }
 
-  [[nodiscard]] Error still_sharp() const {
-    return {
-        fmt::format("after {} levels edges or vertices of the mesh are still sharp that will be "
-                    "smooth, where limit points, normals and curvatures are not known",
-                    options_.levels),
-        "refine by as many levels as what fades is sharp"};
-  }
-
   /// The vertices that only holes have are gone, from all that is by vertex.
   void leave_out_holes(const std::vector<bool>& holes) {
     if (std::find(holes.begin(), holes.end(), true) == holes.end()) return;
     std::vector<Index> kept, number(surface_.polygons.positions.size(), kNone);
     const Polygons all = std::move(surface_.polygons);
     surface_.polygons = without_holes(all, holes, kept);
-    if (!surface_.attributes.empty()) {
+    if (!surface_.attributes.empty() || !surface_.sides.empty()) {
       std::vector<Index> corners, faces;
       for (Index f = 0; f < all.face_count(); ++f) {
         if (holes[f]) continue;
@@ -94,6 +85,10 @@ class Work {
         for (Index c = all.face_begin[f]; c < all.face_begin[f + 1]; ++c) corners.push_back(c);
       }
       surface_.attributes = mapped(surface_.attributes, {&kept, &corners, &faces});
+      std::vector<Index> sides;
+      for (const Index c : corners)
+        if (!surface_.sides.empty()) sides.push_back(surface_.sides.of_corner[c]);
+      surface_.sides.of_corner = std::move(sides);
     }
     for (std::size_t i = 0; i < kept.size(); ++i) number[kept[i]] = static_cast<Index>(i);
     const auto keep = [&](auto& values) {
@@ -308,12 +303,13 @@ class Work {
     options.progress = [&](int left) {
       say(fmt::format("limit points: {} vertices left, near irregular ones", left));
     };
-    Result<LimitPoints> limit =
-        approx_limit_points(scheme_, refined.mesh, refined.values, refined.sharpness, options);
+    Result<SharpLimitPoints> limit = approx_limit_points(
+        scheme_, refined.mesh, refined.values, refined.sharpness, options, options_.normals);
     if (!limit) return limit.error();
     if (options_.normals) {
-      surface_.gaps.normals = without_normal(limit->normals);
+      surface_.gaps.normals = without_normal(limit->normals, refined.mesh, limit->sides);
       surface_.normals = std::move(limit->normals);
+      surface_.sides = std::move(limit->sides);
     }
     if (options_.curvatures) {
       surface_.gaps.curvatures = without_curvature(limit->no_curvature);

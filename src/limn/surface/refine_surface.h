@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "limn/limit/limit_points.h"
+#include "limn/limit/side_normals.h"
 #include "limn/mesh/attributes/attributes.h"
 #include "limn/mesh/mesh.h"
 #include "limn/mesh/sharpness/tags.h"
@@ -64,8 +65,10 @@ struct RefinedSurface {
   /// What it carries: numbers of vertices and texture coordinates where refinement puts them (not
   /// the limit surface's), labels of the control faces that its faces lie in.
   MeshAttributes attributes;
-  /// The limit surface's, of length 1; zero where there is none. One for each vertex, or empty.
+  /// The limit surface's, of length 1; zero where there is none, and of vertices that have several
+  /// sides. One for each vertex, or empty.
   std::vector<Point3> normals;
+  SideNormals sides;  ///< normals of vertices with several sides, by corners of `polygons`
   /// The limit surface's principal ones; NaN where there are none. One for each vertex, or empty.
   std::vector<LimitPoints::Curvatures> curvatures;
   /// What the regular lattice lets curvatures be; where that is unbounded there are none at all.
@@ -82,9 +85,7 @@ struct RefinedSurface {
 /// mesh has others, where a rule is missing that the mesh needs (boundary rules, valences), where
 /// 2^31 half-edges or the memory that there is are exceeded, where the scheme cannot take the
 /// sharpness (check_takes_sharpness, refine/crease_step.h) or the texture coordinates
-/// (check_takes_texture), where something of the limit is wanted
-/// and something is still sharp after the steps that fades, and where the limit cannot be had (but
-/// see `partial`). Cost: some nanoseconds a refined vertex by the quick engine, about a hundred by
+/// (check_takes_texture), and where the limit cannot be had (but see `partial`). Cost: some nanoseconds a refined vertex by the quick engine, about a hundred by
 /// the plain one; curvatures some microseconds.
 [[nodiscard]] Result<RefinedSurface> refine_surface(const Scheme& scheme, Mesh control,
                                                     std::vector<Point3> points,

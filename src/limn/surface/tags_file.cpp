@@ -29,7 +29,9 @@ std::optional<Value> named(TomlReader& in, const toml::node& node, std::string_v
 
 class TagsReader {
  public:
-  TagsReader(const std::string& path, Index first, Faults& faults) : in_(path, faults) {
+  TagsReader(const std::string& path, Index first, LabelTags* labels, Faults& faults)
+      : in_(path, faults), labels_(labels) {
+    if (labels != nullptr) labels->file = path;
     tags_.file = path;
     tags_.first = first;
   }
@@ -59,6 +61,7 @@ class TagsReader {
   struct Entry {
     std::vector<Index> numbers;
     std::vector<double> sharpness;
+    std::vector<std::pair<LabelKind, std::string>> names;
   };
 
   void read_list(const std::string& kind, const toml::node& list) {
@@ -67,7 +70,13 @@ class TagsReader {
       const Entry entry = read_entry(kind, node);
       if (!in_.unharmed_since(before)) return;
       const int line = in_.place(node).line;
-      if (kind == "crease") {
+      if (!entry.names.empty()) {
+        const LabelTags::Kind what = kind == "crease"   ? LabelTags::Kind::crease
+                                     : kind == "corner" ? LabelTags::Kind::corner
+                                                        : LabelTags::Kind::hole;
+        const double sharpness = entry.sharpness.empty() ? 0 : entry.sharpness[0];
+        labels_->statements.push_back({what, entry.names, sharpness, line});
+      } else if (kind == "crease") {
         tags_.creases.push_back({entry.numbers, entry.sharpness, line});
       } else if (kind == "corner") {
         for (std::size_t i = 0; i < entry.numbers.size(); ++i)
@@ -87,12 +96,14 @@ class TagsReader {
     in_.each(node, what, [&](const toml::key& key, const toml::node& value) {
       if (key == numbers)
         entry.numbers = read_numbers(value, numbers);
+      else if (const std::optional<LabelKind> label = label_kind(key.str()); label)
+        read_names(*label, value, entry);
       else if (key == "sharpness" && kind != "hole")
         entry.sharpness = read_sharpness(value);
       else if (kind == "hole")
-        in_.unknown_key(key, what, {numbers});
+        in_.unknown_key(key, what, {numbers, "groups", "objects", "materials"});
       else
-        in_.unknown_key(key, what, {numbers, "sharpness"});
+        in_.unknown_key(key, what, {numbers, "groups", "objects", "materials", "sharpness"});
     });
     if (in_.unharmed_since(before)) check(kind, numbers, entry, node);
     return entry;
@@ -100,6 +111,7 @@ class TagsReader {
 
   void check(const std::string& kind, const std::string& numbers, const Entry& entry,
              const toml::node& node) {
+    if (!entry.names.empty()) return check_named(kind, numbers, entry, node);
     const std::size_t least = kind == "crease" ? 2 : 1;
     if (entry.numbers.size() < least)
       return in_.fail(node,
@@ -109,6 +121,31 @@ class TagsReader {
     if (entry.sharpness.size() == 1 || entry.sharpness.size() == count) return;
     in_.fail(node, fmt::format("[[{}]] needs a sharpness: a number, \"infinite\", or a list of {}",
                                kind, count));
+  }
+
+  static std::optional<LabelKind> label_kind(std::string_view key) {
+    if (key == "groups") return LabelKind::group;
+    if (key == "objects") return LabelKind::object;
+    if (key == "materials") return LabelKind::material;
+    return std::nullopt;
+  }
+
+  void read_names(LabelKind kind, const toml::node& node, Entry& entry) {
+    if (labels_ == nullptr) return in_.fail(node, "names of faces are not known here");
+    in_.each_element(node, "names", [&](const toml::node& one) {
+      const std::size_t before = in_.faults();
+      std::string name = in_.text(one, "name");
+      if (in_.unharmed_since(before)) entry.names.emplace_back(kind, std::move(name));
+    });
+  }
+
+  void check_named(const std::string& kind, const std::string& numbers, const Entry& entry,
+                   const toml::node& node) {
+    if (!entry.numbers.empty())
+      return in_.fail(node,
+                      fmt::format("[[{}]] has {} or names of faces, not both", kind, numbers));
+    if (kind != "hole" && entry.sharpness.size() != 1)
+      in_.fail(node, fmt::format("[[{}]] needs one sharpness: a number or \"infinite\"", kind));
   }
 
   std::vector<Index> read_numbers(const toml::node& node, const std::string& what) {
@@ -139,22 +176,24 @@ class TagsReader {
   }
 
   TomlReader in_;
+  LabelTags* labels_;
   SharpnessTags tags_;
 };
 
 }  // namespace
 
-Result<SharpnessTags> parse_tags(std::string_view text, const std::string& path, Index first) {
+Result<SharpnessTags> parse_tags(std::string_view text, const std::string& path, Index first,
+                                 LabelTags* labels) {
   Faults faults;
-  SharpnessTags tags = TagsReader(path, first, faults).run(text);
+  SharpnessTags tags = TagsReader(path, first, labels, faults).run(text);
   if (!faults.none()) return faults.joined();
   return tags;
 }
 
-Result<SharpnessTags> read_tags_file(const std::string& path, Index first) {
+Result<SharpnessTags> read_tags_file(const std::string& path, Index first, LabelTags* labels) {
   const Result<std::string> text = read_file(path);
   if (!text) return text.error();
-  return parse_tags(*text, path, first);
+  return parse_tags(*text, path, first, labels);
 }
 
 }  // namespace limn

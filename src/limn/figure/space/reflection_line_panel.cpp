@@ -69,6 +69,7 @@ void ReflectionLinePanel::draw(Canvas& canvas, const Box& box) const {
     if (outline) draw_outline(canvas, scene, s, *rays, place, 1.5 * line_width);
   }
   draw_scene_net(canvas, scene, *rays, place);
+  draw_scene_marks(canvas, scene, *rays, place);
 }
 
 }  // namespace limn

@@ -13,6 +13,8 @@ constexpr Colour kSeen = {0.10, 0.12, 0.16}, kHidden = {0.10, 0.12, 0.16, 0.4};
 constexpr double kDot = 1.4;
 // An outline runs along edges and so not quite where the surface turns away.
 constexpr double kOutlineDepth = 1e-3;
+// Marks lie on the surfaces.
+constexpr double kMarkDepth = 1e-4;
 const Stroke kSeenStroke = {0.7, {}};
 const Stroke kHiddenStroke = {0.45, {1.4, 1.8}};
 
@@ -49,6 +51,26 @@ void draw_scene_net(Canvas& canvas, const SurfaceScene& scene, const RayCaster& 
   for (const SpaceVector& vertex : seen)
     if (scene.net.points && placeable(vertex))
       canvas.fill(Path::disk(place.page(vertex), kDot), rays.hides(vertex) ? kHidden : kSeen);
+}
+
+double dot_radius(const SceneMarks& marks) { return 1 + marks.stroke.width; }
+
+void draw_scene_marks(Canvas& canvas, const SurfaceScene& scene, const RayCaster& rays,
+                      const FramePlacement& place) {
+  const ParallelView view(scene.azimuth, scene.elevation);
+  for (const SceneMarks& marks : scene.marks) {
+    std::vector<SpaceCurve> curves;
+    for (const std::vector<SpaceVector>& curve : marks.curves) {
+      if (!std::all_of(curve.begin(), curve.end(), placeable)) continue;
+      SpaceCurve& seen = curves.emplace_back();
+      for (const SpaceVector& point : curve) seen.push_back(view.seen(point));
+    }
+    canvas.stroke(path_of(drawn_curves(curves, rays, place, kMarkDepth).visible), marks.colour,
+                  marks.stroke);
+    for (const SpaceVector& point : marks.points)
+      if (placeable(point) && !rays.hides(view.seen(point), kMarkDepth))
+        canvas.fill(Path::disk(place.page(view.seen(point)), dot_radius(marks)), marks.colour);
+  }
 }
 
 void draw_scene_note(Canvas& canvas, const FramePlacement& place, const Error& error) {

@@ -1,6 +1,6 @@
 #pragma once
-/// What panels of a scene share: outlines and the control net in lines, and a note where no rays
-/// can be cast.
+/// What panels of a scene share: outlines, marks and the control net in lines, and a note where no
+/// rays can be cast.
 
 #include "limn/base/error.h"
 #include "limn/figure/canvas/canvas.h"
@@ -16,6 +16,12 @@ void draw_outline(Canvas& canvas, const SurfaceScene& scene, std::size_t index,
 /// The scene's control net, pale and dashed where a surface hides it.
 void draw_scene_net(Canvas& canvas, const SurfaceScene& scene, const RayCaster& rays,
                     const FramePlacement& place);
+
+/// What is seen of the scene's marks.
+void draw_scene_marks(Canvas& canvas, const SurfaceScene& scene, const RayCaster& rays,
+                      const FramePlacement& place);
+/// In points, of a mark's dots.
+[[nodiscard]] double dot_radius(const SceneMarks& marks);
 
 /// The error in place of the picture.
 void draw_scene_note(Canvas& canvas, const FramePlacement& place, const Error& error);

@@ -56,6 +56,7 @@ ColourScale scale_of(const SurfaceValues& values) {
 struct LegendRow {
   Colour colour;
   std::string name;
+  const SceneMarks* marks = nullptr;  ///< drawn as these are; null: a swatch
 };
 
 /// The surfaces that have a name, and what ties look like.
@@ -65,6 +66,8 @@ std::vector<LegendRow> legend_of(const ShadedPanel& panel) {
     if (!panel.names[s].empty()) rows.push_back({panel.scene.surfaces[s].colour, panel.names[s]});
   if (panel.ties && !panel.ties->name.empty())
     rows.push_back({panel.ties->colour, panel.ties->name});
+  for (const SceneMarks& marks : panel.scene.marks)
+    if (!marks.name.empty()) rows.push_back({marks.colour, marks.name, &marks});
   return rows;
 }
 
@@ -77,6 +80,20 @@ double legend_height(const ShadedPanel& panel) {
   return kLegendRow * static_cast<double>(legend_of(panel).size());
 }
 
+void draw_sign(Canvas& canvas, const LegendRow& row, double x, double y) {
+  const Box swatch = {x, y - kSwatch / 2, kSwatch, kSwatch};
+  if (row.marks == nullptr) {
+    canvas.fill(Path::rectangle(swatch), row.colour);
+    canvas.stroke(Path::rectangle(swatch), grey(0.3), {0.4, {}});
+    return;
+  }
+  constexpr double reach = 4;  // to the left, so that dashes are seen
+  if (row.marks->curves.empty())
+    canvas.fill(Path::disk({x + kSwatch / 2, y}, dot_radius(*row.marks)), row.colour);
+  else
+    canvas.stroke(Path::segment({x - reach, y}, {x + kSwatch, y}), row.colour, row.marks->stroke);
+}
+
 /// Centred below the picture, in the last points of the box.
 void draw_legend(Canvas& canvas, const ShadedPanel& panel, const Box& box) {
   const std::vector<LegendRow> rows = legend_of(panel);
@@ -86,9 +103,7 @@ void draw_legend(Canvas& canvas, const ShadedPanel& panel, const Box& box) {
   const double x = box.x + std::max(box.width - width, 0.0) / 2;
   double y = box.bottom() - legend_height(panel) + kLegendRow / 2;
   for (const LegendRow& row : rows) {
-    const Box swatch = {x, y - kSwatch / 2, kSwatch, kSwatch};
-    canvas.fill(Path::rectangle(swatch), row.colour);
-    canvas.stroke(Path::rectangle(swatch), grey(0.3), {0.4, {}});
+    draw_sign(canvas, row, x, y);
     canvas.text({x + kSwatch + kSwatchGap, y}, row.name, kLegend);
     y += kLegendRow;
   }
@@ -123,11 +138,18 @@ Shading shading_of(const ShadedPanel& panel) {
   if (has_values(panel))
     shading.first = ValueColours{panel.values->values, scale_of(*panel.values)};
   if (panel.ties) shading.tie = panel.ties->colour;
+  if (panel.checker && !panel.scene.surfaces.empty()) {
+    const SmoothSurface& first = panel.scene.surfaces.front();
+    if (first.texture.size() == first.vertices.size())
+      shading.checker =
+          CheckerColours{first.texture, panel.checker->squares, panel.checker->colours};
+  }
   return shading;
 }
 
 bool has_lines(const ShadedPanel& panel) {
   return panel.stripes || panel.outlines || !panel.scene.net.edges.empty() ||
+         !panel.scene.marks.empty() ||
          (panel.scene.net.points && !panel.scene.net.vertices.empty());
 }
 
@@ -137,6 +159,7 @@ void draw_lines(Canvas& canvas, const ShadedPanel& panel, const RayCaster& rays,
     draw_outline(canvas, panel.scene, s, rays, place, kOutline);
   if (panel.outlines) draw_outlines(canvas, panel.scene, place);
   draw_scene_net(canvas, panel.scene, rays, place);
+  draw_scene_marks(canvas, panel.scene, rays, place);
 }
 
 }  // namespace

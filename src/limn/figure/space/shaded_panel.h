@@ -1,6 +1,7 @@
 #pragma once
 /// Smooth surfaces in shades, in the stripes of a mirror, or coloured by numbers.
 
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
@@ -16,6 +17,12 @@ struct SurfaceValues {
   std::vector<double> values = {};            ///< one per vertex; grey where they are not finite
   std::string label = {};                     ///< of the bar
   std::optional<double> low = {}, high = {};  ///< of the colours; without them the values' own
+};
+
+/// The texture of the first surface of a scene as squares, dark and light in turns.
+struct CheckerLook {
+  double squares = 8;  ///< along a unit of the coordinates
+  std::array<Colour, 2> colours = {{{0.93, 0.90, 0.82}, {0.45, 0.58, 0.68}}};
 };
 
 /// What surfaces look like where they are equal.
@@ -34,13 +41,15 @@ struct ShadedPanel {
   std::optional<LightLines> stripes = {};
   /// In place of the first surface's colour, if there is a value for each of its vertices.
   std::optional<SurfaceValues> values = {};
+  /// In its place where that surface has a texture; goes before `values`.
+  std::optional<CheckerLook> checker = {};
   /// What is seen where the surface in front and another are at one place (`kEqualDepth`), fading
   /// out to `kNearDepth`. Without it, of those at one place the earliest one.
   std::optional<TieLook> ties = {};
   /// Also the outlines of each surface, as if it were alone, in its colour of lines.
   bool outlines = false;
-  /// A legend below the picture: the names of the surfaces, each with its colour; those that are
-  /// empty are left out.
+  /// A legend below the picture: the names of the surfaces, each with its colour, and of the
+  /// scene's marks; those that are empty are left out.
   std::vector<std::string> names = {};
   std::string title = {};
   /// Pixels an inch, in [1, 2400], of the image in a file of curves; those of a .png are the file's

@@ -90,6 +90,21 @@ double value_at(const std::vector<double>& values, const Meeting& met) {
   return value;
 }
 
+/// Null where there is no texture.
+const Colour* square_at(const CheckerColours& checker, const Meeting& met) {
+  constexpr double most = 1e15;  // beyond, numbers have no squares to tell apart
+  double turns = 0;
+  for (std::size_t axis = 0; axis < 2; ++axis) {
+    double coordinate = 0;
+    for (std::size_t c = 0; c < 3; ++c)
+      coordinate += met.weights[c] * checker.texture[met.triangle[c]][axis];
+    coordinate *= checker.squares;
+    if (!(std::abs(coordinate) <= most)) return nullptr;
+    turns += std::floor(coordinate);
+  }
+  return &checker.colours[std::fmod(std::abs(turns), 2) == 0 ? 0 : 1];
+}
+
 bool alike(const Rgb& a, const Rgb& b) {
   for (std::size_t c = 0; c < 3; ++c)
     if (!(std::abs(a[c] - b[c]) <= kAlike)) return false;
@@ -113,7 +128,8 @@ class Camera {
         grid_(grid),
         shading_(shading),
         image_(image),
-        probes_(shading.lights || shading.first || shading.tie ? kProbes.size() : 2) {}
+        probes_(shading.lights || shading.first || shading.tie || shading.checker ? kProbes.size()
+                                                                                  : 2) {}
 
   void draw_row(const SampleRaster::Band& band, int row) const {
     for (int column = 0; column < image_.width; ++column) {
@@ -160,6 +176,8 @@ class Camera {
   }
 
   [[nodiscard]] Colour own_colour(const SampleRaster::Sight& sight, const Meeting& met) const {
+    if (sight.surface == 0 && shading_.checker)
+      if (const Colour* const square = square_at(*shading_.checker, met)) return *square;
     if (sight.surface > 0 || !shading_.first)
       return shading_.colours[static_cast<std::size_t>(sight.surface)];
     return colour_of(shading_.first->scale, value_at(shading_.first->values, met));

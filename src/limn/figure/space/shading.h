@@ -2,6 +2,7 @@
 /// Surfaces as pixels: shaded with interpolated normals (Phong), with or without the stripes that
 /// light lines make in a mirror.
 
+#include <array>
 #include <optional>
 #include <vector>
 
@@ -19,10 +20,19 @@ struct ValueColours {
   ColourScale scale = {};
 };
 
+/// The squares of a texture, dark and light in turns.
+struct CheckerColours {
+  std::vector<std::array<double, 2>> texture = {};  ///< one for each of the surface's vertices
+  double squares = 8;                               ///< along a unit of the coordinates
+  std::array<Colour, 2> colours = {};
+};
+
 struct Shading {
   std::vector<Colour> colours = {};  ///< one for each of the surfaces
   /// The first surface has these in place of its colour; one value for each of its vertices.
   std::optional<ValueColours> first = {};
+  /// The same, in squares; its own colour where there are no coordinates.
+  std::optional<CheckerColours> checker = {};
   std::optional<MirroredLights> lights = {};  ///< a dark stripe half as wide as their distance
   /// Where the surface in front and another are at one place (`kEqualDepth`), fading into the
   /// colour of the one in front where they are `kNearDepth` apart. Without it, of those at one

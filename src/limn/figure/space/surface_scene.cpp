@@ -24,6 +24,10 @@ void scale_to_draw(SurfaceScene& scene) {
   const auto for_each = [&scene](const auto& use) {
     for (SmoothSurface& surface : scene.surfaces) use(surface.vertices);
     use(scene.net.vertices);
+    for (SceneMarks& marks : scene.marks) {
+      for (std::vector<SpaceVector>& curve : marks.curves) use(curve);
+      use(marks.points);
+    }
     if (scene.frame) {
       std::vector<SpaceVector> corners = {scene.frame->low, scene.frame->high};
       use(corners);

@@ -10,6 +10,7 @@
 #include "limn/figure/canvas/canvas.h"
 #include "limn/figure/canvas/parallel_view.h"
 #include "limn/figure/canvas/space_vector.h"
+#include "limn/figure/space/scene_marks.h"
 
 namespace limn {
 
@@ -28,6 +29,8 @@ struct SmoothSurface {
   std::vector<SpaceVector> vertices = {};
   std::vector<SpaceVector> normals = {};  ///< one per vertex, of any length
   std::vector<std::array<int, 3>> triangles = {};
+  /// Coordinates (u, v) of a texture, one for each vertex, or empty; not finite: there are none.
+  std::vector<std::array<double, 2>> texture = {};
   Colour colour = {0.80, 0.83, 0.88};       ///< of the shaded surface
   Colour line_colour = {0.10, 0.12, 0.16};  ///< of its reflection lines and outlines
 };
@@ -51,6 +54,7 @@ struct SurfaceScene {
   std::vector<SmoothSurface> surfaces = {};
   /// Drawn over the surfaces: in full where it is seen, pale and dashed where a surface hides it.
   ControlNet net = {};
+  std::vector<SceneMarks> marks = {};  ///< over the net, the later over the earlier
   double azimuth = -50;   ///< degrees, of the viewer about the z axis, from x towards y
   double elevation = 30;  ///< degrees, of the viewer over the xy plane, in [−90, 90]
   /// What just fits into the panel, so that panels of several scenes share a scale. Without it: all

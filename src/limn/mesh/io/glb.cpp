@@ -1,6 +1,6 @@
 /// Binary glTF 2.0 as it is written: one mesh of triangles (triangulate.h), float positions,
-/// optional unit normals, texture coordinates (vertices are there once for each side of a seam) and
-/// colours, 32-bit indices. [glTF 2.0 §4.4 GLB file format, §3.7 meshes]
+/// optional unit normals, texture coordinates (vertices are there once for each side of a seam or
+/// crease) and colours, 32-bit indices. [glTF 2.0 §4.4 GLB file format, §3.7 meshes]
 
 #include <algorithm>
 #include <cmath>
@@ -100,25 +100,29 @@ Json description(const Polygons& mesh, const Parts& parts, std::size_t indices) 
   return gltf;
 }
 
-/// A mesh whose vertices have each one texture point: cut at seams.
+/// A mesh whose vertices have each one texture point and one normal: cut at seams and creases.
 struct CutAtSeams {
   Polygons mesh;
-  std::vector<Index> vertex_of, point_of;  ///< of each of its vertices
+  std::vector<Index> vertex_of, point_of, normal_of;  ///< of each of its vertices
 };
-CutAtSeams cut_at_seams(const Polygons& mesh, const TextureCoordinates& texture) {
+CutAtSeams cut_at_seams(const Polygons& mesh, const std::vector<Index>& point_of_corner,
+                        const std::vector<Index>& normal_of_corner) {
   CutAtSeams cut;
   cut.mesh.face_begin = mesh.face_begin;
   std::vector<Index> first(mesh.positions.size(), kNone), next;  // copies of each vertex
   for (std::size_t c = 0; c < mesh.corners.size(); ++c) {
     const auto v = static_cast<std::size_t>(mesh.corners[c]);
-    const Index point = texture.of_corner[c];
+    const Index point = point_of_corner.empty() ? kNone : point_of_corner[c];
+    const Index normal = normal_of_corner.empty() ? mesh.corners[c] : normal_of_corner[c];
     Index copy = first[v];
-    while (copy != kNone && cut.point_of[static_cast<std::size_t>(copy)] != point)
+    while (copy != kNone && (cut.point_of[static_cast<std::size_t>(copy)] != point ||
+                             cut.normal_of[static_cast<std::size_t>(copy)] != normal))
       copy = next[static_cast<std::size_t>(copy)];
     if (copy == kNone) {
       copy = static_cast<Index>(cut.vertex_of.size());
       cut.vertex_of.push_back(mesh.corners[c]);
       cut.point_of.push_back(point);
+      cut.normal_of.push_back(normal);
       cut.mesh.positions.push_back(mesh.positions[v]);
       next.push_back(std::exchange(first[v], copy));
     }
@@ -161,18 +165,19 @@ void format_glb(const Polygons& whole, const WriteOptions& options, const Sink& 
   const ColourColumns colour = colour_of(options.attributes);
   Parts parts{!options.normals.empty(), !texture.empty(), 0};
   if (colour) parts.colours = colour.column[3] != nullptr ? 4 : 3;
+  const bool is_cut = parts.texture || !options.normal_of_corner.empty();
   CutAtSeams cut;
-  if (parts.texture) cut = cut_at_seams(whole, texture);
-  const Polygons& mesh = parts.texture ? cut.mesh : whole;
+  if (is_cut) cut = cut_at_seams(whole, texture.of_corner, options.normal_of_corner);
+  const Polygons& mesh = is_cut ? cut.mesh : whole;
   const auto original = [&](std::size_t v) {
-    return parts.texture ? static_cast<std::size_t>(cut.vertex_of[v]) : v;
+    return is_cut ? static_cast<std::size_t>(cut.vertex_of[v]) : v;
   };
   write_head(description(mesh, parts, 3 * triangle_count(mesh)), sink);
   write_numbers(mesh, sink,
                 [&](std::string& out, std::size_t v) { append(out, mesh.positions[v]); });
   if (parts.normals)
     write_numbers(mesh, sink, [&](std::string& out, std::size_t v) {
-      append(out, unit(options.normals[original(v)]));
+      append(out, unit(options.normals[is_cut ? static_cast<std::size_t>(cut.normal_of[v]) : v]));
     });
   if (parts.texture)
     write_numbers(mesh, sink, [&](std::string& out, std::size_t v) {

@@ -25,6 +25,10 @@ bool is_colour(const VertexNumbers& column) {
 
 }  // namespace
 
+bool holds_corner_normals(std::string_view extension) {
+  return io::is_extension(extension, "obj") || io::is_extension(extension, "glb");
+}
+
 std::vector<std::string> lost_attributes(std::string_view extension,
                                          const MeshAttributes& attributes) {
   const Holds holds = held_by(extension);

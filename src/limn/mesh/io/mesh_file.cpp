@@ -117,7 +117,7 @@ Fault unwritable(const Format& format, const Polygons& mesh, const WriteOptions&
   if (!format.is_gltf) return {};
   // The size of the file is a 32-bit field; 64 KiB are more than its JSON needs.
   const MeshAttributes& attributes = options.attributes;
-  const std::size_t vertices = attributes.texture.empty()
+  const std::size_t vertices = attributes.texture.empty() && options.normal_of_corner.empty()
                                    ? mesh.positions.size()
                                    : std::max(mesh.positions.size(), mesh.corners.size());
   const std::size_t each = 24 + (attributes.empty() ? 0 : 24);
@@ -129,8 +129,14 @@ Fault unwritable(const Format& format, const Polygons& mesh, const WriteOptions&
 }
 
 [[maybe_unused]] bool is_consistent(const Polygons& mesh, const WriteOptions& options) {
-  const bool normals_match =
-      options.normals.empty() || options.normals.size() == mesh.positions.size();
+  const std::vector<Index>& of_corner = options.normal_of_corner;
+  const auto normals = static_cast<Index>(options.normals.size());
+  const bool normals_match = of_corner.empty()
+                                 ? normals == 0 || normals == mesh.vertex_count()
+                                 : normals >= mesh.vertex_count() &&
+                                       of_corner.size() == mesh.corners.size() &&
+                                       std::all_of(of_corner.begin(), of_corner.end(),
+                                                   [&](Index i) { return i >= 0 && i < normals; });
   const bool faces_match = !mesh.face_begin.empty() && mesh.face_begin.front() == 0 &&
                            mesh.face_begin.back() == static_cast<Index>(mesh.corners.size());
   return normals_match && faces_match && attributes_fit(options.attributes, mesh) &&

@@ -98,14 +98,21 @@ struct ReadOptions {
 
 /// What is written beside positions and faces.
 struct WriteOptions {
-  /// Limit or vertex normals, one per vertex, or empty: written where the format has them.
+  /// Limit or vertex normals, one per vertex, or empty: written where the format has them. Behind
+  /// these, further ones of corners.
   std::vector<Point3> normals;
   /// What is sharp, by numbers of vertices and faces: written where the format has it (lost_tags).
   /// Creases are single edges, of two vertices.
   SharpnessTags tags;
   /// What the mesh carries, written where the format has it (lost_attributes); they fit the mesh.
   MeshAttributes attributes = {};
+  /// The normal of each corner; empty: its vertex's. Written where the format holds them
+  /// (holds_corner_normals).
+  std::vector<Index> normal_of_corner = {};
 };
+
+/// Whether files with this extension have normals of corners (OBJ, GLB), not of vertices alone.
+[[nodiscard]] bool holds_corner_normals(std::string_view extension);
 
 /// What of the attributes files with this extension do not hold, in words: "texture coordinates".
 /// OBJ holds texture coordinates, colours, labels and material files, PLY numbers of vertices and

@@ -263,16 +263,16 @@ void write_texture_points(const TextureCoordinates& texture, const Sink& sink) {
 }
 
 /// v, v/vt, v//vn or v/vt/vn.
-void append_corner(std::string& out, Index vertex, Index point, bool normal) {
+void append_corner(std::string& out, Index vertex, Index point, Index normal) {
   out += ' ';
   append(out, vertex + 1);
   if (point != kNone) {
     out += '/';
     append(out, point + 1);
   }
-  if (!normal) return;
+  if (normal == kNone) return;
   out += point != kNone ? "/" : "//";
-  append(out, vertex + 1);
+  append(out, normal + 1);
 }
 
 }  // namespace
@@ -291,13 +291,17 @@ void format_obj(const Polygons& mesh, const WriteOptions& options, const Sink& s
                    out += '\n';
                  }
                });
+  const auto normal_of = [&](Index c) {
+    if (options.normals.empty()) return kNone;
+    return options.normal_of_corner.empty() ? mesh.corners[c] : options.normal_of_corner[c];
+  };
   write_blocks(mesh.face_count(), sink, [&](Index first, Index last, std::string& out) {
     for (Index face = first; face < last; ++face) {
       append_obj_names(out, attributes, face > 0 ? face - 1 : kNone, face);
       out += 'f';
       for (Index c = mesh.face_begin[face]; c < mesh.face_begin[face + 1]; ++c)
         append_corner(out, mesh.corners[c], texture.empty() ? kNone : texture.of_corner[c],
-                      !options.normals.empty());
+                      normal_of(c));
       out += '\n';
     }
   });
