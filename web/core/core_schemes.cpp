@@ -88,7 +88,7 @@ bool takes_integers_alone(const Scheme& scheme, const Parameter& parameter) {
 /// What can be asked of the scheme, whatever its parameters are, and why the rest cannot.
 void find_features(ReadText& read) {
   LoadedScheme loaded;
-  loaded.scheme = read.scheme;
+  loaded.scheme = read.setter.scheme();
   const Scheme& scheme = loaded.scheme;
   const auto& rules = scheme.rules;
   const bool has_rules =
@@ -118,8 +118,8 @@ Result<Scheme> read_text(const std::string& text) {
   return parse_scheme(text, "scheme.toml");
 }
 
-Result<std::shared_ptr<const ReadText>> read_kept(
-    const std::string& text, std::deque<std::shared_ptr<const ReadText>>& kept) {
+Result<std::shared_ptr<ReadText>> read_kept(
+    const std::string& text, std::deque<std::shared_ptr<ReadText>>& kept) {
   const auto same =
       std::find_if(kept.begin(), kept.end(), [&](const auto& one) { return one->text == text; });
   if (same != kept.end()) {
@@ -133,9 +133,9 @@ Result<std::shared_ptr<const ReadText>> read_kept(
   std::vector<bool> integers;
   for (const Parameter& parameter : scheme->parameters)
     integers.push_back(takes_integers_alone(*scheme, parameter));
-  ReadText read{text, std::move(*scheme), std::move(integers), {}, {}};
+  ReadText read{text, ParameterSetter(std::move(*scheme)), std::move(integers), {}, {}};
   find_features(read);
-  kept.push_front(std::make_shared<const ReadText>(std::move(read)));
+  kept.push_front(std::make_shared<ReadText>(std::move(read)));
   if (kept.size() > kTextsKept) kept.pop_back();
   return kept.front();
 }
@@ -153,7 +153,7 @@ Json parameters_json(const ReadText& read, const Scheme& scheme) {
                     {"meaning", parameter.meaning},
                     {"value", parameter.value.expression.text()},
                     {"number", number_json(number_of(scheme, parameter.value))},
-                    {"default", read.scheme.parameters[i].value.expression.text()},
+                    {"default", read.setter.scheme().parameters[i].value.expression.text()},
                     {"min", low},
                     {"max", high},
                     {"integer", static_cast<bool>(read.integers[i])}});
@@ -203,13 +203,17 @@ std::string PageCore::load(const std::string& text, const std::string& parameter
   return answer([&]() -> Result<Json> {
     const Result<std::vector<std::string>> assignments = assignments_of(parameters);
     if (!assignments) return assignments.error();
-    const Result<std::shared_ptr<const ReadText>> read = read_kept(text, state_->read);
+    const Result<std::shared_ptr<ReadText>> read = read_kept(text, state_->read);
     if (!read) return read.error();
     auto loaded = std::make_shared<LoadedScheme>();
-    loaded->scheme = (*read)->scheme;
-    Scheme& scheme = loaded->scheme;
-    if (!assignments->empty())
-      if (Status status = set_parameters(scheme, *assignments); !status) return status.error();
+    if (assignments->empty()) {
+      loaded->scheme = (*read)->setter.scheme();
+    } else {
+      Result<Scheme> set = (*read)->setter.with(*assignments);
+      if (!set) return set.error();
+      loaded->scheme = std::move(*set);
+    }
+    const Scheme& scheme = loaded->scheme;
     Json json{{"id", state_->schemes.add(loaded)},
               {"name", scheme.name},
               {"title", scheme.title},

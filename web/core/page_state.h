@@ -14,6 +14,7 @@
 #include "answer.h"
 #include "limn/fast/fast_refiner.h"
 #include "limn/mesh/sharpness/tags.h"
+#include "limn/scheme/parameter_setter.h"
 #include "limn/spectrum/frequency_blocks.h"
 #include "limn/study/artifact_values.h"
 #include "limn/surface/refine_surface.h"
@@ -29,7 +30,7 @@ inline constexpr double kMostBytes = 1.2e9;   // of the 2 GiB that WebAssembly m
 /// A text that was read, before any parameter is set.
 struct ReadText {
   std::string text;
-  Scheme scheme;
+  ParameterSetter setter;
   std::vector<bool> integers;  ///< of each parameter whether whole numbers alone are taken
   Json features, reasons;      ///< what can be asked of it, and why the rest cannot
 };
@@ -90,7 +91,7 @@ class Numbered {
 };
 
 struct PageCore::State {
-  std::deque<std::shared_ptr<const ReadText>> read;  ///< the last ones, latest first
+  std::deque<std::shared_ptr<ReadText>> read;  ///< the last ones, latest first
   Numbered<LoadedScheme> schemes{"scheme"};
   Numbered<LoadedMesh> meshes{"mesh"};
   Numbered<LoadedPlan> plans{"plan"};

@@ -7,7 +7,6 @@
 
 #include "limn/base/files/file.h"
 #include "limn/base/near_word.h"
-#include "limn/base/printable.h"
 #include "limn/number/exact.h"
 #include "limn/scheme/check.h"
 #include "limn/scheme/decimals.h"
@@ -17,6 +16,7 @@
 #include "limn/scheme/file/shipped_files.h"
 #include "limn/scheme/mask.h"
 #include "limn/scheme/mask_rules.h"
+#include "limn/scheme/parameter_setter.h"
 #include "limn/scheme/scheme_size.h"
 
 namespace limn {
@@ -166,47 +166,6 @@ std::string file_id(const std::string& path) {
   return fault ? path : canonical.string();
 }
 
-std::string trimmed(const std::string& text) {
-  const std::size_t begin = text.find_first_not_of(" \t");
-  if (begin == std::string::npos) return {};
-  return text.substr(begin, text.find_last_not_of(" \t") - begin + 1);
-}
-
-Error unknown_parameter(const Scheme& scheme, const std::string& name) {
-  std::vector<std::string> known;
-  known.reserve(scheme.parameters.size());
-  for (const Parameter& parameter : scheme.parameters) known.push_back(parameter.name);
-  return {fmt::format("scheme '{}' has no parameter '{}'", scheme.name, name),
-          known.empty()
-              ? "it has no parameters"
-              : did_you_mean(name, known, fmt::format("it has {}", fmt::join(known, ", ")))};
-}
-
-/// Puts the expression in place; nothing is checked yet. `set`: the names that were set so far.
-Status assign(Scheme& scheme, const std::string& assignment, std::set<std::string>& set) {
-  const std::size_t equals = assignment.find('=');
-  if (equals == std::string::npos)
-    return Error{fmt::format("'{}' sets no parameter", assignment),
-                 "write name=expression, as a=1/8"};
-  const std::string name = trimmed(assignment.substr(0, equals));
-  const auto found = std::find_if(scheme.parameters.begin(), scheme.parameters.end(),
-                                  [&](const Parameter& p) { return p.name == name; });
-  if (found == scheme.parameters.end()) return unknown_parameter(scheme, name);
-  if (!set.insert(name).second)
-    return Error{fmt::format("parameter '{}' is set twice", name),
-                 "give it one value, by -p or after the scheme's colon"};
-  Result<Expression> expression = Expression::parse(assignment.substr(equals + 1));
-  if (!expression) {
-    Error error = expression.error();
-    error.message = fmt::format("-p {}: column {}: {}", assignment,
-                                static_cast<int>(equals) + 1 + error.column, error.message);
-    error.column = 0;
-    return error;
-  }
-  found->value = {std::move(*expression), {}};
-  return Done{};
-}
-
 }  // namespace
 
 Result<SchemeText> load_scheme_text(const std::string& name, const std::string& from) {
@@ -273,18 +232,11 @@ std::vector<std::string> shipped_schemes() {
 Status set_parameters(Scheme& scheme, const std::vector<std::string>& assignments) {
   if (assignments.empty()) return Done{};
   Scheme changed = scheme;
-  std::set<std::string> set;
-  for (const std::string& assignment : assignments)
-    if (Status status = assign(changed, assignment, set); !status) return status;
+  if (Status status = detail::assign_parameters(changed, assignments); !status) return status;
   Faults faults;
   check_scheme(changed, {}, faults);
-  if (!faults.none()) {
-    Error error = faults.list().front();  // the others mostly follow from the same value
-    error.message = fmt::format(
-        "-p {}: {}", printable(fmt::format("{}", fmt::join(assignments, " -p "))), error.message);
-    if (error.line == 0) error.column = 0;
-    return error;
-  }
+  // the others mostly follow from the same value
+  if (!faults.none()) return detail::in_assignments(assignments, faults.list().front());
   scheme = std::move(changed);
   return Done{};
 }
