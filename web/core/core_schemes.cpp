@@ -7,6 +7,7 @@
 #include "limn/scheme/file/shipped_files.h"
 #include "limn/scheme/scheme_size.h"
 #include "limn/scheme/scope.h"
+#include "limn/scheme/shipped_scheme.h"
 #include "limn/spectrum/least_valence.h"
 #include "page_state.h"
 
@@ -74,22 +75,20 @@ std::optional<double> number_of(const Scheme& scheme, const Formula& formula) {
 Json number_json(const std::optional<double>& value) { return value ? Json(*value) : Json(); }
 
 /// Whether a value between whole numbers is refused.
-bool takes_integers_alone(const Scheme& scheme, const Parameter& parameter) {
+bool takes_integers_alone(ParameterSetter& setter, const Parameter& parameter) {
+  const Scheme& scheme = setter.scheme();
   const std::optional<double> value = number_of(scheme, parameter.value);
   if (!value || *value != std::floor(*value) || !parameter.low) return false;
   const std::optional<double> low = number_of(scheme, *parameter.low);
   const std::optional<double> high = number_of(scheme, *parameter.high);
   if (!low || !high || *high - *low < 1 || *low != std::floor(*low)) return false;
-  Scheme other = scheme;
   const double between = (*value < *high ? *value : *low) + 0.5;
-  return !set_parameter(other, parameter.name + "=" + fraction_text(between));
+  return !setter.with({parameter.name + "=" + fraction_text(between)});
 }
 
 /// What can be asked of the scheme, whatever its parameters are, and why the rest cannot.
 void find_features(ReadText& read) {
-  LoadedScheme loaded;
-  loaded.scheme = read.setter.scheme();
-  const Scheme& scheme = loaded.scheme;
+  const Scheme& scheme = read.setter.scheme();
   const auto& rules = scheme.rules;
   const bool has_rules =
       std::any_of(rules.begin(), rules.end(), [](const auto& rule) { return rule.has_value(); });
@@ -101,8 +100,6 @@ void find_features(ReadText& read) {
     read.features[name] = has;
     if (!has) read.reasons[name] = reason;
   };
-  const Result<const NamedAnalysis*> lattice = lattice_of(loaded);
-  add("artifacts", lattice.ok(), lattice ? "" : lattice.error().message);
   const std::string none = "the scheme has no rules for meshes, only a mask";
   const bool by_rules = has_rules && !scheme.mask && !scheme.factors;
   add("eigen", by_rules, none);
@@ -114,7 +111,7 @@ void find_features(ReadText& read) {
 
 Result<Scheme> read_text(const std::string& text) {
   for (const ShippedFile& file : shipped_files())
-    if (file.text == text) return find_scheme(std::string(file.name));
+    if (file.text == text) return shipped_scheme(std::string(file.name));
   return parse_scheme(text, "scheme.toml");
 }
 
@@ -130,10 +127,9 @@ Result<std::shared_ptr<ReadText>> read_kept(
     return Error{fmt::format("the text has more than {} bytes", kMostSchemeBytes)};
   Result<Scheme> scheme = read_text(text);
   if (!scheme) return scheme.error();
-  std::vector<bool> integers;
-  for (const Parameter& parameter : scheme->parameters)
-    integers.push_back(takes_integers_alone(*scheme, parameter));
-  ReadText read{text, ParameterSetter(std::move(*scheme)), std::move(integers), {}, {}};
+  ReadText read{text, ParameterSetter(std::move(*scheme)), {}, {}, {}};
+  for (const Parameter& parameter : read.setter.scheme().parameters)
+    read.integers.push_back(takes_integers_alone(read.setter, parameter));
   find_features(read);
   kept.push_front(std::make_shared<ReadText>(std::move(read)));
   if (kept.size() > kTextsKept) kept.pop_back();

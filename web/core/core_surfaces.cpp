@@ -14,8 +14,8 @@ namespace limn::page {
 namespace {
 
 struct PlanOptions {
-  int levels = 3;
-  bool limit = true, normals = true;
+  int levels = 3, instead = 0;
+  bool limit = true, normals = true, texture = false;
 };
 
 Result<PlanOptions> options_of(const std::string& text) {
@@ -33,6 +33,10 @@ Result<PlanOptions> options_of(const std::string& text) {
       options.limit = value.get<bool>();
     } else if (key == "normals" && value.is_boolean()) {
       options.normals = value.get<bool>();
+    } else if (key == "instead" && value.is_number_integer()) {
+      options.instead = static_cast<int>(value.get<std::int64_t>());
+    } else if (key == "texture" && value.is_boolean()) {
+      options.texture = value.get<bool>();
     } else {
       return Error{fmt::format("the option '{}' is unknown or has no such value", key)};
     }
@@ -63,10 +67,31 @@ SurfaceOptions surface_options(const LoadedPlan& plan) {
   return options;
 }
 
+/// The faces of the refined mesh, and room for its points. Those of another plan stay as they are
+/// where they do not depend on what differs: the weights.
+void make_room(LoadedPlan& plan, LoadedPlan* before) {
+  const FastRefiner& refiner = *plan.refiner;
+  const bool same = before != nullptr && before->refiner && before->mesh == plan.mesh &&
+                    before->levels == plan.levels &&
+                    before->scheme->scheme.split == plan.scheme->scheme.split;
+  if (before != nullptr) {
+    plan.refined = std::move(before->refined);
+    plan.normals_there = std::move(before->normals_there);
+    plan.scratch = std::move(before->scratch);
+  }
+  std::vector<Point3> points = std::move(plan.refined.positions);
+  points.resize(static_cast<std::size_t>(refiner.vertex_count()));
+  if (same)
+    plan.refined.positions = std::move(points);
+  else
+    plan.refined = refined_polygons(refiner, std::move(points));
+}
+
 /// Makes what can be made once, for the fast engine.
-Status prepare(LoadedPlan& plan) {
+Status prepare(LoadedPlan& plan, LoadedPlan* before) {
   const Scheme& scheme = plan.scheme->scheme;
-  if (!has_fast_layout(*scheme.split) || plan.sharpness.any() || plan.sharpness.has_holes())
+  if (!has_fast_layout(*scheme.split) || plan.sharpness.any() || plan.sharpness.has_holes() ||
+      plan.textured)
     return Done{};
   Result<FastRefiner> refiner = FastRefiner::make(scheme, plan.mesh->mesh, plan.levels);
   if (!refiner) return refiner.error();
@@ -76,8 +101,7 @@ Status prepare(LoadedPlan& plan) {
     plan.on_limit = std::move(**limit);
   }
   plan.refiner = std::move(*refiner);
-  plan.refined = refined_polygons(
-      *plan.refiner, std::vector<Point3>(static_cast<std::size_t>(plan.refiner->vertex_count())));
+  make_room(plan, before);
   return Done{};
 }
 
@@ -95,25 +119,52 @@ void update_fast(LoadedPlan& plan) {
     std::copy_n(plan.scratch.refined.data(), 3 * points.size(), numbers_of(points).data());
 }
 
-/// By the front of refinement, which takes everything; without the limit where there is none.
+/// Notes at which vertices there is no limit, if it is the limit that is shown.
+void note_gaps(LoadedPlan& plan, const LimitGaps& gaps) {
+  plan.without_limit.clear();
+  if (!plan.has_limit || gaps.limits.empty()) return;
+  plan.without_limit.resize(plan.refined.positions.size());
+  for (const LimitPoints::Refused& gap : gaps.limits) plan.without_limit[gap.vertex] = true;
+  plan.reason = gaps.limits.front().reason;
+}
+
+/// By the front of refinement, which takes everything; without the limit, or the texture, where
+/// there is none.
 Status update_plain(LoadedPlan& plan) {
   SurfaceOptions options = surface_options(plan);
   options.limit = plan.limit;
   options.normals = plan.normals;
+  MeshAttributes attributes;
+  if (plan.textured) {
+    attributes = texture_for(plan);
+    options.attributes = &attributes;
+    if (plan.pattern != "image") options.attribute_rules.texture = TextureRule::all;
+  }
   const LoadedMesh& mesh = *plan.mesh;
-  Result<RefinedSurface> surface =
-      refine_surface(plan.scheme->scheme, mesh.mesh, mesh.points, options);
+  const auto refined = [&] {
+    return refine_surface(plan.scheme->scheme, mesh.mesh, mesh.points, options);
+  };
+  Result<RefinedSurface> surface = refined();
+  if (!surface && plan.textured) {
+    const Error fault = surface.error();
+    options.attributes = nullptr;
+    surface = refined();
+    plan.pattern = "none";
+    if (surface) plan.no_texture = fault.message;
+  }
   plan.has_limit = options.limit && surface;
   plan.has_normals = options.normals && surface;
   if (!surface && options.of_limit()) {
     plan.reason = surface.error().message;
     options.limit = options.normals = false;
-    surface = refine_surface(plan.scheme->scheme, mesh.mesh, mesh.points, options);
+    surface = refined();
   }
   if (!surface) return surface.error();
   plan.refined = std::move(surface->polygons);
+  note_gaps(plan, surface->gaps);
   if (plan.has_limit) plan.refined.positions = std::move(surface->limit);
   plan.normals_there = std::move(surface->normals);
+  if (plan.textured) keep_texture(plan, surface->attributes.texture);
   return Done{};
 }
 
@@ -137,29 +188,19 @@ void complete_normals(const Polygons& polygons, std::vector<Point3>& normals) {
   }
 }
 
-Index triangle_count(const Polygons& polygons) {
-  return static_cast<Index>(polygons.corners.size()) - 2 * polygons.face_count();
-}
-
-std::vector<std::uint32_t> fans_of(const Polygons& polygons) {
-  std::vector<std::uint32_t> triangles;
-  triangles.reserve(3 * static_cast<std::size_t>(std::max<Index>(triangle_count(polygons), 0)));
-  for (Index f = 0; f < polygons.face_count(); ++f) {
-    const Index* corners = polygons.corners.data() + polygons.face_begin[f];
-    for (Index i = 1; i + 1 < polygons.degree(f); ++i)
-      for (const Index corner : {corners[0], corners[i], corners[i + 1]})
-        triangles.push_back(static_cast<std::uint32_t>(corner));
-  }
-  return triangles;
-}
-
 Json plan_json(const LoadedPlan& plan, int id) {
+  Index triangles = static_cast<Index>(plan.refined.corners.size()) - 2 * plan.refined.face_count();
+  if (!plan.without_limit.empty()) {
+    triangles = 0;
+    each_triangle(plan, [&](Index, Index, Index) { ++triangles; });
+  }
   return {{"id", id},
           {"vertices", plan.refined.vertex_count()},
-          {"triangles", triangle_count(plan.refined)},
+          {"triangles", triangles},
           {"engine", plan.refiner ? "fast" : "plain"},
           {"limit", plan.has_limit},
-          {"reason", plan.reason}};
+          {"reason", plan.reason},
+          {"missing", std::count(plan.without_limit.begin(), plan.without_limit.end(), true)}};
 }
 
 }  // namespace
@@ -196,8 +237,12 @@ std::string PageCore::plan(int scheme, int mesh, const std::string& options) {
     plan->levels = wanted->levels;
     plan->limit = wanted->limit;
     plan->normals = wanted->normals;
+    plan->textured = wanted->texture;
     plan->sharpness = sharpness_of(**control, (*loaded)->scheme);
-    if (Status status = prepare(*plan); !status) return status.error();
+    const auto before = state_->plans.find(wanted->instead);
+    state_->plans.remove(wanted->instead);
+    if (Status status = prepare(*plan, before ? before->get() : nullptr); !status)
+      return status.error();
     if (Status status = update(*plan); !status) return status.error();
     const int id = state_->plans.add(plan);
     return plan_json(*plan, id);
@@ -211,9 +256,10 @@ TopologyAnswer PageCore::topology(int plan) {
   made.json = answer([&]() -> Result<Json> {
     const auto found = state_->plans.find(plan);
     if (!found) return found.error();
-    if (!(*found)->lines) (*found)->lines = edges_on_surface(**found);
-    made.lines = *(*found)->lines;
-    made.triangles = fans_of((*found)->refined);
+    each_triangle(**found, [&](Index a, Index b, Index c) {
+      for (const Index corner : {a, b, c})
+        made.triangles.push_back(static_cast<std::uint32_t>((*found)->refined.corners[corner]));
+    });
     return Json::object();
   });
   return made;

@@ -14,6 +14,7 @@
 #include "answer.h"
 #include "limn/fast/fast_refiner.h"
 #include "limn/mesh/sharpness/tags.h"
+#include "limn/mesh/split/edge_paths.h"
 #include "limn/scheme/parameter_setter.h"
 #include "limn/spectrum/frequency_blocks.h"
 #include "limn/study/artifact_values.h"
@@ -47,6 +48,7 @@ struct LoadedMesh {
   std::vector<Point3> points;
   Sharpness sharpness;
   SharpnessTags cut_tags;  ///< what holds the copies together that repair has made
+  TextureCoordinates texture;
   int moves = 0;           ///< how often a vertex was moved
 };
 
@@ -57,7 +59,11 @@ struct LoadedPlan {
   int levels = 0;
   bool limit = true, normals = true;
   Sharpness sharpness;                 ///< that of the mesh when it was made
-  std::string reason;                  ///< why there is no limit
+  std::string reason;                  ///< why there is no limit, or not everywhere
+  bool textured = false;               ///< whether texture coordinates are wanted
+  std::vector<bool> without_limit;     ///< of vertices; empty: none
+  std::string pattern = "none", no_texture;  ///< as PageCore::texture says them
+  std::vector<float> texture;                ///< of the triangles' corners
   std::optional<FastRefiner> refiner;  ///< nothing: the plain engine
   std::optional<FastRefiner::Limit> on_limit;
   FastRefiner::Scratch<double> scratch;
@@ -65,7 +71,7 @@ struct LoadedPlan {
   std::vector<Point3> normals_there;
   bool has_limit = false, has_normals = false;  ///< what these are
   int moves = -1;                               ///< of the mesh, when they were made
-  std::optional<std::vector<std::uint32_t>> lines;
+  std::optional<EdgePaths> lines;
 };
 
 /// Things by number, from 1.
@@ -114,8 +120,29 @@ template <class Points>
 /// Puts the surface of the mesh as it is now into `plan.refined` and `plan.normals_there`.
 [[nodiscard]] Status update(LoadedPlan& plan);
 
-/// The control mesh's edges on the refined mesh, pairs of vertices; none where the split does not
-/// keep edges.
-[[nodiscard]] std::vector<std::uint32_t> edges_on_surface(LoadedPlan& plan);
+/// The control mesh's edges on the refined mesh, by the plan's numbers of vertices.
+[[nodiscard]] EdgePaths lines_of(LoadedPlan& plan);
+
+/// Calls visit(a, b, c) for the corners (places in polygons.corners) of the triangles that faces are
+/// cut into, without faces at a vertex that has no limit.
+template <class Visit>
+void each_triangle(const LoadedPlan& plan, Visit visit) {
+  const Polygons& polygons = plan.refined;
+  const auto is_hole = [&](Index f) {
+    for (Index c = polygons.face_begin[f]; c < polygons.face_begin[f + 1]; ++c)
+      if (plan.without_limit[polygons.corners[c]]) return true;
+    return false;
+  };
+  for (Index f = 0; f < polygons.face_count(); ++f) {
+    if (!plan.without_limit.empty() && is_hole(f)) continue;
+    const Index first = polygons.face_begin[f];
+    for (Index c = first + 1; c + 1 < polygons.face_begin[f + 1]; ++c) visit(first, c, c + 1);
+  }
+}
+
+/// Texture coordinates for `plan`: the mesh's own, or such within each face. `pattern` is set.
+[[nodiscard]] MeshAttributes texture_for(LoadedPlan& plan);
+/// Of the surface that carries them.
+void keep_texture(LoadedPlan& plan, const TextureCoordinates& texture);
 
 }  // namespace limn::page

@@ -18,6 +18,7 @@
 #include "limn/scheme/mask_rules.h"
 #include "limn/scheme/parameter_setter.h"
 #include "limn/scheme/scheme_size.h"
+#include "limn/scheme/shipped_scheme.h"
 
 namespace limn {
 namespace {
@@ -71,8 +72,12 @@ void check_rules_fit(const Scheme& scheme, const Unread& unread, Faults& faults)
   }
 }
 
+/// Whether the weights are checked, which is nearly all of the cost, or have been.
+enum class Weights { checked, trusted };
+
 /// All that can be judged of what was read.
-void check_scheme(Scheme& scheme, const Unread& unread, Faults& faults) {
+void check_scheme(Scheme& scheme, const Unread& unread, Faults& faults,
+                  Weights weights = Weights::checked) {
   const ExactBudget budget(kExactWork);
   check_names(scheme, unread, faults);
   if (scheme.split == nullptr) return;
@@ -86,6 +91,7 @@ void check_scheme(Scheme& scheme, const Unread& unread, Faults& faults) {
   }
   check_rules_fit(scheme, unread, faults);
   if (scheme.has_decimals && faults.none()) divide_by_sums(scheme);
+  if (weights == Weights::trusted) return;
   check_rules(
       scheme, valueless,
       [&](RuleKind kind) { return unread.rule(kind) || !has_use_for(*scheme.split, kind); },
@@ -105,7 +111,7 @@ std::string text_of(const Chain& chain) {
 }
 
 std::optional<Scheme> parse_in_chain(const SchemeText& file, const SchemeLoader& load, Chain chain,
-                                     Faults& faults) {
+                                     Weights weights, Faults& faults) {
   if (chain.size() > kDeepestExtension) {
     faults.add({fmt::format("more than {} schemes extend one another", kDeepestExtension)});
     return std::nullopt;
@@ -119,7 +125,7 @@ std::optional<Scheme> parse_in_chain(const SchemeText& file, const SchemeLoader&
   }
   const auto extended = [&](const std::string& name, Faults& of_base) -> std::optional<Scheme> {
     const Result<SchemeText> base = load(name, file.path.empty() ? "." : file.path);
-    if (base) return parse_in_chain(*base, load, chain, of_base);
+    if (base) return parse_in_chain(*base, load, chain, weights, of_base);
     of_base.add(base.error());
     return std::nullopt;
   };
@@ -127,12 +133,13 @@ std::optional<Scheme> parse_in_chain(const SchemeText& file, const SchemeLoader&
   if (draft.unread.everything) return std::nullopt;
   Scheme& scheme = draft.scheme;
   if (scheme.name.empty()) scheme.name = std::filesystem::path(file.path).stem().string();
-  check_scheme(scheme, draft.unread, faults);
+  check_scheme(scheme, draft.unread, faults, weights);
   if (!faults.none()) return std::nullopt;
   return std::move(scheme);
 }
 
-Result<Scheme> parse_first(const SchemeText& file, const SchemeLoader& load) {
+Result<Scheme> parse_first(const SchemeText& file, const SchemeLoader& load,
+                           Weights weights = Weights::checked) {
   const ExactBudget budget(kExactWork);  // of all the files together
   std::vector<SourceText> texts{{file.path, file.text}};
   const SchemeLoader noting = [&](const std::string& name, const std::string& from) {
@@ -141,7 +148,7 @@ Result<Scheme> parse_first(const SchemeText& file, const SchemeLoader& load) {
     return found;
   };
   Faults faults;
-  std::optional<Scheme> scheme = parse_in_chain(file, noting, {}, faults);
+  std::optional<Scheme> scheme = parse_in_chain(file, noting, {}, weights, faults);
   if (!scheme) return faults.joined();
   scheme->texts = std::move(texts);
   return *std::move(scheme);
@@ -220,6 +227,14 @@ Result<Scheme> find_scheme(const std::string& name_or_path) {
   const Result<SchemeText> text = load_scheme_text(name_or_path, {});
   if (!text) return text.error();
   return parse_first(*text, load_scheme_text);
+}
+
+Result<Scheme> shipped_scheme(const std::string& name) {
+  for (const ShippedFile& file : shipped_files())
+    if (file.name == name)
+      return parse_first({std::string(file.text), name + ".toml", "shipped " + name},
+                         load_scheme_text, Weights::trusted);
+  return unknown_scheme(name);
 }
 
 std::vector<std::string> shipped_schemes() {
