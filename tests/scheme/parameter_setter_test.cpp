@@ -39,13 +39,14 @@ TEST(ParameterSetter, AnswersAsSetParameters) {
       std::vector<std::string> how;
       for (const Parameter& parameter : scheme.parameters)
         if (how.empty() || round % 3 == 0)
-          how.push_back(parameter.name + "=" + std::to_string(static_cast<int>(random() % 40) - 10) +
-                        "/32");
+          how.push_back(parameter.name + "=" +
+                        std::to_string(static_cast<int>(random() % 40) - 10) + "/32");
       SCOPED_TRACE(name + " " + how.front());
       expect_as_set_parameters(setter, how);
     }
     const std::string& first = scheme.parameters.front().name;
-    for (const std::string value : {"nothing", "1/0", "1 +", "1e9", "n/8", "1/8", "99", first.c_str()})
+    for (const std::string value :
+         {"nothing", "1/0", "1 +", "1e9", "n/8", "1/8", "99", first.c_str()})
       expect_as_set_parameters(setter, {first + "=" + value});
     expect_as_set_parameters(setter, {"zzz=1"});
     expect_as_set_parameters(setter, {first + "=1/8", first + "=1/8"});

@@ -117,8 +117,8 @@ Result<MeshFile> parse(const std::string& name, std::string_view content) {
   if (content.size() > kMostBytesOfFile)
     return Error{fmt::format("the file has more than {} MB", kMostBytesOfFile >> 20),
                  "the command `limn` takes larger ones"};
-  Result<MeshFile> file = parse_mesh_file(content, extension_of(name), name,
-                                         {.keep_faults = true, .attributes = true});
+  Result<MeshFile> file =
+      parse_mesh_file(content, extension_of(name), name, {.keep_faults = true, .attributes = true});
   if (!file) return file;
   if (const auto fault = too_many(file->polygons.positions.size(), file->polygons.face_begin.size(),
                                   file->polygons.corners.size()))
@@ -195,9 +195,8 @@ std::string PageCore::meshes() const {
     for (const ExampleMesh& example : example_meshes()) {
       const Result<std::string> text = example_mesh(example.name);
       if (!text) return text.error();
-      list.push_back({{"name", example.name},
-                      {"summary", example.summary},
-                      {"faces", faces_stated(*text)}});
+      list.push_back(
+          {{"name", example.name}, {"summary", example.summary}, {"faces", faces_stated(*text)}});
     }
     return Json{{"meshes", std::move(list)}};
   });

@@ -115,8 +115,8 @@ Result<Scheme> read_text(const std::string& text) {
   return parse_scheme(text, "scheme.toml");
 }
 
-Result<std::shared_ptr<ReadText>> read_kept(
-    const std::string& text, std::deque<std::shared_ptr<ReadText>>& kept) {
+Result<std::shared_ptr<ReadText>> read_kept(const std::string& text,
+                                            std::deque<std::shared_ptr<ReadText>>& kept) {
   const auto same =
       std::find_if(kept.begin(), kept.end(), [&](const auto& one) { return one->text == text; });
   if (same != kept.end()) {

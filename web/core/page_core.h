@@ -138,11 +138,11 @@ class PageCore {
                                           double sharpness);
 
   /// How this mesh is refined by this scheme. `options`: "" or {"levels": 3, "limit": true,
-  /// "normals": true, "texture": false, "instead": 0}. {"id", "vertices", "triangles", "engine": "fast" or
-  /// "plain", "limit", "reason", "missing": at how many vertices there is no limit}; the faces
-  /// there are left out of "triangles". It is made for the sharpness that the mesh has, and for any
-  /// positions. `instead`: a plan that goes, whose memory this one takes; of the same mesh, with
-  /// other parameters, it takes its faces too.
+  /// "normals": true, "texture": false, "instead": 0}. {"id", "vertices", "triangles", "engine":
+  /// "fast" or "plain", "limit", "reason", "missing": at how many vertices there is no limit}; the
+  /// faces there are left out of "triangles". It is made for the sharpness that the mesh has, and
+  /// for any positions. `instead`: a plan that goes, whose memory this one takes; of the same mesh,
+  /// with other parameters, it takes its faces too.
   [[nodiscard]] std::string plan(int scheme, int mesh, const std::string& options);
   void unplan(int plan);
   [[nodiscard]] TopologyAnswer topology(int plan);

@@ -49,7 +49,7 @@ struct LoadedMesh {
   Sharpness sharpness;
   SharpnessTags cut_tags;  ///< what holds the copies together that repair has made
   TextureCoordinates texture;
-  int moves = 0;           ///< how often a vertex was moved
+  int moves = 0;  ///< how often a vertex was moved
 };
 
 /// Keeps what it was made of, whatever becomes of the numbers.
@@ -58,13 +58,13 @@ struct LoadedPlan {
   std::shared_ptr<LoadedMesh> mesh;
   int levels = 0;
   bool limit = true, normals = true;
-  Sharpness sharpness;                 ///< that of the mesh when it was made
-  std::string reason;                  ///< why there is no limit, or not everywhere
-  bool textured = false;               ///< whether texture coordinates are wanted
-  std::vector<bool> without_limit;     ///< of vertices; empty: none
+  Sharpness sharpness;                       ///< that of the mesh when it was made
+  std::string reason;                        ///< why there is no limit, or not everywhere
+  bool textured = false;                     ///< whether texture coordinates are wanted
+  std::vector<bool> without_limit;           ///< of vertices; empty: none
   std::string pattern = "none", no_texture;  ///< as PageCore::texture says them
   std::vector<float> texture;                ///< of the triangles' corners
-  std::optional<FastRefiner> refiner;  ///< nothing: the plain engine
+  std::optional<FastRefiner> refiner;        ///< nothing: the plain engine
   std::optional<FastRefiner::Limit> on_limit;
   FastRefiner::Scratch<double> scratch;
   Polygons refined;  ///< faces; positions and normals as of `moves`
@@ -123,8 +123,8 @@ template <class Points>
 /// The control mesh's edges on the refined mesh, by the plan's numbers of vertices.
 [[nodiscard]] EdgePaths lines_of(LoadedPlan& plan);
 
-/// Calls visit(a, b, c) for the corners (places in polygons.corners) of the triangles that faces are
-/// cut into, without faces at a vertex that has no limit.
+/// Calls visit(a, b, c) for the corners (places in polygons.corners) of the triangles that faces
+/// are cut into, without faces at a vertex that has no limit.
 template <class Visit>
 void each_triangle(const LoadedPlan& plan, Visit visit) {
   const Polygons& polygons = plan.refined;

@@ -15,8 +15,8 @@ namespace limn {
 
 /// Sets parameters as `set_parameters` does, with the same answers, but proves nothing twice: where
 /// all weights are polynomials of degree d in a parameter, the sum of a rule's weights is one, too,
-/// and so are differences of weights. What was found to be 1 (or 0) at d + 1 values of the parameter
-/// is so at each of its values. Then the ranges alone are checked.
+/// and so are differences of weights. What was found to be 1 (or 0) at d + 1 values of the
+/// parameter is so at each of its values. Then the ranges alone are checked.
 class ParameterSetter {
  public:
   /// Precondition: the scheme was checked, as by read_scheme.

@@ -90,8 +90,9 @@ class TwoSteps {
       const Index h = fine.halfedge_of_edge(e), a = fine.origin(h), b = fine.target(h);
       const Index of_a = on_[at(a)], of_b = on_[at(b)];
       const Index edge = of_a != kNone ? of_a : of_b;
-      const bool whole = of_a != kNone && of_b != kNone ? of_a == of_b
-                                                        : edge != kNone && is_end(edge, of_a == kNone ? a : b);
+      const bool whole = of_a != kNone && of_b != kNone
+                             ? of_a == of_b
+                             : edge != kNone && is_end(edge, of_a == kNone ? a : b);
       if (whole) parts[at(e)] = before[at(edge)];
     }
     return parts;
