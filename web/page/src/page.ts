@@ -82,8 +82,8 @@ export function mount(app: App, place: HTMLElement): void {
   matchMedia('(prefers-color-scheme: dark)').addEventListener('change', () => store.set({}));
   listenKeys(app, { ...actions, play: surface.play, link: clip.link, on: () => store.now.tour >= 0 && tour.go(store.now.tour + 1), back: () => store.now.tour > 0 && tour.go(store.now.tour - 1), close: () => show(timing.element, false) });
   listenDrops(app);
-  // Tests ask where a control vertex stands on the stage.
-  Object.assign(window, { limnPick: (v: number) => surface.panes[0]!.place(v) });
+  // Tests ask where a control vertex stands on the stage, and what steps took.
+  Object.assign(window, { limnPick: (v: number) => surface.panes[0]!.place(v), limnTimings: app.timings });
   arrange(store.now);
   app.refresh();
   // Whatever becomes of the surface, numbers come.

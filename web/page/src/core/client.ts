@@ -24,10 +24,10 @@ interface Wire {
 }
 
 /** Ahead of others: what a hand is on. */
-const order = ['scheme', 'control', 'surface', 'surface-b', 'eigen', 'map', 'artifacts', 'wave', 'eigen-whole', 'sampling'];
+const order = ['scheme', 'control', 'surface', 'surface-b', 'eigen', 'map', 'sweep', 'artifacts', 'wave', 'eigen-whole', 'sampling'];
 /** In the first worker. */
 const drawing = new Set(['catalogue', 'scheme', 'scheme-first', 'other', 'control', 'surface', 'surface-b', 'surface-lines', 'surface-b-lines', 'timing', 'svg']);
-const rank = (lane: string): number => (order.indexOf(lane) + order.length + 1) % (order.length + 1);
+const rank = (lane: string): number => (order.indexOf(lane.startsWith('sweep-') ? 'sweep' : lane) + order.length + 1) % (order.length + 1);
 
 class Line {
   private wire?: Wire;

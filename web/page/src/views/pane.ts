@@ -96,6 +96,12 @@ export class Pane {
     if (outcome === superseded || !outcome.ok) return;
     this.lines = outcome.result;
     this.draw();
+    this.onSurface();
+  }
+
+  /** Of the control mesh's edges on the surface. */
+  get segments(): number {
+    return this.lines && this.lines.topology === this.surface?.topology ? this.lines.segments.length / 2 : 0;
   }
 
   /** The picture as SVG, of a coarser level where the surface has too many triangles. */

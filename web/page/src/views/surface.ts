@@ -113,6 +113,7 @@ export function surfaceView(app: App): View & { panes: Pane[]; play(): void } {
       say(status, `${thousands(surface.positions.length / 3)} vertices · ${state.limit ? 'limit points of ' : ''}level ${levelsShown(state)}` +
         (app.painter?.name === 'canvas' ? ' · drawn without WebGL' : ''));
     status.dataset.vertices = surface ? String(surface.positions.length / 3) : '';
+    status.dataset.lines = String(first.segments);
     show(legend, first.range !== undefined && ['gaussian', 'mean', 'distance'].includes(state.shade));
     if (first.range) {
       say(low, figures(first.range[0]));
