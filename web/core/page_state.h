@@ -66,9 +66,10 @@ struct LoadedPlan {
   std::vector<float> texture;                ///< of the triangles' corners
   std::optional<FastRefiner> refiner;        ///< nothing: the plain engine
   std::optional<FastRefiner::Limit> on_limit;
-  FastRefiner::Scratch<double> scratch;
-  Polygons refined;  ///< faces; positions and normals as of `moves`
-  std::vector<Point3> normals_there;
+  FastRefiner::Scratch<float> scratch;
+  Polygons refined;  ///< faces; with positions where the plain engine makes them
+  /// As of `moves`, as they are drawn; normals that the surface does not have are sums of faces'.
+  std::vector<float> positions, normals_there;
   bool has_limit = false, has_normals = false;  ///< what these are
   int moves = -1;                               ///< of the mesh, when they were made
   std::optional<EdgePaths> lines;
@@ -117,7 +118,7 @@ template <class Points>
   return list;
 }
 
-/// Puts the surface of the mesh as it is now into `plan.refined` and `plan.normals_there`.
+/// Puts the surface of the mesh as it is now into `plan.positions` and `plan.normals_there`.
 [[nodiscard]] Status update(LoadedPlan& plan);
 
 /// The control mesh's edges on the refined mesh, by the plan's numbers of vertices.

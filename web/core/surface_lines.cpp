@@ -43,8 +43,8 @@ std::vector<std::uint32_t> matched(const std::vector<Point3>& points,
 /// Where refinement puts the plan's vertices if the control points are these.
 std::vector<Point3> refined_points(LoadedPlan& plan, const std::vector<Point3>& control) {
   if (plan.refiner) {
-    std::vector<Point3> points(plan.refined.positions.size());
-    plan.refiner->evaluate<double>(numbers_of(control), numbers_of(points), plan.scratch);
+    std::vector<Point3> points(plan.positions.size() / 3);
+    plan.refiner->evaluate<double>(numbers_of(control), numbers_of(points));
     return points;
   }
   SurfaceOptions options;
