@@ -28,8 +28,8 @@ varying vec3 n; varying vec3 eye; varying float v; varying vec2 t; varying vec3 
 float field() {
   vec3 f;
   if (pattern == 0) f = floor(16.0 * vec3(t, 0.0));
-  else if (pattern == 1) f = floor(4.0 * vec3(t, 1.0 - t.x - t.y));
-  else if (pattern == 2) f = floor(5.0 * vec3(t, 0.0));
+  else if (pattern == 1) f = floor(4.0 * clamp(vec3(t, 1.0 - t.x - t.y), 1e-3, 0.999));
+  else if (pattern == 2) f = vec3(floor(5.0 * clamp(t, 1e-3, 0.999)), 0.0);
   else f = floor(place / cell + 0.013);
   return mod(f.x + f.y + f.z, 2.0);
 }

@@ -156,7 +156,7 @@ export class Pane {
     if (this.picture && key === this.pictureKey) return this.picture;
     this.pictureKey = key;
     const surface = this.surface;
-    const shade = surface?.values || !['gaussian', 'mean', 'distance'].includes(state.shade) ? state.shade : 'plain';
+    const shade = surface?.values || (state.shade === 'texture' ? this.texture : !['gaussian', 'mean', 'distance'].includes(state.shade)) ? state.shade : 'plain';
     this.picture = {
       ...this.app.model.mesh!.ball,
       body: surface && this.triangles ? { positions: surface.positions, normals: surface.normals, triangles: this.triangles,
