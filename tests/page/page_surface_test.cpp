@@ -102,17 +102,24 @@ TEST(PageSurface, IsThatOfThePlainEngine) {
   }
 }
 
+Point3 point_of(const page::LinesAnswer& lines, std::size_t point,
+                const std::vector<float>& positions) {
+  Point3 sum;
+  const std::uint32_t first = lines.begin.at(point), last = lines.begin.at(point + 1);
+  for (std::uint32_t i = first; i < last; ++i) {
+    const std::size_t v = 3 * std::size_t{lines.vertices.at(i)};
+    sum = sum + Point3{positions.at(v), positions.at(v + 1), positions.at(v + 2)};
+  }
+  return (1.0 / (last - first)) * sum;
+}
+
 /// Total length of the lines on the surface.
-double length_of(const std::vector<std::uint32_t>& lines, const std::vector<float>& positions) {
+double length_of(const page::LinesAnswer& lines, const std::vector<float>& positions) {
   double length = 0;
-  for (std::size_t i = 0; i + 1 < lines.size(); i += 2) {
-    double square = 0;
-    for (std::size_t c = 0; c < 3; ++c) {
-      const double d = static_cast<double>(positions[3 * lines[i] + c]) -
-                       static_cast<double>(positions[3 * lines[i + 1] + c]);
-      square += d * d;
-    }
-    length += std::sqrt(square);
+  for (std::size_t i = 0; i + 1 < lines.segments.size(); i += 2) {
+    const Point3 along = point_of(lines, lines.segments[i + 1], positions) -
+                         point_of(lines, lines.segments[i], positions);
+    length += std::sqrt(dot(along, along));
   }
   return length;
 }
@@ -125,15 +132,144 @@ TEST(PageSurface, LinesAreTheControlEdgesImages) {
     double before = 0;
     for (const char* options : {R"({"levels":2})", R"({"levels":3})", R"({"levels":4})"}) {
       const int plan = id_of(core.plan(scheme, control, options));
-      const page::TopologyAnswer topology = core.topology(plan);
+      const page::LinesAnswer lines = core.lines(plan);
       const std::size_t pieces = std::size_t{12} << (options[10] - '0');
-      ASSERT_EQ(topology.lines.size(), 2 * pieces) << mesh;
+      ASSERT_EQ(lines.segments.size(), 2 * pieces) << mesh;
       // curves on one surface: finer polygons of them are only a little longer
-      const double length = length_of(topology.lines, core.evaluate(plan).positions);
-      if (before > 0) EXPECT_NEAR(length, before, 0.02 * before) << mesh;
+      const double length = length_of(lines, core.evaluate(plan).positions);
+      if (before > 0) {
+        EXPECT_NEAR(length, before, 0.02 * before) << mesh;
+      }
       before = length;
     }
   }
+}
+
+// The engines number vertices each in its own way: of what is found in the plain one's order, the
+// places must be those of this plan. On a torus, whose patches are all alike, curves come to rest.
+TEST(PageSurface, LinesAreThereForEverySplit) {
+  for (const char* name : {"loop", "sqrt3", "four-eight", "doo-sabin", "midedge", "loop-ternary",
+                           "catmull-clark", "butterfly-ternary"}) {
+    PageCore core;
+    const json scheme = parsed(core.load(text_of(name), ""));
+    const int control =
+        id_of(core.mesh(scheme.at("lattice") == "triangles" ? "torus-triangles" : "torus-quads"));
+    const json about = parsed(core.control(control).json);
+    double before = 0;
+    for (const int levels : {2, 3, 4}) {
+      const int plan = id_of(core.plan(scheme.at("id"), control, json{{"levels", levels}}.dump()));
+      const page::LinesAnswer lines = core.lines(plan);
+      ASSERT_GE(lines.segments.size(), 2 * about.at("edges").get<std::size_t>()) << name;
+      const double length = length_of(lines, core.evaluate(plan).positions);
+      if (before > 0) {
+        EXPECT_NEAR(length, before, 0.03 * before) << name << levels;
+      }
+      before = length;
+    }
+  }
+}
+
+constexpr const char* kSquares =  // two quads, a seam between them
+    "v 0 0 0\nv 1 0 0\nv 2 0 0\nv 0 1 0\nv 1 1 0\nv 2 1 0\n"
+    "vt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nvt 3 3\nvt 4 3\nvt 4 4\nvt 3 4\n"
+    "f 1/1 2/2 5/3 4/4\nf 2/5 3/6 6/7 5/8\n";
+
+/// The place in the plane of each corner, by x and y, goes with its texture coordinates.
+TEST(PageSurface, TextureCoordinatesGoAlong) {
+  PageCore core;
+  const int scheme = id_of(core.load(text_of("catmull-clark"), ""));
+  const int mesh = id_of(core.load_mesh("squares.obj", kSquares, ""));
+  const int plan = id_of(core.plan(scheme, mesh, R"({"levels":2,"limit":false,"texture":true})"));
+  const page::TextureAnswer texture = core.texture(plan);
+  EXPECT_EQ(parsed(texture.json).at("pattern"), "image");
+  const std::vector<std::uint32_t> triangles = core.topology(plan).triangles;
+  ASSERT_EQ(texture.coordinates.size(), 2 * triangles.size());
+  ASSERT_EQ(triangles.size(), 2U * 16 * 2 * 3);
+  const std::vector<float> positions = core.evaluate(plan).positions;
+  int left = 0;
+  for (std::size_t i = 0; i < triangles.size(); ++i) {
+    const float x = positions[3 * triangles[i]], u = texture.coordinates[2 * i];
+    if (x < 0.9F || x > 1.1F) {
+      EXPECT_EQ(x < 1, u < 2) << x << " " << u;  // either side of the seam
+    }
+    left += u < 2 ? 1 : 0;
+  }
+  EXPECT_EQ(2 * static_cast<std::size_t>(left), triangles.size());
+}
+
+TEST(PageSurface, FacesHaveTextureCoordinatesOfTheirOwn) {
+  PageCore core;
+  const int mesh = id_of(core.mesh("octahedron"));
+  const int loop = id_of(core.load(text_of("loop"), ""));
+  const int plan = id_of(core.plan(loop, mesh, R"({"levels":2,"texture":true})"));
+  const page::TextureAnswer texture = core.texture(plan);
+  EXPECT_EQ(parsed(texture.json).at("pattern"), "triangles");
+  ASSERT_EQ(texture.coordinates.size(), 2 * core.topology(plan).triangles.size());
+  for (std::size_t i = 0; i < texture.coordinates.size(); i += 2) {  // quarters of the face
+    const float u = 4 * texture.coordinates[i], v = 4 * texture.coordinates[i + 1];
+    EXPECT_NEAR(u, std::round(u), 1e-6);
+    EXPECT_NEAR(v, std::round(v), 1e-6);
+    EXPECT_LE(u + v, 4 + 1e-6);
+  }
+  // faces that lie across old edges have none, and it is said
+  const int turned = id_of(
+      core.plan(id_of(core.load(text_of("sqrt3"), "")), mesh, R"({"levels":2,"texture":true})"));
+  const json none = parsed(core.texture(turned).json);
+  EXPECT_EQ(none.at("pattern"), "none");
+  EXPECT_NE(none.at("reason").get<std::string>().find("seams"), std::string::npos);
+  EXPECT_FALSE(is_ok(core.texture(id_of(core.plan(loop, mesh, ""))).json));
+}
+
+// At a vertex of valence 5 these weights have no limit.
+TEST(PageSurface, WhereThereIsNoLimitThereAreHoles) {
+  PageCore core;
+  const std::string text =
+      "name = \"jumps\"\nsplit = \"triangle-dyadic\"\nextends = \"loop\"\n"
+      "[[vertex]]\nwhen = \"n == 5\"\nself = \"3\"\nring = \"-2/n\"\n"
+      "[[vertex]]\nself = \"1 - n*beta\"\nring = \"beta\"\n";
+  const int scheme = id_of(core.load(text, ""));
+  std::string hill = "v 0 0 1\n";
+  for (int i = 0; i < 5; ++i)
+    hill += "v " + std::to_string(std::cos(i * 2 * M_PI / 5)) + " " +
+            std::to_string(std::sin(i * 2 * M_PI / 5)) + " 0\n";
+  for (int i = 0; i < 5; ++i)
+    hill += "f 1 " + std::to_string(2 + i) + " " + std::to_string(2 + (i + 1) % 5) + "\n";
+  const int mesh = id_of(core.load_mesh("hill.obj", hill, ""));
+  const json plan = parsed(core.plan(scheme, mesh, R"({"levels":2})"));
+  ASSERT_TRUE(plan.at("ok")) << plan;
+  EXPECT_TRUE(plan.at("limit"));
+  EXPECT_GE(plan.at("missing"), 1);
+  EXPECT_FALSE(plan.at("reason").get<std::string>().empty());
+  const std::size_t triangles = core.topology(plan.at("id")).triangles.size() / 3;
+  EXPECT_EQ(triangles, plan.at("triangles"));
+  EXPECT_LE(triangles, 80U - 5);
+  const json whole = parsed(core.plan(scheme, mesh, R"({"levels":2,"limit":false})"));
+  EXPECT_EQ(whole.at("triangles"), 80);
+}
+
+TEST(PageSurface, APlanInsteadOfAnotherIsThatOfItsOwnParameters) {
+  PageCore core;
+  const std::string text = text_of("laplacian-loop");
+  const int mesh = id_of(core.mesh("bracket"));
+  const auto load = [&](const char* a) { return id_of(core.load(text, json{{"a", a}}.dump())); };
+  int before = id_of(core.plan(load("1/32"), mesh, R"({"levels":3})"));
+  for (const char* a : {"1/16", "1/8", "1/32"}) {
+    const int fresh = id_of(core.plan(load(a), mesh, R"({"levels":3})"));
+    const int instead =
+        id_of(core.plan(load(a), mesh, json{{"levels", 3}, {"instead", before}}.dump()));
+    EXPECT_EQ(core.evaluate(instead).positions, core.evaluate(fresh).positions) << a;
+    EXPECT_EQ(core.evaluate(instead).normals, core.evaluate(fresh).normals) << a;
+    EXPECT_EQ(core.topology(instead).triangles, core.topology(fresh).triangles) << a;
+    EXPECT_FALSE(is_ok(core.evaluate(before).json));
+    before = instead;
+  }
+  // of other levels, and of another mesh, nothing of it is left
+  const int coarse =
+      id_of(core.plan(load("1/8"), mesh, json{{"levels", 1}, {"instead", before}}.dump()));
+  const int other = id_of(core.plan(load("1/8"), id_of(core.mesh("octahedron")),
+                                    json{{"levels", 2}, {"instead", coarse}}.dump()));
+  EXPECT_EQ(core.evaluate(other).positions.size(), 3U * 66);
+  EXPECT_EQ(core.topology(other).triangles.size(), 3U * 128);
 }
 
 TEST(PageSurface, FollowsAMovedVertex) {

@@ -100,7 +100,18 @@ EMSCRIPTEN_BINDINGS(limn_page) {
   function(
       "topology", +[](int id) {
         const auto made = core().topology(id);
-        return object(made.json, named("triangles", made.triangles), named("lines", made.lines));
+        return object(made.json, named("triangles", made.triangles));
+      });
+  function(
+      "lines", +[](int id) {
+        const auto made = core().lines(id);
+        return object(made.json, named("vertices", made.vertices), named("begin", made.begin),
+                      named("segments", made.segments));
+      });
+  function(
+      "texture", +[](int id) {
+        const auto made = core().texture(id);
+        return object(made.json, named("coordinates", made.coordinates));
       });
   function(
       "evaluate", +[](int id) {

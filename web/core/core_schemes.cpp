@@ -7,6 +7,7 @@
 #include "limn/scheme/file/shipped_files.h"
 #include "limn/scheme/scheme_size.h"
 #include "limn/scheme/scope.h"
+#include "limn/scheme/shipped_scheme.h"
 #include "limn/spectrum/least_valence.h"
 #include "page_state.h"
 
@@ -74,22 +75,20 @@ std::optional<double> number_of(const Scheme& scheme, const Formula& formula) {
 Json number_json(const std::optional<double>& value) { return value ? Json(*value) : Json(); }
 
 /// Whether a value between whole numbers is refused.
-bool takes_integers_alone(const Scheme& scheme, const Parameter& parameter) {
+bool takes_integers_alone(ParameterSetter& setter, const Parameter& parameter) {
+  const Scheme& scheme = setter.scheme();
   const std::optional<double> value = number_of(scheme, parameter.value);
   if (!value || *value != std::floor(*value) || !parameter.low) return false;
   const std::optional<double> low = number_of(scheme, *parameter.low);
   const std::optional<double> high = number_of(scheme, *parameter.high);
   if (!low || !high || *high - *low < 1 || *low != std::floor(*low)) return false;
-  Scheme other = scheme;
   const double between = (*value < *high ? *value : *low) + 0.5;
-  return !set_parameter(other, parameter.name + "=" + fraction_text(between));
+  return !setter.with({parameter.name + "=" + fraction_text(between)});
 }
 
 /// What can be asked of the scheme, whatever its parameters are, and why the rest cannot.
 void find_features(ReadText& read) {
-  LoadedScheme loaded;
-  loaded.scheme = read.scheme;
-  const Scheme& scheme = loaded.scheme;
+  const Scheme& scheme = read.setter.scheme();
   const auto& rules = scheme.rules;
   const bool has_rules =
       std::any_of(rules.begin(), rules.end(), [](const auto& rule) { return rule.has_value(); });
@@ -101,8 +100,6 @@ void find_features(ReadText& read) {
     read.features[name] = has;
     if (!has) read.reasons[name] = reason;
   };
-  const Result<const NamedAnalysis*> lattice = lattice_of(loaded);
-  add("artifacts", lattice.ok(), lattice ? "" : lattice.error().message);
   const std::string none = "the scheme has no rules for meshes, only a mask";
   const bool by_rules = has_rules && !scheme.mask && !scheme.factors;
   add("eigen", by_rules, none);
@@ -114,12 +111,12 @@ void find_features(ReadText& read) {
 
 Result<Scheme> read_text(const std::string& text) {
   for (const ShippedFile& file : shipped_files())
-    if (file.text == text) return find_scheme(std::string(file.name));
+    if (file.text == text) return shipped_scheme(std::string(file.name));
   return parse_scheme(text, "scheme.toml");
 }
 
-Result<std::shared_ptr<const ReadText>> read_kept(
-    const std::string& text, std::deque<std::shared_ptr<const ReadText>>& kept) {
+Result<std::shared_ptr<ReadText>> read_kept(const std::string& text,
+                                            std::deque<std::shared_ptr<ReadText>>& kept) {
   const auto same =
       std::find_if(kept.begin(), kept.end(), [&](const auto& one) { return one->text == text; });
   if (same != kept.end()) {
@@ -130,12 +127,11 @@ Result<std::shared_ptr<const ReadText>> read_kept(
     return Error{fmt::format("the text has more than {} bytes", kMostSchemeBytes)};
   Result<Scheme> scheme = read_text(text);
   if (!scheme) return scheme.error();
-  std::vector<bool> integers;
-  for (const Parameter& parameter : scheme->parameters)
-    integers.push_back(takes_integers_alone(*scheme, parameter));
-  ReadText read{text, std::move(*scheme), std::move(integers), {}, {}};
+  ReadText read{text, ParameterSetter(std::move(*scheme)), {}, {}, {}};
+  for (const Parameter& parameter : read.setter.scheme().parameters)
+    read.integers.push_back(takes_integers_alone(read.setter, parameter));
   find_features(read);
-  kept.push_front(std::make_shared<const ReadText>(std::move(read)));
+  kept.push_front(std::make_shared<ReadText>(std::move(read)));
   if (kept.size() > kTextsKept) kept.pop_back();
   return kept.front();
 }
@@ -153,7 +149,7 @@ Json parameters_json(const ReadText& read, const Scheme& scheme) {
                     {"meaning", parameter.meaning},
                     {"value", parameter.value.expression.text()},
                     {"number", number_json(number_of(scheme, parameter.value))},
-                    {"default", read.scheme.parameters[i].value.expression.text()},
+                    {"default", read.setter.scheme().parameters[i].value.expression.text()},
                     {"min", low},
                     {"max", high},
                     {"integer", static_cast<bool>(read.integers[i])}});
@@ -203,13 +199,17 @@ std::string PageCore::load(const std::string& text, const std::string& parameter
   return answer([&]() -> Result<Json> {
     const Result<std::vector<std::string>> assignments = assignments_of(parameters);
     if (!assignments) return assignments.error();
-    const Result<std::shared_ptr<const ReadText>> read = read_kept(text, state_->read);
+    const Result<std::shared_ptr<ReadText>> read = read_kept(text, state_->read);
     if (!read) return read.error();
     auto loaded = std::make_shared<LoadedScheme>();
-    loaded->scheme = (*read)->scheme;
-    Scheme& scheme = loaded->scheme;
-    if (!assignments->empty())
-      if (Status status = set_parameters(scheme, *assignments); !status) return status.error();
+    if (assignments->empty()) {
+      loaded->scheme = (*read)->setter.scheme();
+    } else {
+      Result<Scheme> set = (*read)->setter.with(*assignments);
+      if (!set) return set.error();
+      loaded->scheme = std::move(*set);
+    }
+    const Scheme& scheme = loaded->scheme;
     Json json{{"id", state_->schemes.add(loaded)},
               {"name", scheme.name},
               {"title", scheme.title},

@@ -14,8 +14,8 @@ namespace limn::page {
 namespace {
 
 struct PlanOptions {
-  int levels = 3;
-  bool limit = true, normals = true;
+  int levels = 3, instead = 0;
+  bool limit = true, normals = true, texture = false;
 };
 
 Result<PlanOptions> options_of(const std::string& text) {
@@ -33,6 +33,10 @@ Result<PlanOptions> options_of(const std::string& text) {
       options.limit = value.get<bool>();
     } else if (key == "normals" && value.is_boolean()) {
       options.normals = value.get<bool>();
+    } else if (key == "instead" && value.is_number_integer()) {
+      options.instead = static_cast<int>(value.get<std::int64_t>());
+    } else if (key == "texture" && value.is_boolean()) {
+      options.texture = value.get<bool>();
     } else {
       return Error{fmt::format("the option '{}' is unknown or has no such value", key)};
     }
@@ -63,10 +67,27 @@ SurfaceOptions surface_options(const LoadedPlan& plan) {
   return options;
 }
 
+/// The faces of the refined mesh, and room for its points. Those of another plan stay as they are
+/// where they do not depend on what differs: the weights.
+void make_room(LoadedPlan& plan, LoadedPlan* before) {
+  const FastRefiner& refiner = *plan.refiner;
+  const bool same = before != nullptr && before->refiner && before->mesh == plan.mesh &&
+                    before->levels == plan.levels &&
+                    before->scheme->scheme.split == plan.scheme->scheme.split;
+  if (before != nullptr) {
+    plan.refined = std::move(before->refined);
+    plan.positions = std::move(before->positions);
+    plan.normals_there = std::move(before->normals_there);
+    plan.scratch = std::move(before->scratch);
+  }
+  if (!same) plan.refined = refined_polygons(refiner, {});
+}
+
 /// Makes what can be made once, for the fast engine.
-Status prepare(LoadedPlan& plan) {
+Status prepare(LoadedPlan& plan, LoadedPlan* before) {
   const Scheme& scheme = plan.scheme->scheme;
-  if (!has_fast_layout(*scheme.split) || plan.sharpness.any() || plan.sharpness.has_holes())
+  if (!has_fast_layout(*scheme.split) || plan.sharpness.any() || plan.sharpness.has_holes() ||
+      plan.textured)
     return Done{};
   Result<FastRefiner> refiner = FastRefiner::make(scheme, plan.mesh->mesh, plan.levels);
   if (!refiner) return refiner.error();
@@ -76,90 +97,140 @@ Status prepare(LoadedPlan& plan) {
     plan.on_limit = std::move(**limit);
   }
   plan.refiner = std::move(*refiner);
-  plan.refined = refined_polygons(
-      *plan.refiner, std::vector<Point3>(static_cast<std::size_t>(plan.refiner->vertex_count())));
+  make_room(plan, before);
   return Done{};
 }
 
 void update_fast(LoadedPlan& plan) {
-  const std::span<const double> control = numbers_of(plan.mesh->points);
-  std::vector<Point3>& points = plan.refined.positions;
-  if (!plan.on_limit)
-    return plan.refiner->evaluate<double>(control, numbers_of(points), plan.scratch);
-  plan.normals_there.resize(points.size());
-  plan.refiner->evaluate_limit<double>(*plan.on_limit, control, numbers_of(points),
-                                       numbers_of(plan.normals_there), plan.scratch);
+  const std::vector<float> control = floats_of(plan.mesh->points);
+  const std::size_t numbers = 3 * static_cast<std::size_t>(plan.refiner->vertex_count());
+  plan.positions.resize(numbers);
+  if (!plan.on_limit) return plan.refiner->evaluate<float>(control, plan.positions, plan.scratch);
+  plan.normals_there.resize(numbers);
+  plan.refiner->evaluate_limit<float>(*plan.on_limit, control, plan.positions, plan.normals_there,
+                                      plan.scratch);
   plan.has_limit = plan.limit;
   plan.has_normals = plan.normals;
-  if (!plan.limit)
-    std::copy_n(plan.scratch.refined.data(), 3 * points.size(), numbers_of(points).data());
+  if (!plan.limit) std::copy_n(plan.scratch.refined.data(), numbers, plan.positions.data());
 }
 
-/// By the front of refinement, which takes everything; without the limit where there is none.
+/// The surface in double precision.
+Polygons in_doubles(LoadedPlan& plan) {
+  if (!plan.refiner) return plan.refined;
+  Polygons polygons = plan.refined;
+  polygons.positions.resize(static_cast<std::size_t>(plan.refiner->vertex_count()));
+  const std::span<const double> control = numbers_of(plan.mesh->points);
+  FastRefiner::Scratch<double> scratch;
+  if (!plan.has_limit) {
+    plan.refiner->evaluate<double>(control, numbers_of(polygons.positions), scratch);
+    return polygons;
+  }
+  std::vector<Point3> normals(polygons.positions.size());
+  plan.refiner->evaluate_limit<double>(*plan.on_limit, control, numbers_of(polygons.positions),
+                                       numbers_of(normals), scratch);
+  return polygons;
+}
+
+/// Notes at which vertices there is no limit, if it is the limit that is shown.
+void note_gaps(LoadedPlan& plan, const LimitGaps& gaps) {
+  plan.without_limit.clear();
+  if (!plan.has_limit || gaps.limits.empty()) return;
+  plan.without_limit.resize(plan.refined.positions.size());
+  for (const LimitPoints::Refused& gap : gaps.limits) plan.without_limit[gap.vertex] = true;
+  plan.reason = gaps.limits.front().reason;
+}
+
+/// By the front of refinement, which takes everything; without the limit, or the texture, where
+/// there is none.
 Status update_plain(LoadedPlan& plan) {
   SurfaceOptions options = surface_options(plan);
   options.limit = plan.limit;
   options.normals = plan.normals;
+  MeshAttributes attributes;
+  if (plan.textured) {
+    attributes = texture_for(plan);
+    options.attributes = &attributes;
+    if (plan.pattern != "image") options.attribute_rules.texture = TextureRule::all;
+  }
   const LoadedMesh& mesh = *plan.mesh;
-  Result<RefinedSurface> surface =
-      refine_surface(plan.scheme->scheme, mesh.mesh, mesh.points, options);
+  const auto refined = [&] {
+    return refine_surface(plan.scheme->scheme, mesh.mesh, mesh.points, options);
+  };
+  Result<RefinedSurface> surface = refined();
+  if (!surface && plan.textured) {
+    const Error fault = surface.error();
+    options.attributes = nullptr;
+    surface = refined();
+    plan.pattern = "none";
+    if (surface) plan.no_texture = fault.message;
+  }
   plan.has_limit = options.limit && surface;
   plan.has_normals = options.normals && surface;
   if (!surface && options.of_limit()) {
     plan.reason = surface.error().message;
     options.limit = options.normals = false;
-    surface = refine_surface(plan.scheme->scheme, mesh.mesh, mesh.points, options);
+    surface = refined();
   }
   if (!surface) return surface.error();
   plan.refined = std::move(surface->polygons);
+  note_gaps(plan, surface->gaps);
   if (plan.has_limit) plan.refined.positions = std::move(surface->limit);
-  plan.normals_there = std::move(surface->normals);
+  plan.positions = floats_of(plan.refined.positions);
+  plan.normals_there = floats_of(surface->normals);
+  if (plan.textured) keep_texture(plan, surface->attributes.texture);
   return Done{};
 }
 
+Point3 point_at(const std::vector<float>& numbers, Index i) {
+  const std::size_t at = 3 * static_cast<std::size_t>(i);
+  return {numbers[at], numbers[at + 1], numbers[at + 2]};
+}
+
 /// Normals where there are none: the sum of those of the faces there.
-void complete_normals(const Polygons& polygons, std::vector<Point3>& normals) {
-  std::vector<Point3> sums(polygons.positions.size());
+void complete_normals(LoadedPlan& plan) {
+  const Polygons& polygons = plan.refined;
+  std::vector<Point3> sums(plan.positions.size() / 3);
   for (Index f = 0; f < polygons.face_count(); ++f) {
     const Index* corners = polygons.corners.data() + polygons.face_begin[f];
-    const Point3 first = polygons.positions[corners[0]];
+    const Point3 first = point_at(plan.positions, corners[0]);
     Point3 area;
     for (Index i = 1; i + 1 < polygons.degree(f); ++i)
-      area = area + cross(polygons.positions[corners[i]] - first,
-                          polygons.positions[corners[i + 1]] - first);
+      area = area + cross(point_at(plan.positions, corners[i]) - first,
+                          point_at(plan.positions, corners[i + 1]) - first);
     for (Index i = 0; i < polygons.degree(f); ++i) sums[corners[i]] = sums[corners[i]] + area;
   }
-  normals.resize(sums.size());
+  plan.normals_there.resize(plan.positions.size());
   for (std::size_t v = 0; v < sums.size(); ++v) {
-    if (normals[v] != Point3{}) continue;
+    if (point_at(plan.normals_there, static_cast<Index>(v)) != Point3{}) continue;
     const double length = std::sqrt(dot(sums[v], sums[v]));
-    if (length > 0) normals[v] = (1 / length) * sums[v];
+    if (!(length > 0)) continue;
+    plan.normals_there[3 * v] = static_cast<float>(sums[v].x / length);
+    plan.normals_there[3 * v + 1] = static_cast<float>(sums[v].y / length);
+    plan.normals_there[3 * v + 2] = static_cast<float>(sums[v].z / length);
   }
 }
 
-Index triangle_count(const Polygons& polygons) {
-  return static_cast<Index>(polygons.corners.size()) - 2 * polygons.face_count();
-}
-
-std::vector<std::uint32_t> fans_of(const Polygons& polygons) {
-  std::vector<std::uint32_t> triangles;
-  triangles.reserve(3 * static_cast<std::size_t>(std::max<Index>(triangle_count(polygons), 0)));
-  for (Index f = 0; f < polygons.face_count(); ++f) {
-    const Index* corners = polygons.corners.data() + polygons.face_begin[f];
-    for (Index i = 1; i + 1 < polygons.degree(f); ++i)
-      for (const Index corner : {corners[0], corners[i], corners[i + 1]})
-        triangles.push_back(static_cast<std::uint32_t>(corner));
-  }
-  return triangles;
+/// Whether some vertex has no normal.
+bool lacks_normals(const LoadedPlan& plan) {
+  const std::vector<float>& n = plan.normals_there;
+  for (std::size_t i = 0; i < n.size(); i += 3)
+    if (n[i] == 0 && n[i + 1] == 0 && n[i + 2] == 0) return true;
+  return false;
 }
 
 Json plan_json(const LoadedPlan& plan, int id) {
+  Index triangles = static_cast<Index>(plan.refined.corners.size()) - 2 * plan.refined.face_count();
+  if (!plan.without_limit.empty()) {
+    triangles = 0;
+    each_triangle(plan, [&](Index, Index, Index) { ++triangles; });
+  }
   return {{"id", id},
-          {"vertices", plan.refined.vertex_count()},
-          {"triangles", triangle_count(plan.refined)},
+          {"vertices", plan.positions.size() / 3},
+          {"triangles", triangles},
           {"engine", plan.refiner ? "fast" : "plain"},
           {"limit", plan.has_limit},
-          {"reason", plan.reason}};
+          {"reason", plan.reason},
+          {"missing", std::count(plan.without_limit.begin(), plan.without_limit.end(), true)}};
 }
 
 }  // namespace
@@ -170,12 +241,8 @@ Status update(LoadedPlan& plan) {
     update_fast(plan);
   else if (Status status = update_plain(plan); !status)
     return status;
-  if (plan.normals) {
-    const bool whole = plan.has_normals && plan.refiner;
-    if (!whole || std::find(plan.normals_there.begin(), plan.normals_there.end(), Point3{}) !=
-                      plan.normals_there.end())
-      complete_normals(plan.refined, plan.normals_there);
-  }
+  if (plan.normals && (!plan.has_normals || !plan.refiner || lacks_normals(plan)))
+    complete_normals(plan);
   plan.moves = plan.mesh->moves;
   return Done{};
 }
@@ -196,8 +263,12 @@ std::string PageCore::plan(int scheme, int mesh, const std::string& options) {
     plan->levels = wanted->levels;
     plan->limit = wanted->limit;
     plan->normals = wanted->normals;
+    plan->textured = wanted->texture;
     plan->sharpness = sharpness_of(**control, (*loaded)->scheme);
-    if (Status status = prepare(*plan); !status) return status.error();
+    const auto before = state_->plans.find(wanted->instead);
+    state_->plans.remove(wanted->instead);
+    if (Status status = prepare(*plan, before ? before->get() : nullptr); !status)
+      return status.error();
     if (Status status = update(*plan); !status) return status.error();
     const int id = state_->plans.add(plan);
     return plan_json(*plan, id);
@@ -211,9 +282,10 @@ TopologyAnswer PageCore::topology(int plan) {
   made.json = answer([&]() -> Result<Json> {
     const auto found = state_->plans.find(plan);
     if (!found) return found.error();
-    if (!(*found)->lines) (*found)->lines = edges_on_surface(**found);
-    made.lines = *(*found)->lines;
-    made.triangles = fans_of((*found)->refined);
+    each_triangle(**found, [&](Index a, Index b, Index c) {
+      for (const Index corner : {a, b, c})
+        made.triangles.push_back(static_cast<std::uint32_t>((*found)->refined.corners[corner]));
+    });
     return Json::object();
   });
   return made;
@@ -227,8 +299,8 @@ SurfaceAnswer PageCore::evaluate(int plan) {
     LoadedPlan& now = **found;
     const auto start = std::chrono::steady_clock::now();
     if (Status status = update(now); !status) return status.error();
-    made.positions = floats_of(now.refined.positions);
-    if (now.normals) made.normals = floats_of(now.normals_there);
+    made.positions = now.positions;
+    if (now.normals) made.normals = now.normals_there;
     const auto passed = std::chrono::steady_clock::now() - start;
     return Json{{"limit", now.has_limit},
                 {"normals", now.has_normals ? "limit" : "faces"},
@@ -270,7 +342,7 @@ FieldAnswer PageCore::distance(int plan, int other) {
     if (!b) return b.error();
     for (const auto& one : {*a, *b})
       if (Status status = update(*one); !status) return status.error();
-    const Result<SurfaceDistance> apart = approx_surface_distance((*a)->refined, (*b)->refined);
+    const Result<SurfaceDistance> apart = approx_surface_distance(in_doubles(**a), in_doubles(**b));
     if (!apart) return apart.error();
     for (const double distance : apart->from_a) made.values.push_back(static_cast<float>(distance));
     return Json{{"largest", apart->largest}, {"mean", apart->mean}, {"diagonal", apart->diagonal}};

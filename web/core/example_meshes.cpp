@@ -21,12 +21,13 @@ std::string hill_name(Index valence, Lattice lattice) {
   return fmt::format("vertex-{}-{}", valence, lattice == Lattice::triangle ? "triangles" : "quads");
 }
 
-/// A point of a sector's plane, a edges along its first spoke and b along the next, on the hill.
+/// A point of a sector's plane, a edges along its first spoke and b along the next, on the hill,
+/// whose height is y, as the page has it.
 Point3 on_hill(Index valence, Index sector, double a, double b) {
   const double angle = 2 * std::numbers::pi / valence;
   const double x = a * std::cos(sector * angle) + b * std::cos((sector + 1) * angle);
   const double y = a * std::sin(sector * angle) + b * std::sin((sector + 1) * angle);
-  return {x, y, 1.5 * std::exp(-(x * x + y * y) / 3)};
+  return {x, 1.5 * std::exp(-(x * x + y * y) / 3), -y};
 }
 
 /// The points of `star` in the order of their numbers (mesh/lattice.h).

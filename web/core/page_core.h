@@ -41,10 +41,21 @@ struct ControlAnswer {
   std::vector<float> positions;
   std::vector<std::uint32_t> edges;
 };
-/// A refined mesh's triangles, and pairs of vertices: the control mesh's edges on the surface.
+/// A refined mesh's triangles.
 struct TopologyAnswer {
   std::string json;
-  std::vector<std::uint32_t> triangles, lines;
+  std::vector<std::uint32_t> triangles;
+};
+/// The control mesh's edges on the surface: point p is the mean of the refined vertices
+/// vertices[begin[p]] … vertices[begin[p + 1] - 1]; `segments` are pairs of points.
+struct LinesAnswer {
+  std::string json;
+  std::vector<std::uint32_t> vertices, begin, segments;
+};
+/// Two numbers for each corner of topology's triangles, one after the other.
+struct TextureAnswer {
+  std::string json;
+  std::vector<float> coordinates;
 };
 /// x, y, z of points and normals.
 struct SurfaceAnswer {
@@ -74,9 +85,9 @@ class PageCore {
   /// numbers. {"id", "name", "title", "split", "lattice", "dual", "source", "notes", "file",
   /// "parameters": [{"name", "meaning", "value": text, "number", "default": text, "min", "max":
   /// numbers or null, "integer"}], "valences": {"regular", "least", "most"}, "features":
-  /// {"artifacts", "eigen", "refine", "boundary", "sharpness": bool}, "reasons": {feature: why it
-  /// is missing}}. What was read last is kept, so that other parameters of the same text cost some
-  /// milliseconds less.
+  /// {"eigen", "refine", "boundary", "sharpness": bool}, "reasons": {feature: why it
+  /// is missing}}. What was read last is kept, so that other parameters of the same text cost next
+  /// to nothing (limn/scheme/parameter_setter.h).
   [[nodiscard]] std::string load(const std::string& text, const std::string& parameters);
   void unload(int scheme);
   /// As `limn show --json`.
@@ -108,7 +119,7 @@ class PageCore {
   /// As `limn regularity --json`, after at most about so many seconds.
   [[nodiscard]] std::string regularity(int scheme, double seconds);
 
-  /// {"meshes": [{"name", "summary", "faces": "triangles", "quads" or "mixed", "closed"}]}
+  /// {"meshes": [{"name", "summary", "faces": "triangles", "quads" or "mixed"}]}
   [[nodiscard]] std::string meshes() const;
   /// Loads one of them; answers as load_mesh.
   [[nodiscard]] std::string mesh(const std::string& name);
@@ -127,11 +138,21 @@ class PageCore {
                                           double sharpness);
 
   /// How this mesh is refined by this scheme. `options`: "" or {"levels": 3, "limit": true,
-  /// "normals": true}. {"id", "vertices", "triangles", "engine": "fast" or "plain", "limit",
-  /// "reason"}. It is made for the sharpness that the mesh has, and for any positions.
+  /// "normals": true, "texture": false, "instead": 0}. {"id", "vertices", "triangles", "engine":
+  /// "fast" or "plain", "limit", "reason", "missing": at how many vertices there is no limit}; the
+  /// faces there are left out of "triangles". It is made for the sharpness that the mesh has, and
+  /// for any positions. `instead`: a plan that goes, whose memory this one takes; of the same mesh,
+  /// with other parameters, it takes its faces too.
   [[nodiscard]] std::string plan(int scheme, int mesh, const std::string& options);
   void unplan(int plan);
   [[nodiscard]] TopologyAnswer topology(int plan);
+  /// As long as refining anew by the plain engine.
+  [[nodiscard]] LinesAnswer lines(int plan);
+  /// Of a plan that was made with "texture". {"pattern", "reason": why there is none}: "image", the
+  /// texture coordinates that came with the mesh; or, where there are none, "triangles" or "quads":
+  /// coordinates within each control face, from corner to corner (0, 0), (1, 0), (0, 1) or (0, 0),
+  /// (1, 0), (1, 1), (0, 1); or "none".
+  [[nodiscard]] TextureAnswer texture(int plan);
   /// {"limit", "normals": "limit" or "faces", "milliseconds"}
   [[nodiscard]] SurfaceAnswer evaluate(int plan);
   /// At the plan's vertices. {"missing": how many have none, "reasons": as gaps of `limn refine`}

@@ -14,6 +14,8 @@
 #include "answer.h"
 #include "limn/fast/fast_refiner.h"
 #include "limn/mesh/sharpness/tags.h"
+#include "limn/mesh/split/edge_paths.h"
+#include "limn/scheme/parameter_setter.h"
 #include "limn/spectrum/frequency_blocks.h"
 #include "limn/study/artifact_values.h"
 #include "limn/surface/refine_surface.h"
@@ -29,7 +31,7 @@ inline constexpr double kMostBytes = 1.2e9;   // of the 2 GiB that WebAssembly m
 /// A text that was read, before any parameter is set.
 struct ReadText {
   std::string text;
-  Scheme scheme;
+  ParameterSetter setter;
   std::vector<bool> integers;  ///< of each parameter whether whole numbers alone are taken
   Json features, reasons;      ///< what can be asked of it, and why the rest cannot
 };
@@ -46,7 +48,8 @@ struct LoadedMesh {
   std::vector<Point3> points;
   Sharpness sharpness;
   SharpnessTags cut_tags;  ///< what holds the copies together that repair has made
-  int moves = 0;           ///< how often a vertex was moved
+  TextureCoordinates texture;
+  int moves = 0;  ///< how often a vertex was moved
 };
 
 /// Keeps what it was made of, whatever becomes of the numbers.
@@ -55,16 +58,21 @@ struct LoadedPlan {
   std::shared_ptr<LoadedMesh> mesh;
   int levels = 0;
   bool limit = true, normals = true;
-  Sharpness sharpness;                 ///< that of the mesh when it was made
-  std::string reason;                  ///< why there is no limit
-  std::optional<FastRefiner> refiner;  ///< nothing: the plain engine
+  Sharpness sharpness;                       ///< that of the mesh when it was made
+  std::string reason;                        ///< why there is no limit, or not everywhere
+  bool textured = false;                     ///< whether texture coordinates are wanted
+  std::vector<bool> without_limit;           ///< of vertices; empty: none
+  std::string pattern = "none", no_texture;  ///< as PageCore::texture says them
+  std::vector<float> texture;                ///< of the triangles' corners
+  std::optional<FastRefiner> refiner;        ///< nothing: the plain engine
   std::optional<FastRefiner::Limit> on_limit;
-  FastRefiner::Scratch<double> scratch;
-  Polygons refined;  ///< faces; positions and normals as of `moves`
-  std::vector<Point3> normals_there;
+  FastRefiner::Scratch<float> scratch;
+  Polygons refined;  ///< faces; with positions where the plain engine makes them
+  /// As of `moves`, as they are drawn; normals that the surface does not have are sums of faces'.
+  std::vector<float> positions, normals_there;
   bool has_limit = false, has_normals = false;  ///< what these are
   int moves = -1;                               ///< of the mesh, when they were made
-  std::optional<std::vector<std::uint32_t>> lines;
+  std::optional<EdgePaths> lines;
 };
 
 /// Things by number, from 1.
@@ -90,7 +98,7 @@ class Numbered {
 };
 
 struct PageCore::State {
-  std::deque<std::shared_ptr<const ReadText>> read;  ///< the last ones, latest first
+  std::deque<std::shared_ptr<ReadText>> read;  ///< the last ones, latest first
   Numbered<LoadedScheme> schemes{"scheme"};
   Numbered<LoadedMesh> meshes{"mesh"};
   Numbered<LoadedPlan> plans{"plan"};
@@ -110,11 +118,32 @@ template <class Points>
   return list;
 }
 
-/// Puts the surface of the mesh as it is now into `plan.refined` and `plan.normals_there`.
+/// Puts the surface of the mesh as it is now into `plan.positions` and `plan.normals_there`.
 [[nodiscard]] Status update(LoadedPlan& plan);
 
-/// The control mesh's edges on the refined mesh, pairs of vertices; none where the split does not
-/// keep edges.
-[[nodiscard]] std::vector<std::uint32_t> edges_on_surface(LoadedPlan& plan);
+/// The control mesh's edges on the refined mesh, by the plan's numbers of vertices.
+[[nodiscard]] EdgePaths lines_of(LoadedPlan& plan);
+
+/// Calls visit(a, b, c) for the corners (places in polygons.corners) of the triangles that faces
+/// are cut into, without faces at a vertex that has no limit.
+template <class Visit>
+void each_triangle(const LoadedPlan& plan, Visit visit) {
+  const Polygons& polygons = plan.refined;
+  const auto is_hole = [&](Index f) {
+    for (Index c = polygons.face_begin[f]; c < polygons.face_begin[f + 1]; ++c)
+      if (plan.without_limit[polygons.corners[c]]) return true;
+    return false;
+  };
+  for (Index f = 0; f < polygons.face_count(); ++f) {
+    if (!plan.without_limit.empty() && is_hole(f)) continue;
+    const Index first = polygons.face_begin[f];
+    for (Index c = first + 1; c + 1 < polygons.face_begin[f + 1]; ++c) visit(first, c, c + 1);
+  }
+}
+
+/// Texture coordinates for `plan`: the mesh's own, or such within each face. `pattern` is set.
+[[nodiscard]] MeshAttributes texture_for(LoadedPlan& plan);
+/// Of the surface that carries them.
+void keep_texture(LoadedPlan& plan, const TextureCoordinates& texture);
 
 }  // namespace limn::page

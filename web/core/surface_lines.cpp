@@ -3,7 +3,6 @@
 #include <numeric>
 #include <random>
 
-#include "limn/mesh/split/heritage.h"
 #include "limn/refine/refine.h"
 #include "page_state.h"
 
@@ -17,31 +16,6 @@ std::vector<Point3> random_points(std::size_t count) {
   std::vector<Point3> points(count);
   for (Point3& point : points) point = {next(), next(), next()};
   return points;
-}
-
-/// The edges of the mesh after so many steps that lie on edges of the control mesh.
-std::vector<std::uint32_t> inherited_edges(const Split& split, Mesh mesh, int levels) {
-  std::vector<bool> on_control(static_cast<std::size_t>(mesh.edge_count()), true);
-  for (int step = 0; step < levels; ++step) {
-    SplitResult fine = split.apply(mesh, step);
-    const std::vector<Index> old = old_halfedges(mesh, fine);
-    std::vector<bool> on(static_cast<std::size_t>(fine.mesh.edge_count()));
-    for (Index e = 0; e < fine.mesh.edge_count(); ++e) {
-      const Index h = old[static_cast<std::size_t>(fine.mesh.halfedge_of_edge(e))];
-      on[static_cast<std::size_t>(e)] =
-          h != kNone && on_control[static_cast<std::size_t>(mesh.edge(h))];
-    }
-    on_control = std::move(on);
-    mesh = std::move(fine.mesh);
-  }
-  std::vector<std::uint32_t> pairs;
-  for (Index e = 0; e < mesh.edge_count(); ++e) {
-    if (!on_control[static_cast<std::size_t>(e)]) continue;
-    const Index h = mesh.halfedge_of_edge(e);
-    pairs.push_back(static_cast<std::uint32_t>(mesh.origin(h)));
-    pairs.push_back(static_cast<std::uint32_t>(mesh.target(h)));
-  }
-  return pairs;
 }
 
 std::vector<std::size_t> by_place(const std::vector<Point3>& points) {
@@ -69,8 +43,8 @@ std::vector<std::uint32_t> matched(const std::vector<Point3>& points,
 /// Where refinement puts the plan's vertices if the control points are these.
 std::vector<Point3> refined_points(LoadedPlan& plan, const std::vector<Point3>& control) {
   if (plan.refiner) {
-    std::vector<Point3> points(plan.refined.positions.size());
-    plan.refiner->evaluate<double>(numbers_of(control), numbers_of(points), plan.scratch);
+    std::vector<Point3> points(plan.positions.size() / 3);
+    plan.refiner->evaluate<double>(numbers_of(control), numbers_of(points));
     return points;
   }
   SurfaceOptions options;
@@ -86,18 +60,34 @@ std::vector<Point3> refined_points(LoadedPlan& plan, const std::vector<Point3>& 
 
 // The engines number vertices in orders of their own; which edges lie on the control mesh's is
 // known in the plain one's. So vertices are matched by where they lie.
-std::vector<std::uint32_t> edges_on_surface(LoadedPlan& plan) {
+EdgePaths lines_of(LoadedPlan& plan) {
   const Scheme& scheme = plan.scheme->scheme;
-  if (!keeps_old_edges(*scheme.split) || !scheme.split->halves_edges()) return {};
   const std::vector<Point3> control = random_points(plan.mesh->points.size());
   const Result<Refined<Point3>> plain =
       refine(scheme, plan.mesh->mesh, control, plan.levels, {}, plan.sharpness);
   if (!plain) return {};
   const std::vector<std::uint32_t> match = matched(plain->values, refined_points(plan, control));
   if (match.empty()) return {};
-  std::vector<std::uint32_t> lines = inherited_edges(*scheme.split, plan.mesh->mesh, plan.levels);
-  for (std::uint32_t& vertex : lines) vertex = match[vertex];
+  EdgePaths lines = edge_paths(*scheme.split, plan.mesh->mesh, plan.levels);
+  for (Index& vertex : lines.vertices) vertex = static_cast<Index>(match[vertex]);
   return lines;
+}
+
+LinesAnswer PageCore::lines(int plan) {
+  LinesAnswer made;
+  made.json = answer([&]() -> Result<Json> {
+    const auto found = state_->plans.find(plan);
+    if (!found) return found.error();
+    std::optional<EdgePaths>& lines = (*found)->lines;
+    if (!lines) lines = lines_of(**found);
+    made.vertices.assign(lines->vertices.begin(), lines->vertices.end());
+    made.begin.assign(lines->begin.begin(), lines->begin.end());
+    for (const EdgePaths::Segment& segment : lines->segments)
+      for (const Index point : {segment.from, segment.to})
+        made.segments.push_back(static_cast<std::uint32_t>(point));
+    return Json::object();
+  });
+  return made;
 }
 
 }  // namespace limn::page

@@ -195,6 +195,13 @@ Status check_parameter(const Scheme& scheme, const Parameter& parameter, RuleKin
   return Done{};
 }
 
+/// Whether the value and its range are numbers, whatever names stand for.
+bool is_of_numbers(const Parameter& parameter) {
+  const auto is_number = [](const Formula& formula) { return formula.expression.names().empty(); };
+  return is_number(parameter.value) && (!parameter.low || is_number(*parameter.low)) &&
+         (!parameter.high || is_number(*parameter.high));
+}
+
 /// The weights of the case that applies, or that there is none.
 Status check_case(const Scheme& scheme, RuleKind kind, int n) {
   const Result<const RuleCase*> rule_case = applicable_case(scheme, kind, n);
@@ -287,6 +294,24 @@ Status check_rule(const Scheme& scheme, RuleKind kind, int n) {
   for (const Parameter& parameter : scheme.parameters)
     if (Status status = check_parameter(scheme, parameter, kind, n); !status) return status;
   return check_case(scheme, kind, n);
+}
+
+Status check_ranges(const Scheme& scheme) {
+  const ExactBudget budget(kExactWork);
+  std::set<const Parameter*> left;
+  for (const Parameter& parameter : scheme.parameters) left.insert(&parameter);
+  for (int i = 0; i < kRuleKinds; ++i) {
+    const auto kind = static_cast<RuleKind>(i);
+    if (!scheme.rule(kind)) continue;
+    const auto [first, last] = checked_valences(scheme, kind);
+    for (int n = first; n <= last; ++n)
+      for (const Parameter& parameter : scheme.parameters) {
+        if (!left.contains(&parameter)) continue;
+        if (Status status = check_parameter(scheme, parameter, kind, n); !status) return status;
+        if (is_of_numbers(parameter)) left.erase(&parameter);  // the same at every valence
+      }
+  }
+  return Done{};
 }
 
 void check_rules(const Scheme& scheme, const std::set<std::string>& valueless,

@@ -25,6 +25,9 @@ inline constexpr double kExactWork = 2e6;
 void check_rules(const Scheme& scheme, const std::set<std::string>& valueless,
                  const std::function<bool(RuleKind)>& is_left_out, Faults& faults);
 
+/// That each parameter lies in its range, where check_rules looks at it: the first that does not.
+[[nodiscard]] Status check_ranges(const Scheme& scheme);
+
 /// One rule at one valence (ignored for rules without n).
 [[nodiscard]] Status check_rule(const Scheme& scheme, RuleKind kind, int n);
 

@@ -7,7 +7,6 @@
 
 #include "limn/base/files/file.h"
 #include "limn/base/near_word.h"
-#include "limn/base/printable.h"
 #include "limn/number/exact.h"
 #include "limn/scheme/check.h"
 #include "limn/scheme/decimals.h"
@@ -17,7 +16,9 @@
 #include "limn/scheme/file/shipped_files.h"
 #include "limn/scheme/mask.h"
 #include "limn/scheme/mask_rules.h"
+#include "limn/scheme/parameter_setter.h"
 #include "limn/scheme/scheme_size.h"
+#include "limn/scheme/shipped_scheme.h"
 
 namespace limn {
 namespace {
@@ -71,8 +72,12 @@ void check_rules_fit(const Scheme& scheme, const Unread& unread, Faults& faults)
   }
 }
 
+/// Whether the weights are checked, which is nearly all of the cost, or have been.
+enum class Weights { checked, trusted };
+
 /// All that can be judged of what was read.
-void check_scheme(Scheme& scheme, const Unread& unread, Faults& faults) {
+void check_scheme(Scheme& scheme, const Unread& unread, Faults& faults,
+                  Weights weights = Weights::checked) {
   const ExactBudget budget(kExactWork);
   check_names(scheme, unread, faults);
   if (scheme.split == nullptr) return;
@@ -86,6 +91,7 @@ void check_scheme(Scheme& scheme, const Unread& unread, Faults& faults) {
   }
   check_rules_fit(scheme, unread, faults);
   if (scheme.has_decimals && faults.none()) divide_by_sums(scheme);
+  if (weights == Weights::trusted) return;
   check_rules(
       scheme, valueless,
       [&](RuleKind kind) { return unread.rule(kind) || !has_use_for(*scheme.split, kind); },
@@ -105,7 +111,7 @@ std::string text_of(const Chain& chain) {
 }
 
 std::optional<Scheme> parse_in_chain(const SchemeText& file, const SchemeLoader& load, Chain chain,
-                                     Faults& faults) {
+                                     Weights weights, Faults& faults) {
   if (chain.size() > kDeepestExtension) {
     faults.add({fmt::format("more than {} schemes extend one another", kDeepestExtension)});
     return std::nullopt;
@@ -119,7 +125,7 @@ std::optional<Scheme> parse_in_chain(const SchemeText& file, const SchemeLoader&
   }
   const auto extended = [&](const std::string& name, Faults& of_base) -> std::optional<Scheme> {
     const Result<SchemeText> base = load(name, file.path.empty() ? "." : file.path);
-    if (base) return parse_in_chain(*base, load, chain, of_base);
+    if (base) return parse_in_chain(*base, load, chain, weights, of_base);
     of_base.add(base.error());
     return std::nullopt;
   };
@@ -127,12 +133,13 @@ std::optional<Scheme> parse_in_chain(const SchemeText& file, const SchemeLoader&
   if (draft.unread.everything) return std::nullopt;
   Scheme& scheme = draft.scheme;
   if (scheme.name.empty()) scheme.name = std::filesystem::path(file.path).stem().string();
-  check_scheme(scheme, draft.unread, faults);
+  check_scheme(scheme, draft.unread, faults, weights);
   if (!faults.none()) return std::nullopt;
   return std::move(scheme);
 }
 
-Result<Scheme> parse_first(const SchemeText& file, const SchemeLoader& load) {
+Result<Scheme> parse_first(const SchemeText& file, const SchemeLoader& load,
+                           Weights weights = Weights::checked) {
   const ExactBudget budget(kExactWork);  // of all the files together
   std::vector<SourceText> texts{{file.path, file.text}};
   const SchemeLoader noting = [&](const std::string& name, const std::string& from) {
@@ -141,7 +148,7 @@ Result<Scheme> parse_first(const SchemeText& file, const SchemeLoader& load) {
     return found;
   };
   Faults faults;
-  std::optional<Scheme> scheme = parse_in_chain(file, noting, {}, faults);
+  std::optional<Scheme> scheme = parse_in_chain(file, noting, {}, weights, faults);
   if (!scheme) return faults.joined();
   scheme->texts = std::move(texts);
   return *std::move(scheme);
@@ -164,47 +171,6 @@ std::string file_id(const std::string& path) {
   std::error_code fault;
   const std::filesystem::path canonical = std::filesystem::canonical(path, fault);
   return fault ? path : canonical.string();
-}
-
-std::string trimmed(const std::string& text) {
-  const std::size_t begin = text.find_first_not_of(" \t");
-  if (begin == std::string::npos) return {};
-  return text.substr(begin, text.find_last_not_of(" \t") - begin + 1);
-}
-
-Error unknown_parameter(const Scheme& scheme, const std::string& name) {
-  std::vector<std::string> known;
-  known.reserve(scheme.parameters.size());
-  for (const Parameter& parameter : scheme.parameters) known.push_back(parameter.name);
-  return {fmt::format("scheme '{}' has no parameter '{}'", scheme.name, name),
-          known.empty()
-              ? "it has no parameters"
-              : did_you_mean(name, known, fmt::format("it has {}", fmt::join(known, ", ")))};
-}
-
-/// Puts the expression in place; nothing is checked yet. `set`: the names that were set so far.
-Status assign(Scheme& scheme, const std::string& assignment, std::set<std::string>& set) {
-  const std::size_t equals = assignment.find('=');
-  if (equals == std::string::npos)
-    return Error{fmt::format("'{}' sets no parameter", assignment),
-                 "write name=expression, as a=1/8"};
-  const std::string name = trimmed(assignment.substr(0, equals));
-  const auto found = std::find_if(scheme.parameters.begin(), scheme.parameters.end(),
-                                  [&](const Parameter& p) { return p.name == name; });
-  if (found == scheme.parameters.end()) return unknown_parameter(scheme, name);
-  if (!set.insert(name).second)
-    return Error{fmt::format("parameter '{}' is set twice", name),
-                 "give it one value, by -p or after the scheme's colon"};
-  Result<Expression> expression = Expression::parse(assignment.substr(equals + 1));
-  if (!expression) {
-    Error error = expression.error();
-    error.message = fmt::format("-p {}: column {}: {}", assignment,
-                                static_cast<int>(equals) + 1 + error.column, error.message);
-    error.column = 0;
-    return error;
-  }
-  found->value = {std::move(*expression), {}};
-  return Done{};
 }
 
 }  // namespace
@@ -263,6 +229,14 @@ Result<Scheme> find_scheme(const std::string& name_or_path) {
   return parse_first(*text, load_scheme_text);
 }
 
+Result<Scheme> shipped_scheme(const std::string& name) {
+  for (const ShippedFile& file : shipped_files())
+    if (file.name == name)
+      return parse_first({std::string(file.text), name + ".toml", "shipped " + name},
+                         load_scheme_text, Weights::trusted);
+  return unknown_scheme(name);
+}
+
 std::vector<std::string> shipped_schemes() {
   std::vector<std::string> names;
   for (const ShippedFile& file : shipped_files()) names.emplace_back(file.name);
@@ -273,18 +247,11 @@ std::vector<std::string> shipped_schemes() {
 Status set_parameters(Scheme& scheme, const std::vector<std::string>& assignments) {
   if (assignments.empty()) return Done{};
   Scheme changed = scheme;
-  std::set<std::string> set;
-  for (const std::string& assignment : assignments)
-    if (Status status = assign(changed, assignment, set); !status) return status;
+  if (Status status = detail::assign_parameters(changed, assignments); !status) return status;
   Faults faults;
   check_scheme(changed, {}, faults);
-  if (!faults.none()) {
-    Error error = faults.list().front();  // the others mostly follow from the same value
-    error.message = fmt::format(
-        "-p {}: {}", printable(fmt::format("{}", fmt::join(assignments, " -p "))), error.message);
-    if (error.line == 0) error.column = 0;
-    return error;
-  }
+  // the others mostly follow from the same value
+  if (!faults.none()) return detail::in_assignments(assignments, faults.list().front());
   scheme = std::move(changed);
   return Done{};
 }

@@ -33,6 +33,8 @@ export interface DroppedFile {
 }
 export interface View {
   element: HTMLElement;
+  /** Whether it belongs to the first picture; all else waits for that. */
+  first?: boolean;
   /** The state or the model changed: ask for what is out of date. Called often; cheap where nothing concerns the view. */
   update(state: State, model: Model): void;
 }
@@ -40,6 +42,7 @@ export interface Timing {
   what: string;
   total: number;
   core: number;
+  drawn: number;
   vertices: number;
 }
 
@@ -50,9 +53,9 @@ export function suits(split: string, mesh: ShippedMesh): boolean {
 }
 const growth = (split: string): number =>
   split.endsWith('ternary') ? 9 : split === 'sqrt3' ? 3 : split === 'quad-sqrt2' || split === 'midedge' ? 2 : 4;
-/** The deepest level that keeps a surface below some 400 thousand faces. */
-export function deepest(split: string, faces: number): number {
-  return Math.max(1, Math.min(7, Math.floor(Math.log(400_000 / Math.max(1, faces)) / Math.log(growth(split)))));
+/** The deepest level, of those offered, that keeps a surface below so many faces. */
+export function deepest(split: string, faces: number, most = 400_000): number {
+  return Math.max(1, Math.min(7, Math.floor(Math.log(most / Math.max(1, faces)) / Math.log(growth(split)))));
 }
 
 export function good<T>(outcome: Outcome<T> | typeof superseded): T | undefined {
@@ -67,6 +70,11 @@ export class App {
   private asked = { scheme: '', other: '', mesh: '' };
   meshErrors: (name: string, faults: Fault[], canRepair: boolean) => void = () => {};
   onTiming: (timing: Timing) => void = () => {};
+  /** A picture that was dropped, to lie on surfaces. */
+  image?: ImageBitmap;
+  /** Milliseconds from the page's beginning to the first surface on the screen; 0 before. */
+  firstPicture = 0;
+  private begun = false;
 
   constructor(readonly store: Store, readonly client: Client, readonly painter: Painter | null, readonly catalogue: Catalogue,
     readonly record: Record<string, unknown> | null) {
@@ -101,7 +109,14 @@ export class App {
     this.loadScheme(state);
     this.loadOther(state);
     this.loadMesh(state);
-    for (const view of this.views) view.update(state, this.model);
+    for (const view of this.views) if (this.begun || view.first) view.update(state, this.model);
+  }
+
+  /** The first surface was asked for and answered, or there is none: now the analyses. */
+  begin(): void {
+    if (this.begun) return;
+    this.begun = true;
+    this.refresh();
   }
 
   private async loadScheme(state: State): Promise<void> {

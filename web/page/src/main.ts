@@ -29,6 +29,8 @@ function record(): Record<string, unknown> | null {
 async function begin(): Promise<void> {
   const place = document.getElementById('app')!;
   const client = new Client(() => new CoreWorker(), document.getElementById('core')?.textContent ?? '');
+  // A context for drawing takes long where it is made of software; meanwhile the core is compiled.
+  const draws = painter();
   const catalogue = await client.ask('catalogue', 'catalogue');
   if (catalogue === superseded || !catalogue.ok) {
     place.textContent = `The core did not start: ${catalogue === superseded ? '' : catalogue.errors.map((e) => e.message).join('; ')}`;
@@ -43,7 +45,7 @@ async function begin(): Promise<void> {
     const own = of.text !== null && of.text !== shipped?.text ? of.text : null;
     if (shipped || own) state = { ...state, scheme: shipped?.name ?? state.scheme, text: own, parameters: of.parameters };
   }
-  const app = new App(new Store(state), client, painter(), catalogue.result, embedded);
+  const app = new App(new Store(state), client, draws, catalogue.result, embedded);
   mount(app, place);
 }
 

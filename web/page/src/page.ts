@@ -47,7 +47,7 @@ export function mount(app: App, place: HTMLElement): void {
       projector, button('Light / dark', 'Light or dark (d)', actions.theme, 'theme'), button('?', 'Keys', actions.help, 'help-open')));
   place.replaceChildren(header, tabs, h('main', {}, left, center, side), tour.element, timing.element, help, toast.element);
   for (const focus of focuses) addExpander(views[focus].element, focus, app);
-  const heading: View = { element: name, update: (_state, { scheme, other }) => {
+  const heading: View = { element: name, first: true, update: (_state, { scheme, other }) => {
     const title = (one: typeof scheme): string => one?.info.title || one?.label || '';
     say(name, title(scheme) + (other ? ` beside ${title(other)}` : ''));
     document.title = `limn · ${scheme?.label ?? ''}`;
@@ -82,10 +82,12 @@ export function mount(app: App, place: HTMLElement): void {
   matchMedia('(prefers-color-scheme: dark)').addEventListener('change', () => store.set({}));
   listenKeys(app, { ...actions, play: surface.play, link: clip.link, on: () => store.now.tour >= 0 && tour.go(store.now.tour + 1), back: () => store.now.tour > 0 && tour.go(store.now.tour - 1), close: () => show(timing.element, false) });
   listenDrops(app);
-  // Tests ask where a control vertex stands on the stage.
-  Object.assign(window, { limnPick: (v: number) => surface.panes[0]!.place(v) });
+  // Tests ask where a control vertex stands on the stage, and what steps took.
+  Object.assign(window, { limnPick: (v: number) => surface.panes[0]!.place(v), limnTimings: app.timings });
   arrange(store.now);
   app.refresh();
+  // Whatever becomes of the surface, numbers come.
+  setTimeout(() => app.begin(), 3000);
 }
 
 function isDark(state: State): boolean {
@@ -157,8 +159,19 @@ function listenDrops(app: App): void {
     const file = event.dataTransfer?.files[0];
     if (!file) return;
     if (/\.toml$/i.test(file.name)) app.store.set({ text: await file.text(), parameters: {} });
+    else if (file.type.startsWith('image/')) await dropImage(app, file);
     else drop(app, file.name, new Uint8Array(await file.arrayBuffer()));
   });
+}
+
+/** A picture lies on the surface from then on; it goes into no link. */
+async function dropImage(app: App, file: File): Promise<void> {
+  try {
+    app.image = await createImageBitmap(file, { imageOrientation: 'flipY' });
+    app.store.set({ shade: 'texture', focus: 'surface' });
+  } catch {
+    document.dispatchEvent(new CustomEvent('toast', { detail: `${file.name} is no picture that this browser can read` }));
+  }
 }
 
 type Actions = Record<'tour' | 'projector' | 'theme' | 'help' | 'play' | 'link' | 'on' | 'back' | 'close', () => unknown>;

@@ -5,7 +5,7 @@ import type { Shade } from './core/results';
 
 export const focuses = ['surface', 'vertex', 'artifacts', 'smoothness', 'sweep', 'scheme'] as const;
 export type Focus = (typeof focuses)[number];
-export const shades: readonly Shade[] = ['plain', 'reflection', 'gaussian', 'mean', 'normals', 'distance'];
+export const shades: readonly Shade[] = ['plain', 'reflection', 'gaussian', 'mean', 'normals', 'distance', 'texture'];
 export const themes = ['auto', 'light', 'dark'] as const;
 
 export interface State {

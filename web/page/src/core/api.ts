@@ -22,7 +22,7 @@ export interface Core {
    *  → {"ok","id","name","title","split","lattice","dual","source","notes","file",
    *     "parameters":[{"name","meaning","value":"1/8","number":0.125|null,"default":"1/16","min":number|null,"max","integer"}],
    *     "valences":{"regular":6,"least":2,"most":128},
-   *     "features":{"artifacts","eigen","refine","boundary","sharpness":bool,…},"reasons":{feature: why not}} */
+   *     "features":{"eigen","refine","boundary","sharpness":bool,…},"reasons":{feature: why not}} */
   load(text: string, parameters: string): string;
   unload(id: number): void;
   show(id: number): string;                                   // {"ok", … as `limn show --json`}
@@ -47,7 +47,7 @@ export interface Core {
   wave(id: number, fx: number, fy: number, levels: number): { json: string; positions: Float32Array; triangles: Uint32Array; errors: Float32Array };
   /** {"ok", … as `limn regularity --json`}; seconds bounds the search ("time_ended" says that it ended it). */
   regularity(id: number, seconds: number): string;
-  /** Example control meshes: {"ok","meshes":[{"name","summary","faces":"triangles|quads|mixed","closed":bool}]}. */
+  /** Example control meshes: {"ok","meshes":[{"name","summary","faces":"triangles|quads|mixed"}]}. */
   meshes(): string;
   mesh(name: string): string;                                 // loads one → as loadMesh
   /** An OBJ/OFF/PLY/STL/GLB file's bytes → {"ok","id","faces","closed","check":{… as `limn check --json`},"warnings":[…],
@@ -59,13 +59,20 @@ export interface Core {
    *  "bounds":[[x,y,z],[x,y,z]],"sharp":{"edges":{number:sharpness},"vertices":{…}}}. */
   control(meshId: number): { json: string; positions: Float32Array; edges: Uint32Array };
   /** The plan of refining this mesh with this scheme; kept, so that evaluate is quick. options: JSON {"levels":3,
-   *  "limit":true,"normals":true} → {"ok","id","vertices","triangles","engine":"fast|plain","limit":bool,"reason"}. A plan
-   *  outlives unload of its scheme and mesh; it is wrong after setSharpness (make a new one), right after moveVertex. */
+   *  "limit":true,"normals":true,"texture":false,"instead":0} → {"ok","id","vertices","triangles","engine":"fast|plain",
+   *  "limit":bool,"reason","missing"}: at so many vertices there is no limit, and the faces there are left out. instead: a plan
+   *  that goes, whose memory this one takes. A plan outlives unload of its scheme and mesh; it is wrong after setSharpness
+   *  (make a new one), right after moveVertex. */
   plan(id: number, meshId: number, options: string): string;
   unplan(planId: number): void;
-  /** triangles of the refined mesh; lines: the control mesh's edges on the surface, pairs of vertices (none where the split
-   *  does not keep edges). json: {"ok"} */
-  topology(planId: number): { json: string; triangles: Uint32Array; lines: Uint32Array };
+  /** triangles of the refined mesh. json: {"ok"} */
+  topology(planId: number): { json: string; triangles: Uint32Array };
+  /** The control mesh's edges on the surface: point p is the mean of the plan's vertices vertices[begin[p]] …
+   *  vertices[begin[p + 1] - 1]; segments are pairs of points. As long as refining anew. json: {"ok"} */
+  lines(planId: number): { json: string; vertices: Uint32Array; begin: Uint32Array; segments: Uint32Array };
+  /** Of a plan made with "texture": two numbers for each corner of topology's triangles. json: {"ok","pattern":"image" (the
+   *  mesh's own) | "triangles" | "quads" (of each control face) | "none","reason"} */
+  texture(planId: number): { json: string; coordinates: Float32Array };
   /** Of the mesh as it is now. normals of the limit surface, or else means of the faces' (json says which).
    *  json: {"ok","limit":bool,"normals":"limit|faces","milliseconds"} */
   evaluate(planId: number): { json: string; positions: Float32Array; normals: Float32Array };

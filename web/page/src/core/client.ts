@@ -1,6 +1,7 @@
 // The page's side of the workers. Every view asks in a lane of its own: a lane has one job under way and remembers only
-// the newest that came meanwhile, so a slider never builds up a queue. The long jobs have a second worker, which is ended
-// and replaced when a newer step comes, since a running job cannot be interrupted.
+// the newest that came meanwhile, so a slider never builds up a queue. A running job cannot be interrupted, so what is drawn
+// under a hand has a worker to itself, analyses have a second one, and long jobs a third, which is ended and replaced when a
+// newer step comes.
 import type { Fault } from './results';
 import type { Session, JobName } from './session';
 
@@ -23,8 +24,10 @@ interface Wire {
 }
 
 /** Ahead of others: what a hand is on. */
-const order = ['scheme', 'control', 'surface', 'surface-b', 'eigen', 'map', 'artifacts', 'wave', 'eigen-whole', 'sampling'];
-const rank = (lane: string): number => (order.indexOf(lane) + order.length + 1) % (order.length + 1);
+const order = ['scheme', 'control', 'surface', 'surface-b', 'eigen', 'map', 'sweep', 'artifacts', 'wave', 'eigen-whole', 'sampling'];
+/** In the first worker. */
+const drawing = new Set(['catalogue', 'scheme', 'scheme-first', 'other', 'control', 'surface', 'surface-b', 'surface-lines', 'surface-b-lines', 'timing', 'svg']);
+const rank = (lane: string): number => (order.indexOf(lane.startsWith('sweep-') ? 'sweep' : lane) + order.length + 1) % (order.length + 1);
 
 class Line {
   private wire?: Wire;
@@ -82,6 +85,7 @@ class Line {
 export class Client {
   private module: WebAssembly.Module | null = null;
   private quick = new Line(() => this.spawn(), false);
+  private analyses = new Line(() => this.spawn(), false);
   private slow = new Line(() => this.spawn(), true);
 
   private settling = new Map<string, { timer: ReturnType<typeof setTimeout>; drop(): void }>();
@@ -102,10 +106,10 @@ export class Client {
 
   /** The answer, or `superseded` where a newer job of the lane came first. */
   ask<K extends JobName>(lane: string, job: K, ...args: Parameters<Session[K]>): Promise<Outcome<Result<K>> | typeof superseded> {
-    return this.put(this.quick, lane, job, args) as Promise<Outcome<Result<K>> | typeof superseded>;
+    return this.put(drawing.has(lane) ? this.quick : this.analyses, lane, job, args) as Promise<Outcome<Result<K>> | typeof superseded>;
   }
 
-  /** The same in the worker for long jobs. */
+  /** The same in the worker for long jobs, which a newer one of the lane ends. */
   askSlow<K extends JobName>(lane: string, job: K, ...args: Parameters<Session[K]>): Promise<Outcome<Result<K>> | typeof superseded> {
     const waiting = this.settling.get(lane);
     if (waiting) (clearTimeout(waiting.timer), waiting.drop());

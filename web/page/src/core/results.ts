@@ -49,7 +49,7 @@ export interface SchemeInfo {
   parameters: Parameter[];
   valences: { regular: number; least: number; most: number };
   /** What is missing is false. */
-  features: Partial<Record<'artifacts' | 'eigen' | 'refine' | 'boundary' | 'sharpness', boolean>>;
+  features: Partial<Record<'eigen' | 'refine' | 'boundary' | 'sharpness', boolean>>;
   reasons: Record<string, string>;
 }
 
@@ -149,7 +149,13 @@ export interface MeshSpec {
   moved: Record<number, [number, number, number]>;
   sharp: Record<string, number>;
 }
-export type Shade = 'plain' | 'reflection' | 'normals' | 'gaussian' | 'mean' | 'distance';
+export type Shade = 'plain' | 'reflection' | 'normals' | 'gaussian' | 'mean' | 'distance' | 'texture';
+/** Two numbers for each corner of the triangles, and what they are coordinates of. */
+export interface Texture {
+  coordinates: Float32Array;
+  pattern: 'image' | 'triangles' | 'quads' | 'none';
+  reason: string;
+}
 export interface SurfaceAsk {
   scheme: SchemeSpec;
   mesh: MeshSpec;
@@ -163,15 +169,22 @@ export interface SurfaceAsk {
 export interface Surface {
   topology: string;
   triangles?: Uint32Array;
-  lines?: Uint32Array;
+  texture?: Texture;
   positions: Float32Array;
   normals: Float32Array;
   values?: Float32Array;
-  info: { vertices: number; triangles: number; engine?: string; limit?: boolean; reason?: string };
+  info: { vertices: number; triangles: number; engine?: string; limit?: boolean; reason?: string; missing?: number };
   about?: Record<string, unknown>;
   /** Milliseconds in the core: the plan, and the evaluation. */
   planned: number;
   evaluated: number;
+}
+/** The control mesh's edges on the surface of this topology. */
+export interface Lines {
+  topology: string;
+  vertices: Uint32Array;
+  begin: Uint32Array;
+  segments: Uint32Array;
 }
 export interface Control {
   positions: Float32Array;

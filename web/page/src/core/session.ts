@@ -41,6 +41,13 @@ class Kept<T> {
     }
     return item;
   }
+  /** Gives away the last one whose key matches. */
+  take(matches: (key: string, item: T) => boolean): T | undefined {
+    const key = [...this.items.keys()].reverse().find((one) => matches(one, this.items.get(one)!));
+    const item = key === undefined ? undefined : this.items.get(key);
+    if (key !== undefined) this.items.delete(key);
+    return item;
+  }
   remove(matches: (key: string) => boolean): void {
     for (const [key, value] of this.items)
       if (matches(key)) {
@@ -160,11 +167,20 @@ export class Session {
     };
     this.addValues(surface, ask, mesh, plan);
     if (surface.topology !== ask.has) {
-      const { triangles, lines } = this.core.topology(plan.id);
-      surface.triangles = triangles;
-      surface.lines = lines;
+      surface.triangles = this.core.topology(plan.id).triangles;
+      if (ask.shade === 'texture') {
+        const { json, coordinates } = this.core.texture(plan.id);
+        surface.texture = { ...parse<Omit<R.Texture, 'coordinates'>>(json), coordinates };
+      }
     }
     return surface;
+  }
+
+  lines(ask: R.SurfaceAsk): R.Lines {
+    const plan = this.plan(ask.scheme, ask.mesh, this.mesh(ask.mesh), ask);
+    const { json, vertices, begin, segments } = this.core.lines(plan.id);
+    parse(json);
+    return { topology: this.topologyKey(ask, plan), vertices, begin, segments };
   }
 
   private addValues(surface: R.Surface, ask: R.SurfaceAsk, mesh: LoadedMesh, plan: Plan): void {
@@ -173,7 +189,7 @@ export class Session {
       surface.about = parse(curvature.json);
       surface.values = curvature[ask.shade];
     } else if (ask.shade === 'distance' && ask.other) {
-      const other = this.plan(ask.other, ask.mesh, mesh, ask);
+      const other = this.plan(ask.other, ask.mesh, mesh, ask, plan);
       const distance = this.core.distance(plan.id, other.id);
       surface.about = parse(distance.json);
       surface.values = distance.values;
@@ -243,11 +259,15 @@ export class Session {
     if (changed) this.plans.remove((plan) => plan.startsWith(key + '\n'));
   }
 
-  private plan(scheme: R.SchemeSpec, spec: R.MeshSpec, mesh: LoadedMesh, ask: { levels: number; limit: boolean }): Plan {
-    const key = `${this.meshKey(spec)}\n${ask.levels}${ask.limit}${this.schemeKey(scheme)}`;
+  private plan(scheme: R.SchemeSpec, spec: R.MeshSpec, mesh: LoadedMesh, ask: Pick<R.SurfaceAsk, 'levels' | 'limit' | 'shade'>, beside?: Plan): Plan {
+    const texture = ask.shade === 'texture';
+    const shape = `${this.meshKey(spec)}\n${ask.levels}${ask.limit}${texture}${scheme.text}\n`;
+    const key = shape + JSON.stringify(scheme.parameters);
     const known = this.plans.get(key);
     if (known) return known;
-    const options = { levels: ask.levels, limit: ask.limit, normals: true };
+    // A slider's next step takes the memory of the one before.
+    const before = this.plans.take((other, plan) => other.startsWith(shape) && plan !== beside);
+    const options = { levels: ask.levels, limit: ask.limit, normals: true, texture, instead: before?.id ?? 0 };
     const plan = parse<{ id: number } & R.Surface['info']>(this.core.plan(this.id(scheme), mesh.id, JSON.stringify(options)));
     return this.plans.put(key, { id: plan.id, info: plan });
   }
@@ -256,7 +276,7 @@ export class Session {
   private topologyKey(ask: R.SurfaceAsk, plan: Plan): string {
     const { answer } = this.loaded(ask.scheme);
     const split = answer.ok ? answer.split : '';
-    return [this.meshKey(ask.mesh), split, ask.levels, ask.limit, plan.info.vertices, plan.info.triangles].join('|');
+    return [this.meshKey(ask.mesh), split, ask.levels, ask.limit, ask.shade === 'texture', plan.info.vertices, plan.info.triangles, plan.info.engine].join('|');
   }
 }
 

@@ -9,9 +9,12 @@ let session: Promise<Session> | undefined;
 
 async function compiled(packed: string): Promise<WebAssembly.Module | undefined> {
   if (packed === '') return undefined;
-  const bytes = Uint8Array.from(atob(packed), (c) => c.charCodeAt(0));
+  const text = atob(packed);
+  const bytes = new Uint8Array(text.length);
+  for (let i = 0; i < text.length; ++i) bytes[i] = text.charCodeAt(i);
+  // It is compiled while it is inflated.
   const stream = new Blob([bytes]).stream().pipeThrough(new DecompressionStream('deflate'));
-  return WebAssembly.compile(await new Response(stream).arrayBuffer());
+  return WebAssembly.compileStreaming(new Response(stream, { headers: { 'Content-Type': 'application/wasm' } }));
 }
 
 async function start(source: string | WebAssembly.Module): Promise<Session> {

@@ -1,7 +1,7 @@
 // Draws pictures with WebGL, all of them by one context: each is drawn off screen and copied to the canvas that shows it.
 import {
   BufferAttribute, BufferGeometry, Color, DataTexture, DoubleSide, LineBasicMaterial, LineSegments, LinearFilter, Mesh, Points,
-  PointsMaterial, Scene, ShaderMaterial, WebGLRenderer,
+  PointsMaterial, RepeatWrapping, Scene, ShaderMaterial, Texture, WebGLRenderer,
 } from 'three';
 import { strip } from '../ui/colours';
 import { camera, type Body, type Colours, type Look, type Picture } from './picture';
@@ -13,16 +13,26 @@ export interface Painter {
 
 const vertexShader = `
 attribute float value;
-varying vec3 n; varying vec3 eye; varying float v;
+varying vec3 n; varying vec3 eye; varying float v; varying vec2 t; varying vec3 place;
 void main() {
   vec4 p = modelViewMatrix * vec4(position, 1.0);
-  n = normalMatrix * normal; eye = -p.xyz; v = value;
+  n = normalMatrix * normal; eye = -p.xyz; v = value; t = uv; place = position;
   gl_Position = projectionMatrix * p;
 }`;
 // Stripes are those of a room with long parallel lamps: where the mirrored ray meets a ceiling far away.
 const fragmentShader = `
 uniform int shade; uniform vec3 surface; uniform vec3 back; uniform vec3 ground; uniform vec2 range; uniform sampler2D scale;
-varying vec3 n; varying vec3 eye; varying float v;
+uniform int pattern; uniform float cell; uniform sampler2D image;
+varying vec3 n; varying vec3 eye; varying float v; varying vec2 t; varying vec3 place;
+// 1 on the dark fields of the texture's checker: over the texture, in each triangle, in each quad, in space.
+float field() {
+  vec3 f;
+  if (pattern == 0) f = floor(16.0 * vec3(t, 0.0));
+  else if (pattern == 1) f = floor(4.0 * clamp(vec3(t, 1.0 - t.x - t.y), 1e-3, 0.999));
+  else if (pattern == 2) f = vec3(floor(5.0 * clamp(t, 1e-3, 0.999)), 0.0);
+  else f = floor(place / cell + 0.013);
+  return mod(f.x + f.y + f.z, 2.0);
+}
 vec3 lit(vec3 c, vec3 m, vec3 e) {
   vec3 key = normalize(vec3(-0.45, 0.75, 0.6)), fill = normalize(vec3(0.8, -0.1, 0.5));
   float d = 0.30 + 0.66 * max(dot(m, key), 0.0) + 0.16 * max(dot(m, fill), 0.0) + 0.08 * m.y;
@@ -48,6 +58,11 @@ void main() {
   } else if (shade == 3) {
     if (v != v) gl_FragColor = vec4(vec3(0.5), 1.0);
     else gl_FragColor = vec4(lit(texture2D(scale, vec2(clamp((v - range.x) / (range.y - range.x), 0.002, 0.998), 0.5)).rgb, m, e) , 1.0);
+  } else if (shade == 4) {
+    if (pattern == 4) c = texture2D(image, t).rgb;
+    else if (pattern == 0) c = mix(c, c * vec3(0.35 + 0.5 * fract(t.x), 0.45, 0.35 + 0.5 * fract(t.y)), field());
+    else c = mix(c, c * 0.55, field());
+    gl_FragColor = vec4(lit(c, m, e), 1.0);
   } else gl_FragColor = vec4(lit(c, m, e), 1.0);
 }`;
 
@@ -63,12 +78,28 @@ function scale(signed: boolean): DataTexture {
   return made;
 }
 
-const shadeNumber = { plain: 0, reflection: 1, normals: 2, gaussian: 3, mean: 3, distance: 3 } as const;
+const shadeNumber = { plain: 0, reflection: 1, normals: 2, gaussian: 3, mean: 3, distance: 3, texture: 4 } as const;
+const patterns = ['image', 'triangles', 'quads', 'none'];
 
 interface Built {
   scene: Scene;
   picture: Picture;
   geometry?: BufferGeometry;
+}
+
+/** Where the texture differs from corner to corner, each triangle has vertices of its own. */
+function cornerByCorner(body: Body, coordinates: Float32Array): BufferGeometry {
+  const { triangles } = body;
+  const spread = (from: Float32Array): Float32Array => {
+    const to = new Float32Array(3 * triangles.length);
+    for (let i = 0; i < triangles.length; ++i) for (let c = 0; c < 3; ++c) to[3 * i + c] = from[3 * triangles[i]! + c]!;
+    return to;
+  };
+  const made = new BufferGeometry();
+  made.setAttribute('position', new BufferAttribute(spread(body.positions), 3));
+  made.setAttribute('normal', new BufferAttribute(spread(body.normals), 3));
+  made.setAttribute('uv', new BufferAttribute(coordinates, 2));
+  return made;
 }
 
 export class GlPainter implements Painter {
@@ -77,10 +108,11 @@ export class GlPainter implements Painter {
   private material = new ShaderMaterial({
     vertexShader, fragmentShader, side: DoubleSide, polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1,
     uniforms: { shade: { value: 0 }, surface: { value: new Color() }, back: { value: new Color() }, ground: { value: new Color() },
-      range: { value: [0, 1] }, scale: { value: null } },
+      range: { value: [0, 1] }, scale: { value: null }, pattern: { value: 3 }, cell: { value: 1 }, image: { value: null } },
   });
   private built = new WeakMap<HTMLCanvasElement, Built>();
   private flat = new Float32Array(0);
+  private image?: Texture;
 
   constructor() {
     const canvas = document.createElement('canvas');
@@ -108,7 +140,12 @@ export class GlPainter implements Painter {
     uniforms.surface!.value = colour(colours.surface);
     uniforms.back!.value = colour(colours.back);
     if (picture.body) {
-      uniforms.shade!.value = picture.body.values || shadeNumber[picture.body.shade] < 3 ? shadeNumber[picture.body.shade] : 0;
+      const { shade, texture, image } = picture.body;
+      uniforms.shade!.value = picture.body.values || shadeNumber[shade] !== 3 ? shadeNumber[shade] : 0;
+      const pattern = texture?.pattern ?? 'none';
+      uniforms.pattern!.value = image && (pattern === 'image' || pattern === 'quads') ? 4 : patterns.indexOf(pattern);
+      uniforms.cell!.value = picture.radius / 8;
+      uniforms.image!.value = image && shade === 'texture' ? this.imageOf(image) : null;
       uniforms.range!.value = picture.body.range ?? [0, 1];
       uniforms.scale!.value = scale(picture.body.shade !== 'distance');
     }
@@ -143,9 +180,10 @@ export class GlPainter implements Painter {
 
   /** Of an animation only the positions change: the buffers of before are filled anew. */
   private geometry(body: Body, before?: Built): BufferGeometry {
+    if (body.texture && body.texture.pattern !== 'none') return cornerByCorner(body, body.texture.coordinates);
     const old = before?.geometry;
     const values = body.values ?? this.zeros(body.positions.length / 3);
-    if (old && before?.picture.body?.triangles === body.triangles && old.getAttribute('position').count * 3 === body.positions.length) {
+    if (old && before?.picture.body?.triangles === body.triangles && old.index && old.getAttribute('position').count * 3 === body.positions.length) {
       for (const [name, array] of [['position', body.positions], ['normal', body.normals], ['value', values]] as const) {
         const attribute = old.getAttribute(name) as BufferAttribute;
         attribute.array = array;
@@ -159,6 +197,17 @@ export class GlPainter implements Painter {
     made.setAttribute('value', new BufferAttribute(values, 1));
     made.setIndex(new BufferAttribute(body.triangles, 1));
     return made;
+  }
+
+  private imageOf(image: ImageBitmap): Texture {
+    if (this.image?.image !== image) {
+      this.image?.dispose();
+      this.image = new Texture(image);
+      this.image.wrapS = this.image.wrapT = RepeatWrapping;
+      this.image.flipY = false;
+      this.image.needsUpdate = true;
+    }
+    return this.image;
   }
 
   private zeros(count: number): Float32Array {

@@ -1,6 +1,6 @@
 // What is drawn in space, and how it is looked at. No painter knows more.
 import { PerspectiveCamera, Vector3 } from 'three';
-import type { Shade } from '../core/results';
+import type { Lines, Shade, Texture } from '../core/results';
 
 export interface Body {
   positions: Float32Array;
@@ -9,6 +9,9 @@ export interface Body {
   /** A value a vertex, and what the ends of the scale stand for. */
   values?: Float32Array;
   range?: [number, number];
+  texture?: Texture;
+  /** What lies on the surface instead of a checker. */
+  image?: ImageBitmap;
   shade: Shade;
 }
 export interface Wires {
@@ -52,6 +55,24 @@ export function camera(picture: Picture, look: Look, aspect: number): Perspectiv
   made.lookAt(new Vector3(...picture.centre));
   made.updateMatrixWorld();
   return made;
+}
+
+/** The points of lines on a surface. */
+export function meansOf(positions: Float32Array, { vertices, begin }: Lines): Float32Array {
+  const points = new Float32Array(3 * (begin.length - 1));
+  for (let p = 0; p + 1 < begin.length; ++p) {
+    const [first, last] = [begin[p]!, begin[p + 1]!];
+    for (let i = first; i < last; ++i) for (let c = 0; c < 3; ++c) points[3 * p + c]! += positions[3 * vertices[i]! + c]! / (last - first);
+  }
+  return points;
+}
+
+/** Whether a place in a control face is on a dark field of its checker, as the painters draw it. */
+export function isDark(pattern: Texture['pattern'], u: number, v: number): boolean {
+  // an odd number across a quad, so that it looks alike from all its corners
+  const fields = { image: 16, triangles: 4, quads: 5, none: 1 }[pattern];
+  const third = pattern === 'triangles' ? Math.floor(fields * (1 - u - v)) : 0;
+  return ((Math.floor(fields * u) + Math.floor(fields * v) + third) & 1) === 1;
 }
 
 /** The ball round the middle of the points' box. */

@@ -1,5 +1,5 @@
-// Pictures as files. What is drawn as lines is saved as lines; a shaded surface is an image, also within an SVG.
-import { download, s } from './dom';
+// Pictures as files.
+import { download } from './dom';
 
 export function savePng(canvas: HTMLCanvasElement, name: string): void {
   const copy = document.createElement('canvas');
@@ -11,11 +11,8 @@ export function savePng(canvas: HTMLCanvasElement, name: string): void {
   copy.toBlob((blob) => blob && download(name, blob), 'image/png');
 }
 
-export function saveSvgOfCanvas(canvas: HTMLCanvasElement, title: string, name: string): void {
-  const { width, height } = canvas;
-  const svg = s('svg', { xmlns: 'http://www.w3.org/2000/svg', viewBox: `0 0 ${width} ${height}`, width, height },
-    s('title', {}, title), s('image', { href: canvas.toDataURL('image/png'), width, height }));
-  download(name, new Blob([svg.outerHTML], { type: 'image/svg+xml' }));
+export function saveSvgText(text: string, name: string): void {
+  download(name, new Blob([text], { type: 'image/svg+xml' }));
 }
 
 /** An SVG with the colours that the page's style gives it written into it. */

@@ -57,12 +57,12 @@ export function artifactsView(app: App): View {
   new ResizeObserver(paint).observe(wave);
 
   async function askMap(scheme: GoodScheme, lane: 'artifact-map' | 'artifact-map-b', at: HTMLElement): Promise<void> {
-    const coarse = await app.client.ask(lane, 'artifactMap', scheme.spec, 72);
+    const coarse = await app.client.ask(lane, 'artifactMap', scheme.spec, 48);
     if (coarse === superseded) return;
     if (!coarse.ok) return at.replaceChildren(h('p', { class: 'none' }, coarse.errors[0]?.message ?? 'none'));
     at.replaceChildren(mapPicture(coarse.result, scheme.label));
     mark(store.now.frequency);
-    const fine = await app.client.ask(lane, 'artifactMap', scheme.spec, 192);
+    const fine = await app.client.askSlow(lane, 'artifactMap', scheme.spec, 192);
     if (fine === superseded || !fine.ok) return;
     at.replaceChildren(mapPicture(fine.result, scheme.label));
     mark(store.now.frequency);
@@ -70,6 +70,11 @@ export function artifactsView(app: App): View {
   async function askNumbers(scheme: GoodScheme, [fx, fy]: [number, number], into: Record<string, HTMLElement>, lane: string): Promise<void> {
     const answer = await app.client.ask(lane, 'artifacts', scheme.spec, fx, fy);
     if (answer === superseded) return;
+    if (into === cells) {
+      show(note, !answer.ok);
+      element.classList.toggle('stale', !answer.ok);
+      say(note, answer.ok ? '' : answer.errors.map((e) => e.message).join(' · '));
+    }
     const one = answer.ok ? answer.result : undefined;
     say(into.percent!, figures(one?.total_energy_percent, 4));
     say(into.mean!, figures(one?.percent_of_signal, 4));
@@ -118,10 +123,6 @@ export function artifactsView(app: App): View {
       const { scheme, other } = model;
       inputs.forEach((input, i) => document.activeElement !== input && (input.value = String(Number(state.frequency[i]!.toFixed(4)))));
       if (!scheme) return;
-      const has = scheme.info.features.artifacts !== false;
-      show(note, !has);
-      element.classList.toggle('stale', !has);
-      if (!has) return say(note, scheme.info.reasons.artifacts ?? 'no artifacts');
       const spec = JSON.stringify(scheme.spec);
       const once = (what: keyof typeof asked, key: string, go: () => void): void => {
         if (asked[what] !== key) (asked[what] = key), key && go();
@@ -130,7 +131,7 @@ export function artifactsView(app: App): View {
       once('wave', spec + state.frequency, () => void askWave(scheme, state.frequency));
       once('map', spec, () => void askMap(scheme, 'artifact-map', map));
       once('sampling', spec, () => void askSampling(scheme));
-      const two = other && other.info.features.artifacts !== false ? other : undefined;
+      const two = other;
       const specB = two ? JSON.stringify(two.spec) : '';
       once('numbersB', specB && specB + state.frequency, () => void askNumbers(two!, state.frequency, others, 'artifacts-b'));
       once('mapB', specB, () => void askMap(two!, 'artifact-map-b', mapB));

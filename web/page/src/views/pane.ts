@@ -2,9 +2,10 @@
 import { Vector3 } from 'three';
 import { deepest, type App, type GoodScheme } from '../app';
 import { superseded } from '../core/client';
-import type { Fault, Shade, Surface, SurfaceAsk } from '../core/results';
+import type { Fault, Lines, Shade, Surface, SurfaceAsk, Texture } from '../core/results';
+import { flatSvg, mostTriangles } from '../space/flat_painter';
 import { orbit, type Hand } from '../space/orbit';
-import { camera, middleRange, type Dots, type Look, type Picture, type Wires } from '../space/picture';
+import { camera, meansOf, middleRange, type Dots, type Look, type Picture, type Wires } from '../space/picture';
 import type { State } from '../state';
 import { h } from '../ui/dom';
 
@@ -15,6 +16,7 @@ export class Pane {
   readonly title = h('div', { class: 'pane-title' });
   readonly element = h('div', { class: 'pane' }, this.canvas, this.title);
   surface?: Surface;
+  texture?: Texture;
   range?: [number, number];
   hovered?: Element;
   chosen?: Element;
@@ -22,9 +24,11 @@ export class Pane {
   onSurface: () => void = () => {};
   private asked = '';
   private triangles?: Uint32Array;
-  private lines?: Uint32Array;
+  private lines?: Lines;
+  private linesAsked = '';
   private frame = 0;
   private late = 0;
+  private now?: { ask: SurfaceAsk; coarse: number };
   private picture?: Picture;
   private pictureKey = '';
 
@@ -42,16 +46,20 @@ export class Pane {
   update(state: State, scheme: GoodScheme | undefined, other: GoodScheme | undefined): void {
     const mesh = this.app.meshSpec(state);
     if (!scheme || !mesh) return;
-    const levels = Math.min(state.levels, deepest(scheme.info.split, this.app.model.mesh!.control.check.faces));
+    const { faces } = this.app.model.mesh!.control.check;
+    const flat = this.app.painter?.name === 'canvas';
+    const levels = Math.min(state.levels, deepest(scheme.info.split, faces, flat ? mostTriangles / 2 : undefined));
     const shade: Shade = state.shade === 'distance' && !other ? 'plain' : state.shade;
     const ask: SurfaceAsk = { scheme: scheme.spec, mesh, levels, limit: state.limit, shade,
       other: shade === 'distance' ? other?.spec : undefined };
+    this.now = { ask, coarse: Math.min(levels, deepest(scheme.info.split, faces, mostTriangles / 2)) };
     const key = JSON.stringify([ask.scheme, ask.other, levels, state.limit, shadeKey(shade), mesh.name, mesh.file?.key, mesh.file?.repair, mesh.moved, mesh.sharp]);
     this.title.textContent = scheme.label;
     if (key !== this.asked) {
       this.asked = key;
       void this.ask({ ...ask, has: this.surface?.topology }, key);
     }
+    this.askLines(state);
     this.draw();
   }
 
@@ -60,19 +68,54 @@ export class Pane {
     const begun = performance.now();
     const outcome = await this.app.client.ask(this.lane, 'surface', ask);
     if (outcome === superseded) return;
+    const answered = performance.now();
     if (this.asked === key) this.rest();
     this.faults = outcome.ok ? [] : outcome.errors;
     if (outcome.ok) {
       const surface = outcome.result;
       this.triangles = surface.triangles ?? this.triangles;
-      this.lines = surface.lines ?? this.lines;
+      this.texture = ask.shade === 'texture' ? surface.texture ?? this.texture : undefined;
       this.surface = surface;
       this.range = surface.values && middleRange(surface.values, ask.shade !== 'distance');
       this.draw(true);
-      this.app.time({ what: ask.shade === 'plain' ? 'surface' : `surface, ${ask.shade}`, total: performance.now() - begun,
-        core: surface.planned + surface.evaluated, vertices: surface.positions.length / 3 });
+      this.app.firstPicture ||= performance.now();
+      this.app.time({ what: ask.shade === 'plain' ? 'surface' : `surface, ${ask.shade}`, total: answered - begun,
+        core: surface.planned + surface.evaluated, drawn: performance.now() - answered, vertices: surface.positions.length / 3 });
+      this.askLines(this.app.store.now);
     }
     this.onSurface();
+    this.app.begin();
+  }
+
+  /** The control mesh's edges on the surface, once they are to be seen. */
+  private async askLines(state: State): Promise<void> {
+    const topology = this.surface?.topology;
+    if (state.net || state.shade !== 'plain' || !topology || this.linesAsked === topology || !this.now) return;
+    this.linesAsked = topology;
+    const outcome = await this.app.client.ask(`${this.lane}-lines`, 'lines', this.now.ask);
+    if (outcome === superseded || !outcome.ok) return;
+    this.lines = outcome.result;
+    this.draw();
+    this.onSurface();
+  }
+
+  /** Of the control mesh's edges on the surface. */
+  get segments(): number {
+    return this.lines && this.lines.topology === this.surface?.topology ? this.lines.segments.length / 2 : 0;
+  }
+
+  /** The picture as SVG, of a coarser level where the surface has too many triangles. */
+  async vector(): Promise<string | undefined> {
+    const picture = this.compose();
+    if (!picture || !this.now) return undefined;
+    const { width, height } = this.canvas.getBoundingClientRect();
+    const { ask, coarse } = this.now;
+    const outcome = await this.app.client.ask('svg', 'surface', { ...ask, levels: coarse });
+    const { triangles, texture, ...surface } = outcome !== superseded && outcome.ok ? outcome.result : ({} as Partial<Surface>);
+    const body = triangles && picture.body && { ...picture.body, positions: surface.positions!, normals: surface.normals!, triangles, texture,
+      values: surface.values };
+    // lines on the surface are those of the finer level, which runs through the same places
+    return flatSvg({ ...picture, body }, this.look(), width, height, this.app.colours(), this.title.textContent ?? '');
   }
 
   private rest(): void {
@@ -108,16 +151,16 @@ export class Pane {
     const state = this.app.store.now;
     const control = this.app.model.mesh?.control;
     if (!control) return undefined;
-    const parts = [this.surface, control, state.net, state.shade, state.moved, state.sharp, this.hovered, this.chosen, document.documentElement.dataset.theme];
+    const parts = [this.surface, this.lines, this.app.image, control, state.net, state.shade, state.moved, state.sharp, this.hovered, this.chosen, document.documentElement.dataset.theme];
     const key = parts.map(identity).join();
     if (this.picture && key === this.pictureKey) return this.picture;
     this.pictureKey = key;
     const surface = this.surface;
-    const shade = surface?.values || !['gaussian', 'mean', 'distance'].includes(state.shade) ? state.shade : 'plain';
+    const shade = surface?.values || (state.shade === 'texture' ? this.texture : !['gaussian', 'mean', 'distance'].includes(state.shade)) ? state.shade : 'plain';
     this.picture = {
       ...this.app.model.mesh!.ball,
       body: surface && this.triangles ? { positions: surface.positions, normals: surface.normals, triangles: this.triangles,
-        values: surface.values, range: this.range, shade } : undefined,
+        values: surface.values, range: this.range, texture: this.texture, image: this.app.image, shade } : undefined,
       wires: this.wires(state),
       dots: this.dots(state),
     };
@@ -129,8 +172,8 @@ export class Pane {
     const positions = this.points();
     const wires: Wires[] = [];
     if (state.net) wires.push({ positions, segments: edges, kind: 'net' });
-    if (this.surface && this.lines && !state.net && state.shade === 'plain')
-      wires.push({ positions: this.surface.positions, segments: this.lines, kind: 'seam' });
+    if (this.surface && this.lines?.topology === this.surface.topology && !state.net && state.shade === 'plain')
+      wires.push({ positions: meansOf(this.surface.positions, this.lines), segments: this.lines.segments, kind: 'seam' });
     const some = (list: number[], kind: Wires['kind']): void => {
       if (list.length) wires.push({ positions, segments: Uint32Array.from(list.flatMap((e) => [edges[2 * e]!, edges[2 * e + 1]!])), kind });
     };

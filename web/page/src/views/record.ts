@@ -32,7 +32,7 @@ export function recordPart(record: Json | null, scheme: GoodScheme): HTMLElement
   const of = recordScheme(record);
   if (of.text === null ? of.name !== scheme.info.name : of.text !== scheme.spec.text) return null;
   if (scheme.info.parameters.some((p) => p.name in of.parameters && of.parameters[p.name] !== p.value)) return null;
-  const parts = [...formulas(record), ...certificate(record), ...facts(record)];
+  const parts = [...formulas(record), ...lattice(record), ...certificate(record), ...facts(record)];
   return parts.length ? parts : null;
 }
 
@@ -42,6 +42,40 @@ function formulas(record: Json): HTMLElement[] {
   const rows = blocks.map((block) => h('tr', {}, h('th', { scope: 'row' }, `${String(block.valences ?? '')}`, h('small', {}, `ω ${typeof block.frequency === 'number' ? `= ${block.frequency}` : String(block.frequency ?? '').replace('omega', '')}`)),
     h('td', {}, ...list(block.eigenvalues).slice(0, 4).map((one) => h('div', {}, formula(String(object(one.by_lets).latex ?? one.latex ?? one.text ?? '')))))));
   return [h('h3', {}, 'Eigenvalues in closed form'), h('table', { class: 'formulas' }, h('tbody', {}, ...rows))];
+}
+
+export interface LatexPart {
+  /** The remark before it. */
+  title: string;
+  latex: string;
+}
+/** The displayed formulas of a fragment of LaTeX, each with the remark before it. */
+export function latexParts(fragment: string): LatexPart[] {
+  const parts: LatexPart[] = [];
+  let title = '';
+  let body: string[] | undefined;
+  for (const line of fragment.split('\n')) {
+    if (line.startsWith('%')) title = line.slice(1).trim();
+    else if (line === '\\[' || line === '\\begin{align*}') body = [];
+    else if ((line === '\\]' || line === '\\end{align*}') && body) {
+      const latex = body.join('\n');
+      parts.push({ title, latex: line === '\\]' ? latex : `\\begin{aligned}\n${latex}\n\\end{aligned}` });
+      body = undefined;
+    } else body?.push(line);
+  }
+  return parts;
+}
+
+/** Mask, factors, limit stencil and artifacts on the regular lattice. */
+function lattice(record: Json): HTMLElement[] {
+  const fragment = object(record.formulas).lattice_latex;
+  if (typeof fragment !== 'string') return [];
+  // remarks may have formulas of their own, between dollars
+  const typeset = (text: string): (string | HTMLElement)[] => text.split('$').map((part, i) => (i % 2 === 0 ? part : formula(part)));
+  const parts = latexParts(fragment);
+  if (parts.length === 0) return [];
+  return [h('h3', {}, 'On the regular lattice'), h('div', { class: 'lattice', 'data-test': 'lattice' }, ...parts.map(({ title, latex }) =>
+    h('figure', {}, h('figcaption', {}, ...typeset(title)), h('div', { class: 'display' }, formula(latex)))))];
 }
 
 function certificate(record: Json): HTMLElement[] {

@@ -49,7 +49,7 @@ export function schemeView(app: App): View {
   }
 
   return {
-    element,
+    element, first: true,
     update(state: State, model: Model): void {
       if (picker.value !== state.scheme) picker.value = state.scheme;
       if (second.value !== state.other) second.value = state.other;

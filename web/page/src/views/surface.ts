@@ -3,12 +3,12 @@ import { strToU8 } from 'fflate';
 import { deepest, suits, type App, type Model, type View } from '../app';
 import { gradient } from '../ui/colours';
 import { choice, figures, h, say, show, slider, thousands } from '../ui/dom';
-import { savePng, saveSvgOfCanvas } from '../ui/export';
+import { saveSvgText, savePng } from '../ui/export';
 import type { State } from '../state';
 import { sharpnessPanel } from './sharpness';
 import { Pane } from './pane';
 
-const shadeNames = [['plain', 'Plain'], ['reflection', 'Reflection'], ['gaussian', 'Gauss'], ['mean', 'Mean'], ['normals', 'Normals'], ['distance', 'Distance']] as const;
+const shadeNames = [['plain', 'Plain'], ['reflection', 'Reflection'], ['gaussian', 'Gauss'], ['mean', 'Mean'], ['normals', 'Normals'], ['distance', 'Distance'], ['texture', 'Texture']] as const;
 
 export function surfaceView(app: App): View & { panes: Pane[]; play(): void } {
   const { store } = app;
@@ -90,8 +90,10 @@ export function surfaceView(app: App): View & { panes: Pane[]; play(): void } {
 
   const save = h('div', { class: 'save' },
     h('button', { type: 'button', class: 'quiet', title: 'Save the picture', onclick: () => savePng(first.canvas, 'surface.png') }, 'PNG'),
-    h('button', { type: 'button', class: 'quiet', title: 'Save the picture with its title', onclick: () =>
-      saveSvgOfCanvas(first.canvas, `${first.title.textContent}, level ${store.now.levels}`, 'surface.svg') }, 'SVG'));
+    h('button', { type: 'button', class: 'quiet', title: 'Save the picture as polygons and lines', 'data-test': 'surface-svg', onclick: async () => {
+      const text = await first.vector();
+      if (text) saveSvgText(text, 'surface.svg');
+    } }, 'SVG'));
   const tools = h('div', { class: 'tools' }, h('div', { class: 'pick' }, mesh, open, file), levels.element, playButton,
     limit.element, net.element, shades.element, back, save);
   const element = h('section', { class: 'card', id: 'surface', 'data-view': 'surface', 'aria-label': 'Surface' }, stage, status, tools);
@@ -102,6 +104,8 @@ export function surfaceView(app: App): View & { panes: Pane[]; play(): void } {
     const faults = [...first.faults, ...(app.model.other ? second.faults : [])];
     const words = [app.model.meshNote, ...faults.map((f) => (f.hint ? `${f.message}; ${f.hint}` : f.message))].filter(Boolean);
     if (state.limit && surface?.info.limit === false && surface.info.reason) words.push(`no limit surface here: ${surface.info.reason}`);
+    if (state.limit && surface?.info.missing) words.push(`the holes are where there is no limit, at ${thousands(surface.info.missing)} vertices: ${surface.info.reason}`);
+    if (state.shade === 'texture' && first.texture?.pattern === 'none') words.push(`a checker in space, since there are no texture coordinates: ${first.texture.reason}`);
     const missing = state.shade === 'distance' && !app.model.other ? ['distance to what? choose a second scheme under Compare'] : [];
     say(note, [...words, ...missing].join(' · '));
     show(note, words.length + missing.length > 0);
@@ -109,6 +113,7 @@ export function surfaceView(app: App): View & { panes: Pane[]; play(): void } {
       say(status, `${thousands(surface.positions.length / 3)} vertices · ${state.limit ? 'limit points of ' : ''}level ${levelsShown(state)}` +
         (app.painter?.name === 'canvas' ? ' · drawn without WebGL' : ''));
     status.dataset.vertices = surface ? String(surface.positions.length / 3) : '';
+    status.dataset.lines = String(first.segments);
     show(legend, first.range !== undefined && ['gaussian', 'mean', 'distance'].includes(state.shade));
     if (first.range) {
       say(low, figures(first.range[0]));
@@ -123,7 +128,7 @@ export function surfaceView(app: App): View & { panes: Pane[]; play(): void } {
   first.onSurface = second.onSurface = report;
 
   return {
-    element, panes, play,
+    element, panes, play, first: true,
     update(state: State, model: Model): void {
       fillMeshes(app, mesh, model);
       levels.set(state.levels);

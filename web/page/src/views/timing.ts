@@ -4,12 +4,17 @@ import { good } from '../app';
 import { h, say, show, thousands } from '../ui/dom';
 
 export function timingPanel(app: App) {
+  const first = h('p', { 'data-test': 'timing-first' });
   const last = h('p', { 'data-test': 'timing-last' });
   const result = h('p', { 'data-test': 'timing-result' });
   const measure = h('button', { type: 'button', class: 'main', 'data-test': 'measure', onclick: () => void run() }, 'Measure');
   const element = h('div', { class: 'popover timing', hidden: true, 'data-test': 'timing' }, h('header', {}, h('strong', {}, 'Timing'),
-    h('button', { type: 'button', class: 'quiet', 'aria-label': 'Close', onclick: () => show(element, false) }, '×')), last, measure, result);
-  app.onTiming = (timing: Timing): void => say(last, `Last step, ${timing.what}: ${timing.total.toFixed(1)} ms, of which ${timing.core.toFixed(1)} ms in the core; ${thousands(timing.vertices)} vertices.`);
+    h('button', { type: 'button', class: 'quiet', 'aria-label': 'Close', onclick: () => show(element, false) }, '×')), first, last, measure, result);
+  app.onTiming = (timing: Timing): void => {
+    say(first, `First picture: ${Math.round(app.firstPicture)} ms after the page began.`);
+    element.dataset.first = String(app.firstPicture);
+    say(last, `Last step, ${timing.what}: ${timing.total.toFixed(1)} ms, of which ${timing.core.toFixed(1)} ms in the core; drawn in ${timing.drawn.toFixed(1)} ms; ${thousands(timing.vertices)} vertices.`);
+  };
 
   /** Moves a control vertex, and then a parameter, by small steps at the first level with 50 thousand vertices. */
   async function run(): Promise<void> {

@@ -37,7 +37,7 @@ describe('a lane', () => {
     const second = c.ask('eigen', 'eigen', spec, 4);
     const third = c.ask('eigen', 'eigen', spec, 5);
     expect(await second).toBe(superseded);
-    const worker = FakeWorker.all[0]!;
+    const worker = FakeWorker.all[1]!;
     worker.answer({ valence: 3 });
     expect(await first).toMatchObject({ ok: true, result: { valence: 3 } });
     expect(worker.asked.map((a) => a.args[1])).toEqual([3, 5]);
@@ -47,11 +47,22 @@ describe('a lane', () => {
   it('does not hold up another, and the surface goes first', () => {
     const c = client();
     void c.ask('scheme', 'load', spec);
-    void c.ask('unknown', 'load', spec);
+    void c.ask('timing', 'load', spec);
     void c.ask('surface', 'show', spec);
     const worker = FakeWorker.all[0]!;
     worker.answer({});
     expect(worker.asked.at(-1)!.job).toBe('show');
+  });
+  it('of an analysis leaves the worker that draws free', async () => {
+    const c = client();
+    void c.ask('artifact-map', 'artifactMap', spec, 48);
+    void c.ask('eigen', 'eigen', spec, 3);
+    const surface = c.ask('surface', 'show', spec);
+    const [draws, analyses] = FakeWorker.all as [FakeWorker, FakeWorker];
+    expect(draws.asked.map((a) => a.job)).toEqual(['show']);
+    expect(analyses.asked.map((a) => a.job)).toEqual(['artifactMap']);
+    draws.answer({});
+    expect(await surface).toMatchObject({ ok: true });
   });
   it('ends a long job when a newer comes', async () => {
     const c = client();
@@ -74,10 +85,10 @@ describe('a lane', () => {
   it('replaces a core that stopped', async () => {
     const c = client();
     const first = c.ask('eigen', 'eigen', spec, 3);
-    FakeWorker.all[0]!.tell({ id: 1, stopped: 'unreachable' });
+    FakeWorker.all[1]!.tell({ id: 1, stopped: 'unreachable' });
     expect(await first).toMatchObject({ ok: false });
     const second = c.ask('eigen', 'eigen', spec, 3);
-    FakeWorker.all[1]!.answer({ valence: 3 });
+    FakeWorker.all[2]!.answer({ valence: 3 });
     expect(await second).toMatchObject({ ok: true });
   });
 });

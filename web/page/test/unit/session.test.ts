@@ -4,8 +4,10 @@ import type { Core } from '../../src/core/api';
 import type { MeshSpec, SurfaceAsk } from '../../src/core/results';
 import { perform, Session } from '../../src/core/session';
 
+type Options = { levels: number; texture: boolean; instead: number };
 function counting() {
   const calls: string[] = [];
+  const asked: Options[] = [];
   let id = 0;
   const core = {
     version: () => '{"ok":true,"version":"1"}',
@@ -21,12 +23,15 @@ function counting() {
     unloadMesh: () => calls.push('unloadMesh'),
     moveVertex: (_m: number, v: number, x: number) => (calls.push(`move ${v} ${x}`), '{"ok":true}'),
     setSharpness: (_m: number, kind: string, i: number, s: number) => (calls.push(`sharp ${kind} ${i} ${s}`), '{"ok":true}'),
-    plan: () => (calls.push('plan'), JSON.stringify({ ok: true, id: ++id, vertices: 2, triangles: 0 })),
+    plan: (_s: number, _m: number, options: string) => (calls.push('plan'), asked.push(JSON.parse(options) as Options), JSON.stringify({ ok: true, id: ++id, vertices: 2, triangles: 0 })),
+    lines: () => (calls.push('lines'), { json: '{"ok":true}', vertices: new Uint32Array(2), begin: Uint32Array.from([0, 1, 2]), segments: Uint32Array.from([0, 1]) }),
+    texture: () => (calls.push('texture'), { json: '{"ok":true,"pattern":"quads","reason":""}', coordinates: new Float32Array(6) }),
+    distance: () => (calls.push('distance'), { json: '{"ok":true}', values: new Float32Array(2) }),
     unplan: () => calls.push('unplan'),
-    topology: () => (calls.push('topology'), { json: '{"ok":true}', triangles: new Uint32Array(3), lines: new Uint32Array(2) }),
+    topology: () => (calls.push('topology'), { json: '{"ok":true}', triangles: new Uint32Array(3) }),
     evaluate: () => (calls.push('evaluate'), { json: '{"ok":true}', positions: new Float32Array(6), normals: new Float32Array(6) }),
   } as unknown as Core;
-  return { session: new Session(core), calls };
+  return { session: new Session(core), calls, asked };
 }
 const mesh: MeshSpec = { name: 'm', moved: {}, sharp: {} };
 const ask: SurfaceAsk = { scheme: { text: 't', parameters: {} }, mesh, levels: 2, limit: true, shade: 'plain' };
@@ -64,6 +69,33 @@ describe('a session', () => {
     for (let i = 0; i < 30; ++i) session.surface({ ...ask, scheme: { text: `t${i}`, parameters: {} } });
     expect(calls.filter((c) => c === 'unplan').length).toBe(30 - 6);
     expect(calls.filter((c) => c === 'unload').length).toBe(30 - 8);
+  });
+  it('lets the next step of a slider take the memory of the one before, and of no other', () => {
+    const { session, asked } = counting();
+    const step = (a: string, more: Partial<SurfaceAsk> = {}) => session.surface({ ...ask, scheme: { text: 't', parameters: { a } }, ...more });
+    for (const a of ['1', '2', '3']) step(a);
+    expect(asked[0]!.instead).toBe(0);
+    expect(asked[1]!.instead).toBeGreaterThan(0);
+    expect(asked[2]!.instead).toBeGreaterThan(asked[1]!.instead);
+    step('3', { levels: 3 });
+    session.surface({ ...ask, scheme: { text: 'u', parameters: { a: '3' } } });
+    expect(asked.slice(3).map((one) => one.instead)).toEqual([0, 0]);
+    // beside one another both are needed
+    step('4', { shade: 'distance', other: { text: 't', parameters: { a: '5' } } });
+    expect(asked.at(-2)!.instead).toBeGreaterThan(0);
+    expect(asked.at(-1)!.instead).toBe(0);
+  });
+  it('gives texture and lines where they are asked for', () => {
+    const { session, calls, asked } = counting();
+    const plain = session.surface(ask);
+    expect([plain.texture, asked.at(-1)!.texture]).toEqual([undefined, false]);
+    const textured = session.surface({ ...ask, shade: 'texture', has: plain.topology });
+    expect(textured.topology).not.toBe(plain.topology);
+    expect(textured.texture).toMatchObject({ pattern: 'quads' });
+    expect(asked.at(-1)!.texture).toBe(true);
+    expect(session.surface({ ...ask, shade: 'texture', has: textured.topology }).texture).toBeUndefined();
+    expect(session.lines(ask).topology).toBe(plain.topology);
+    expect(calls.filter((c) => c === 'plan')).toHaveLength(2);
   });
   it('passes on refusals, and stands after them', () => {
     const { session } = counting();
