@@ -40,6 +40,7 @@ from ._results import (
     Tuning,
 )
 from ._scheme import Scheme
+from ._study import Study, StudyResult, study, study_quantities
 from ._surface import Surface
 
 __all__ = [
@@ -57,6 +58,8 @@ __all__ = [
     "Regularity",
     "Scheme",
     "SchemeError",
+    "Study",
+    "StudyResult",
     "Surface",
     "Tuning",
     "__version__",
@@ -69,6 +72,8 @@ __all__ = [
     "schemes",
     "set_thread_limit",
     "spectrum",
+    "study",
+    "study_quantities",
     "thread_limit",
     "tune",
     "write_mesh",

@@ -108,7 +108,13 @@ def spectrum(vertices: npt.ArrayLike, faces: Any, count: int = 10) -> dict[str, 
     return ends
 
 
-def tune(scheme: SchemeLike, free: str, require: str, *args: Any, **options: Any) -> Tuning:
+def tune(
+    scheme: SchemeLike,
+    free: str | Sequence[str],
+    require: str | Sequence[str],
+    *args: Any,
+    **options: Any,
+) -> Tuning:
     """``Scheme.tune`` of a scheme or what one is made of."""
     return _scheme(scheme).tune(free, require, *args, **options)
 

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <set>
+#include <system_error>
 
 #include <fmt/core.h>
 #include <fmt/ranges.h>
@@ -244,6 +245,17 @@ Result<Scheme> parse_texts(const std::vector<SourceText>& texts) {
   Result<Scheme> scheme = parse_scheme(texts.front().text, texts.front().name, load);
   if (scheme && next != texts.size()) return Error{"it has texts that the scheme does not use"};
   return scheme;
+}
+
+std::vector<std::string> scheme_files(const Scheme& scheme) {
+  std::vector<std::string> files;
+  std::filesystem::path path;
+  for (const SourceText& text : scheme.texts) {
+    path = path.parent_path() / text.name;
+    std::error_code ignored;
+    if (std::filesystem::is_regular_file(path, ignored)) files.push_back(path.string());
+  }
+  return files;
 }
 
 Result<Scheme> parse_scheme(std::string_view text, const std::string& path) {
