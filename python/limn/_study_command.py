@@ -69,7 +69,7 @@ def _run(options: argparse.Namespace, progress: _Progress) -> StudyResult:
     except (OSError, ValueError) as error:
         raise Error(
             f"no Dask scheduler answers at '{options.dask}': {error}",
-            "start one by `dask scheduler`, and workers by `dask worker`",
+            "start one by `dask-scheduler`, and workers by `dask-worker`",
         ) from error
     with client:
         return study(asked, options.output, client=client, **settings)

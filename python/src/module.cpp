@@ -16,6 +16,7 @@ PYBIND11_MODULE(_limn, module) {
   python::bind_refiner(module);
   python::bind_limits(module);
   python::bind_reports(module);
+  python::bind_papers(module);
   python::bind_studies(module);
   python::bind_tuning(module);
   python::bind_pictures(module);
