@@ -51,12 +51,10 @@ class Study:
 
     def __init__(self, source: Path) -> None:
         text = os.fspath(source)
-        path = "study.toml"
-        if "\n" not in text:
-            path = text
-            with open(path, encoding="utf-8") as file:
-                text = file.read()
-        self._data = _limn.StudyData(text, path)
+        if "\n" in text:
+            self._data = _limn.StudyData("study.toml", text)
+        else:
+            self._data = _limn.StudyData(text)
 
     def __repr__(self) -> str:
         return f"<limn.Study {self.title or self.file}: {len(self.coordinates)} coordinates>"
@@ -112,7 +110,7 @@ def _study_of(path: str, text: bytes, files: dict[str, bytes], token: str) -> St
             os.makedirs(os.path.dirname(place), exist_ok=True)
             with open(place, "wb") as file:
                 file.write(content)
-        study._data = _limn.StudyData(text.decode(), root + path)
+        study._data = _limn.StudyData(root + path, text.decode())
     if study._token() != token:
         raise Error(
             "a study is not the same in two processes",

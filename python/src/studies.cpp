@@ -26,9 +26,11 @@ using StudyPointer = std::shared_ptr<Study>;
 using OutcomeTuple = std::tuple<bool, py::bytes, double, std::vector<std::optional<double>>,
                                 std::vector<std::optional<std::string>>, double>;
 
-StudyPointer read(const std::string& text, const std::string& path) {
+/// Of the file, or of a text in its place.
+StudyPointer read(const std::string& path, const std::optional<std::string>& text) {
   return std::make_shared<Study>(
-      value_of(without_gil([&] { return parse_study(text, path); }), Fault::other));
+      value_of(without_gil([&] { return text ? parse_study(*text, path) : read_study(path); }),
+               Fault::other));
 }
 
 Point point_of(const Study& study, const Words& fractions) {
@@ -163,7 +165,7 @@ py::dict forecast(const Study& study, int sample) {
 
 void bind_studies(py::module_& module) {
   py::class_<Study, StudyPointer>(module, "StudyData")
-      .def(py::init(&read), py::arg("text"), py::arg("path"))
+      .def(py::init(&read), py::arg("path"), py::arg("text") = py::none())
       .def_property_readonly("text", [](const Study& s) { return py::bytes(s.text); })
       .def_property_readonly("file", [](const Study& s) { return py::bytes(s.file); })
       .def_property_readonly("title", [](const Study& s) { return to_str(s.title); })

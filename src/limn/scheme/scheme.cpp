@@ -72,8 +72,38 @@ void check_rules_fit(const Scheme& scheme, const Unread& unread, Faults& faults)
   }
 }
 
-/// All that can be judged of what was read.
-void check_scheme(Scheme& scheme, const Unread& unread, Faults& faults) {
+bool uses_any(const Formula& formula, const std::set<std::string>& names) {
+  const std::vector<std::string>& used = formula.expression.names();
+  return std::any_of(used.begin(), used.end(),
+                     [&](const std::string& name) { return names.count(name) > 0; });
+}
+
+/// Names that the scheme's own file defines, and those whose values depend on them.
+std::set<std::string> own_names(const Scheme& scheme) {
+  std::vector<std::pair<std::string, const Formula*>> definitions;
+  for (const auto& [name, value] : scheme.lets) definitions.emplace_back(name, &value);
+  for (const Parameter& one : scheme.parameters) definitions.emplace_back(one.name, &one.value);
+  std::set<std::string> names;
+  for (std::size_t before = 1; before != names.size();) {
+    before = names.size();
+    for (const auto& [name, value] : definitions)
+      if (value->place.file == scheme.file || uses_any(*value, names)) names.insert(name);
+  }
+  return names;
+}
+
+/// Whether a rule is as the extended scheme has it: it was checked there, which may cost seconds.
+bool is_as_extended(const Scheme& scheme, const Rule& rule, const std::set<std::string>& own) {
+  return std::all_of(rule.begin(), rule.end(), [&](const RuleCase& one) {
+    return one.place.file != scheme.file && !(one.when && uses_any(*one.when, own)) &&
+           std::none_of(one.weights.begin(), one.weights.end(),
+                        [&](const Weight& weight) { return uses_any(weight.value, own); });
+  });
+}
+
+/// All that can be judged of what was read. `base`: the split of the scheme that it extends, if
+/// any.
+void check_scheme(Scheme& scheme, const Unread& unread, const Split* base, Faults& faults) {
   const ExactBudget budget(kExactWork);
   check_names(scheme, unread, faults);
   if (scheme.split == nullptr) return;
@@ -87,9 +117,14 @@ void check_scheme(Scheme& scheme, const Unread& unread, Faults& faults) {
   }
   check_rules_fit(scheme, unread, faults);
   if (scheme.has_decimals && faults.none()) divide_by_sums(scheme);
+  const std::set<std::string> own = own_names(scheme);
+  const bool extends = base == scheme.split && !scheme.has_decimals;
   check_rules(
       scheme, valueless,
-      [&](RuleKind kind) { return unread.rule(kind) || !has_use_for(*scheme.split, kind); },
+      [&](RuleKind kind) {
+        return unread.rule(kind) || !has_use_for(*scheme.split, kind) ||
+               (extends && is_as_extended(scheme, *scheme.rule(kind), own));
+      },
       faults);
 }
 
@@ -118,17 +153,20 @@ std::optional<Scheme> parse_in_chain(const SchemeText& file, const SchemeLoader&
     faults.add({"circular: " + text_of(chain)});
     return std::nullopt;
   }
+  const Split* base_split = nullptr;
   const auto extended = [&](const std::string& name, Faults& of_base) -> std::optional<Scheme> {
     const Result<SchemeText> base = load(name, file.path.empty() ? "." : file.path);
-    if (base) return parse_in_chain(*base, load, chain, of_base);
-    of_base.add(base.error());
-    return std::nullopt;
+    if (!base) of_base.add(base.error());
+    std::optional<Scheme> scheme =
+        base ? parse_in_chain(*base, load, chain, of_base) : std::nullopt;
+    if (scheme) base_split = scheme->split;
+    return scheme;
   };
   Draft draft = read_scheme_text(file.text, file.path, extended, faults);
   if (draft.unread.everything) return std::nullopt;
   Scheme& scheme = draft.scheme;
   if (scheme.name.empty()) scheme.name = std::filesystem::path(file.path).stem().string();
-  check_scheme(scheme, draft.unread, faults);
+  check_scheme(scheme, draft.unread, base_split, faults);
   if (!faults.none()) return std::nullopt;
   return std::move(scheme);
 }
@@ -289,7 +327,7 @@ Status set_parameters(Scheme& scheme, const std::vector<std::string>& assignment
   for (const std::string& assignment : assignments)
     if (Status status = assign(changed, assignment, set); !status) return status;
   Faults faults;
-  check_scheme(changed, {}, faults);
+  check_scheme(changed, {}, nullptr, faults);
   if (!faults.none()) {
     Error error = faults.list().front();  // the others mostly follow from the same value
     error.message = fmt::format(
