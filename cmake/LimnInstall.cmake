@@ -30,5 +30,12 @@ if(TARGET limn_command)
     install(FILES ${printed}/limn.fish DESTINATION ${CMAKE_INSTALL_DATADIR}/fish/vendor_completions.d)
   endif()
 endif()
+# The Python module, where Debian's Python looks if the prefix is /usr; elsewhere PYTHONPATH names it.
+set(LIMN_PYTHON_DIR lib/python3/dist-packages CACHE STRING
+  "Where `cmake --install` puts the Python module, below the prefix")
+if(TARGET limn_python)
+  install(TARGETS limn_python LIBRARY DESTINATION ${LIMN_PYTHON_DIR}/limn)
+  install(FILES ${python_files} DESTINATION ${LIMN_PYTHON_DIR}/limn)
+endif()
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/schemes DESTINATION ${CMAKE_INSTALL_DATADIR}/limn
   FILES_MATCHING PATTERN *.toml)

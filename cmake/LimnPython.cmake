@@ -30,7 +30,7 @@ set_target_properties(limn_python PROPERTIES OUTPUT_NAME _limn
 target_compile_definitions(limn_python PRIVATE LIMN_VERSION="${PROJECT_VERSION}")
 target_include_directories(limn_python SYSTEM PRIVATE ${LIMN_PYBIND11_INCLUDE_DIR})
 target_link_libraries(limn_python PRIVATE
-  limn::limn Python3::NumPy nlohmann_json::nlohmann_json)
+  limn_papers limn::limn Python3::NumPy nlohmann_json::nlohmann_json)
 if(CMAKE_CXX_COMPILER_ID STREQUAL GNU AND NOT LIMN_LINT)
   # What pybind11 inlines looks to GCC 12 as though it went beyond arrays.
   target_compile_options(limn_python PRIVATE -Wno-array-bounds -Wno-stringop-overflow)

@@ -8,11 +8,10 @@
 #include <nlohmann/json.hpp>
 
 #include "limn/base/files/file.h"
-#include "limn/base/progress.h"
-#include "limn/scheme/scheme_size.h"
-
 #include "limn/base/printable.h"
-#include "limn/base/utf8.h"
+#include "limn/base/progress.h"
+#include "limn/scheme/file/scheme_text.h"
+#include "limn/scheme/scheme_size.h"
 #include "options/scheme_argument.h"
 
 namespace limn::app {
@@ -103,24 +102,11 @@ Status check_scheme_path(const std::string& path) {
 }
 
 Result<std::string> extends_name(const std::string& scheme, const std::string& path) {
-  namespace fs = std::filesystem;
-  const std::vector<std::string> shipped = shipped_schemes();
   const std::string name = scheme_name_of(scheme);
-  if (std::find(shipped.begin(), shipped.end(), name) != shipped.end()) return name;
   if (name == kStandardStream)
     return Error{"a scheme on standard input has no name that a file could extend",
                  "write it to a file first"};
-  const std::string base = fs::proximate(name, fs::absolute(path).parent_path()).string();
-  for (std::string_view rest = base; !rest.empty(); rest.remove_prefix(utf8_length(rest)))
-    if (utf8_length(rest) == 0)
-      return Error{fmt::format("no scheme file can extend '{}': its name is not UTF-8", base),
-                   "rename it"};
-  return base;
-}
-
-Error unwritten(const Error& fault, const std::string& path) {
-  const std::string first = fault.message.substr(0, fault.message.find('\n'));
-  return {fmt::format("'{}' is not written: {}", path, first), fault.hint};
+  return extended_name(name, path);
 }
 
 }  // namespace limn::app

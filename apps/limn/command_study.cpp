@@ -1,7 +1,7 @@
 #include <cmath>
-#include <filesystem>
 #include <memory>
-#include <system_error>
+#include <string>
+#include <vector>
 
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
@@ -10,17 +10,16 @@
 #include "limn/base/files/file.h"
 #include "limn/base/printable.h"
 #include "limn/base/progress.h"
-#include "limn/search/front.h"
-#include "limn/search/run_study.h"
+#include "limn/report/study_files.h"
 #include "options/number_option.h"
 #include "options/time_option.h"
-#include "output/study_output.h"
+#include "python_module.h"
 
 namespace limn::app {
 namespace {
 
 struct StudyCommand {
-  std::string study, output;
+  std::string study, output, dask;
   double seconds = 0;
   int schemes = 12;
   bool dry_run = false, csv = false, restart = false, quantities = false, json = false;
@@ -61,26 +60,8 @@ int forecast(const Study& study, const StudyCommand& command) {
   return kDone;
 }
 
-/// The folder is made at once: the store must last if the run does not.
-Status make_folders(const std::string& path) {
-  std::error_code failed;
-  std::filesystem::create_directories(path + "/best", failed);
-  if (failed) return Error{"the folder cannot be made: " + failed.message(), {}, path};
-  return Done{};
-}
-
-std::vector<LandmarkOutcome> landmarks_of(const Study& study, ProgressLine& line) {
-  std::vector<LandmarkOutcome> list;
-  for (const Landmark& one : study.landmarks) {
-    line.show("other schemes: " + printable(one.label));
-    list.push_back({one.label, evaluate_scheme(study, one.scheme)});
-  }
-  return list;
-}
-
-Result<StudyRun> run(const Study& study, const StudyCommand& command, ProgressLine& line) {
-  Result<Store> store = Store::open(command.output + "/study.sqlite", study, command.restart);
-  if (!store) return store.error();
+Result<StudyRun> run(const Study& study, Store& store, const StudyCommand& command,
+                     ProgressLine& line) {
   const TimeBudget budget(time_limit(command.seconds));
   StudyOptions options;
   options.stop = budget.stop();
@@ -88,30 +69,44 @@ Result<StudyRun> run(const Study& study, const StudyCommand& command, ProgressLi
     line.show(fmt::format("point {} of {}, {} feasible, generation {}, {} left at most", at.done,
                           at.most, at.feasible, at.generation, time_text(at.seconds_left)));
   };
-  return run_study(study, *store, options);
+  return run_study(study, store, options);
 }
 
 int carry_out(const Study& study, const StudyCommand& command) {
-  if (Status status = make_folders(command.output); !status) return report(status.error());
+  Result<Store> store = open_study_folder(study, command.output, command.restart);
+  if (!store) return report(store.error());
   ProgressLine line;
-  const Result<StudyRun> done = run(study, command, line);
+  const Result<StudyRun> done = run(study, *store, command, line);
   if (!done) return report(done.error());
-  StudyResult result{study, *done};
-  result.best = best_points(study, done->points);
-  result.landmarks = landmarks_of(study, line);
-  nlohmann::ordered_json json = study_json(result);
   StudyFiles files{.folder = command.output, .all_points = command.csv, .schemes = command.schemes};
   files.progress = [&line](const std::string& what) { line.show(what); };
-  if (Status status = write_study_files(result, files, json); !status)
+  std::string text;
+  nlohmann::ordered_json json;
+  if (const Status status = conclude_study(study, *done, files, text, json); !status)
     return report(status.error());
-  if (command.json) {
+  if (command.json)
     print_json(json);
-    return kDone;
-  }
-  std::string text = study_text(result);
-  if (!done->finished) text += "the time ended: the same command goes on from here\n";
-  print_text(text + fmt::format("written to {}\n", printable(command.output)));
+  else
+    print_text(text);
   return kDone;
+}
+
+/// The same study, its points evaluated by the workers of a Dask scheduler: Python's part.
+int leave_to_dask(const StudyCommand& command) {
+  std::vector<std::string> words{command.study,
+                                 "-o",
+                                 command.output,
+                                 "--dask",
+                                 command.dask,
+                                 "--best",
+                                 std::to_string(command.schemes)};
+  if (command.seconds > 0)
+    words.insert(words.end(), {"--time", fmt::format("{}", command.seconds)});
+  if (command.csv) words.emplace_back("--csv");
+  if (command.restart) words.emplace_back("--restart");
+  if (command.json) words.emplace_back("--json");
+  if (is_quiet()) words.emplace_back("--quiet");
+  return report(become_python("limn.study", "distributed", words));
 }
 
 int study(const StudyCommand& command) {
@@ -126,7 +121,7 @@ int study(const StudyCommand& command) {
                         "add -o FOLDER, or --dry-run to see what it costs"});
   if (command.output == kStandardStream)
     return report(Error{"a study is kept in a folder, which cannot be standard output"});
-  return carry_out(*read, command);
+  return command.dask.empty() ? carry_out(*read, command) : leave_to_dask(command);
 }
 
 }  // namespace
@@ -151,13 +146,19 @@ void declare_study(CLI::App& parser, Action& action) {
       ->capture_default_str();
   declare_time(*command, chosen->seconds,
                "stop after so long; the same command goes on from there");
+  command
+      ->add_option("--dask", chosen->dask,
+                   "have the points evaluated by the workers of this Dask scheduler, as "
+                   "tcp://host:8786 (starts python3 -m limn.study)")
+      ->type_name("SCHEDULER");
   command->add_flag("--restart", chosen->restart, "throw away the points that the folder holds");
   command->add_flag("--quantities", chosen->quantities,
                     "list the numbers that a study can ask for");
   command->add_flag("--json", chosen->json, "print one JSON object");
   command->footer(
       "Example: limn study loop-family.toml --dry-run\n"
-      "         limn study loop-family.toml -o loop-family --csv");
+      "         limn study loop-family.toml -o loop-family --csv\n"
+      "         limn study loop-family.toml -o loop-family --dask tcp://10.0.0.1:8786");
   command->callback([&action, chosen] { action = [chosen] { return study(*chosen); }; });
 }
 

@@ -11,24 +11,11 @@
 #include "limn/base/time_budget.h"
 #include "limn/report/tune_report.h"
 #include "limn/report/tuned_scheme.h"
-#include "options/time_option.h"
-#include "options/valences.h"
+#include "limn/scheme/file/scheme_text.h"
+#include "options/tune_options.h"
 
 namespace limn::app {
 namespace {
-
-struct TuneOptions {
-  SchemeOptions scheme;
-  std::vector<std::string> free;
-  std::vector<std::string> require;
-  std::string valence = "3..12";
-  std::string between;
-  std::string output;
-  bool range = false;
-  bool everywhere = false;
-  bool json = false;
-  double seconds = kDefaultSeconds;
-};
 
 /// What the options ask for, read against the scheme.
 struct Task {
@@ -42,9 +29,6 @@ struct Task {
 };
 
 Result<Task> read_task(const TuneOptions& options) {
-  if (options.free.size() > 1 || options.require.size() > 1)
-    return Error{"one free name and one requirement is all that can be solved for",
-                 "fix the others by -p, or tune them one after another"};
   Result<Valences> valences = read_valences(options.valence);
   if (!valences) return valences.error();
   Result<Scheme> scheme = options.scheme.load();
@@ -65,51 +49,16 @@ Result<Task> read_task(const TuneOptions& options) {
   if (options.range && !options.output.empty())
     return Error{"-o writes solutions, not ranges", "leave out -o or --range"};
   std::optional<SearchRange> between;
+  if (options.between.size() > 1)
+    return Error{"--between is given more than once", "one name has one range"};
   if (!options.between.empty()) {
-    Result<SearchRange> read = SearchRange::parse(options.between);
+    Result<SearchRange> read = SearchRange::parse(options.between.front());
     if (!read) return read.error();
     between = std::move(*read);
   }
   return Task{std::move(*scheme), std::move(*freed), std::move(*requirement), *valences,
               std::move(between)};
 }
-
-/// The valences one after the other, with progress, until the time ends.
-class Walk {
- public:
-  Walk(Valences valences, double seconds)
-      : valences_(valences), budget_(time_limit(seconds)), stop_(budget_.stop()) {}
-
-  [[nodiscard]] const Stop& stop() const { return stop_; }
-  /// visit(n) says whether it has done valence n.
-  template <class Visit>
-  Status each(Visit visit) {
-    for (int n = valences_.first; n <= valences_.last; ++n) {
-      line_.show(fmt::format("valence {} of {}..{}", n, valences_.first, valences_.last));
-      if (n > valences_.first && budget_.ended()) break;
-      const Result<bool> done = visit(n);
-      if (!done) return done.error();
-      if (!*done) break;
-      last_ = n;
-    }
-    return Done{};
-  }
-  [[nodiscard]] bool ended_early() const { return last_ != valences_.last; }
-  [[nodiscard]] std::string what_was_reached() const {
-    return last_ == 0 ? fmt::format("the time ended before valence {} was done", valences_.first)
-                      : fmt::format("the time ended: {}..{} of the valences {}..{} are done",
-                                    valences_.first, last_, valences_.first, valences_.last);
-  }
-
- private:
-  Valences valences_;
-  TimeBudget budget_;
-  Stop stop_;
-  ProgressLine line_;
-  int last_ = 0;  // valence that was done
-};
-
-constexpr const char* kMoreTime = "give more --time, or fewer valences";
 
 nlohmann::ordered_json heading_json(const Task& task, const nlohmann::ordered_json& valences,
                                     const Walk& walk) {
@@ -223,6 +172,7 @@ int find_ranges(Task& task, const TuneOptions& options) {
 }
 
 int tune(const TuneOptions& options) {
+  if (options.free.size() > 1 || options.require.size() > 1) return tune_system(options);
   Result<Task> task = read_task(options);
   if (!task) return report(task.error());
   return options.range ? find_ranges(*task, options) : solve(*task, options);
@@ -236,15 +186,19 @@ void declare_tune(CLI::App& parser, Action& action) {
       "the values of a parameter or a let at which the eigencomponents are as required");
   const auto options = std::make_shared<TuneOptions>();
   command->add_option("SCHEME", options->scheme.name, kSchemeArgumentHelp)->required();
-  command->add_option("--free", options->free, "the parameter or let that is to be found")
+  command
+      ->add_option("--free", options->free,
+                   "the parameter or let that is to be found; as many as there are")
       ->type_name("NAME")
       ->required()
       ->allow_extra_args(false);
   command
-      ->add_option("--require", options->require,
-                   "an equation in position, tangent, cup, saddle, n and the scheme's names; with "
-                   "--range an inequality, c1 (what it needs of the eigenvalues), convergent or "
-                   "bounded-curvature (by the eigenvalues and the regular lattice)")
+      ->add_option(
+          "--require", options->require,
+          "an equation in position, tangent, cup, saddle, n and the scheme's names; with "
+          "--range an inequality, c1 (what it needs of the eigenvalues), convergent or "
+          "bounded-curvature (by the eigenvalues and the regular lattice). Of several, the "
+          "equations are solved, and the others asked of each solution")
       ->type_name("TEXT")
       ->required()
       ->allow_extra_args(false);
@@ -253,8 +207,10 @@ void declare_tune(CLI::App& parser, Action& action) {
       ->capture_default_str();
   command
       ->add_option("--between", options->between,
-                   "look here alone; else in the parameter's range, or from -4 to 4")
-      ->type_name("LOW,HIGH");
+                   "look here alone; else in the parameter's range, or from -4 to 4; of several "
+                   "names the ranges in their order")
+      ->type_name("LOW,HIGH")
+      ->allow_extra_args(false);
   command
       ->add_option("-o,--output", options->output,
                    "also write a scheme file with the solutions, in fractions, to FILE (.toml)")
@@ -265,7 +221,10 @@ void declare_tune(CLI::App& parser, Action& action) {
   declare_time(*command, options->seconds, "how long to go on to further valences");
   options->scheme.declare_parameters(*command);
   command->add_flag("--json", options->json, "print one JSON object");
-  command->footer("Example: limn tune sqrt3 --free alpha --require \"cup = tangent^2\"");
+  command->footer(
+      "Example: limn tune sqrt3 --free alpha --require \"cup = tangent^2\"\n"
+      "         limn tune mine.toml --free s --free r --require \"cup = tangent^2\" --require "
+      "\"saddle = tangent^2\"");
   command->callback([&action, options] { action = [options] { return tune(*options); }; });
 }
 

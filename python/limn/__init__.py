@@ -17,6 +17,7 @@ from ._functions import (
     check_mesh,
     compare,
     fairness,
+    papers,
     read_mesh,
     repair_mesh,
     schemes,
@@ -40,6 +41,7 @@ from ._results import (
     Tuning,
 )
 from ._scheme import Scheme
+from ._study import Study, StudyResult, study, study_quantities
 from ._surface import Surface
 
 __all__ = [
@@ -57,6 +59,8 @@ __all__ = [
     "Regularity",
     "Scheme",
     "SchemeError",
+    "Study",
+    "StudyResult",
     "Surface",
     "Tuning",
     "__version__",
@@ -64,11 +68,14 @@ __all__ = [
     "check_mesh",
     "compare",
     "fairness",
+    "papers",
     "read_mesh",
     "repair_mesh",
     "schemes",
     "set_thread_limit",
     "spectrum",
+    "study",
+    "study_quantities",
     "thread_limit",
     "tune",
     "write_mesh",

@@ -108,9 +108,32 @@ def spectrum(vertices: npt.ArrayLike, faces: Any, count: int = 10) -> dict[str, 
     return ends
 
 
-def tune(scheme: SchemeLike, free: str, require: str, *args: Any, **options: Any) -> Tuning:
+def tune(
+    scheme: SchemeLike,
+    free: str | Sequence[str],
+    require: str | Sequence[str],
+    *args: Any,
+    **options: Any,
+) -> Tuning:
     """``Scheme.tune`` of a scheme or what one is made of."""
     return _scheme(scheme).tune(free, require, *args, **options)
+
+
+def papers(folder: Path, *names: str) -> str:
+    """Makes papers anew as pages, figures and tables, all of them if none is named: ``limn papers``.
+
+    Gives the path of the page to begin with. Of one paper the folder is its own; of several each has
+    one in it. Takes some seconds to minutes a paper.
+    """
+    path = os.fspath(folder)
+    if len(names) == 1:
+        _limn.write_paper(names[0], path)
+    else:
+        chosen = names or tuple(_limn.paper_names())
+        for name in chosen:
+            _limn.write_paper(name, os.path.join(path, name))
+        _limn.write_paper_list(path, chosen)
+    return os.path.join(path, "index.html")
 
 
 def check_certificate(certificate: Certificate | Path) -> dict[str, Any]:

@@ -121,6 +121,8 @@ class Tuning(Dict[str, Any]):
         return Scheme(self["text"])
 
     def _repr_html_(self) -> str:
+        if not isinstance(self["free"], str):
+            return self._system_html()
         rows = []
         for entry in self["valences"]:
             for found in entry.get("solutions", ()):
@@ -128,6 +130,14 @@ class Tuning(Dict[str, Any]):
             for part in entry.get("parts", ()):
                 rows.append((entry["valence"], part["low"]["value"], part["high"]["value"], ""))
         return table(("valence", self["free"], "exactly, or up to", "holds"), rows, self["require"])
+
+    def _system_html(self) -> str:
+        rows = []
+        for entry in self["valences"]:
+            for found in entry["solutions"]:
+                numbers = [found["exact"][name] or found["values"][name] for name in self["free"]]
+                rows.append((entry["valence"], *numbers, found["holds"]))
+        return table(("valence", *self["free"], "holds"), rows, ", ".join(self["require"]))
 
 
 @dataclass(frozen=True)

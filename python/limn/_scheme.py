@@ -55,6 +55,11 @@ def _seconds(seconds: Optional[float]) -> float:
     return float(seconds) if seconds else float("inf")
 
 
+def _range_text(between: Any) -> str:
+    """(low, high) as ``limn tune --between`` takes it."""
+    return ",".join(_assignment("", bound).lstrip("=") for bound in between)
+
+
 class Scheme:
     """A subdivision scheme.
 
@@ -338,32 +343,57 @@ class Scheme:
 
     def tune(
         self,
-        free: str,
-        require: str,
+        free: str | Sequence[str],
+        require: str | Sequence[str],
         valence: int | Iterable[int] = range(3, 13),
         *,
-        between: Optional[tuple[Number, Number]] = None,
+        between: Optional[tuple[Number, Number] | Sequence[tuple[Number, Number]]] = None,
         everywhere: bool = False,
         seconds: Optional[float] = 10,
     ) -> Tuning:
-        """The values of a parameter or let at which eigencomponents are as required.
+        """The values of parameters or lets at which eigencomponents are as required.
 
         A dict as ``limn tune --json``. ``require``: an equation in position, tangent, cup, saddle,
         n and the scheme's names, as ``"cup = tangent^2"``; or what holds in a range: an inequality,
         ``"c1"``, ``"convergent"``, ``"bounded-curvature"``. ``between``: look there alone;
         ``everywhere``: the value is that of the regular neighbours, too. Of an equation,
         ``.scheme()`` is the scheme with the solutions.
+
+        Lists of names and of requirements are solved together: as many equations as names or fewer,
+        by Newton's method; the other requirements are asked of each solution. ``between`` is then a
+        range for each name.
         """
-        where = "" if between is None else ",".join(
-            _assignment("", bound).lstrip("=") for bound in between
-        )
+        if not isinstance(free, str) or not isinstance(require, str):
+            return self._tune_system(free, require, valence, between, everywhere, seconds)
         return Tuning(
             _limn.tune(
                 self._data,
                 free,
                 require,
                 _valences(valence, 3),
-                where,
+                "" if between is None else _range_text(between),
+                everywhere,
+                _seconds(seconds),
+                self._base(),
+            )
+        )
+
+    def _tune_system(
+        self,
+        free: str | Sequence[str],
+        require: str | Sequence[str],
+        valence: int | Iterable[int],
+        between: Any,
+        everywhere: bool,
+        seconds: Optional[float],
+    ) -> Tuning:
+        return Tuning(
+            _limn.tune_system(
+                self._data,
+                [free] if isinstance(free, str) else list(free),
+                [require] if isinstance(require, str) else list(require),
+                _valences(valence, 3),
+                [] if between is None else [_range_text(one) for one in between],
                 everywhere,
                 _seconds(seconds),
                 self._base(),

@@ -16,6 +16,8 @@ PYBIND11_MODULE(_limn, module) {
   python::bind_refiner(module);
   python::bind_limits(module);
   python::bind_reports(module);
+  python::bind_papers(module);
+  python::bind_studies(module);
   python::bind_tuning(module);
   python::bind_pictures(module);
   module.def("set_thread_limit", &limn::set_thread_limit, pybind11::arg("threads"));

@@ -15,6 +15,8 @@ void bind_surfaces(pybind11::module_& module);
 void bind_refiner(pybind11::module_& module);
 void bind_limits(pybind11::module_& module);
 void bind_reports(pybind11::module_& module);
+void bind_papers(pybind11::module_& module);
+void bind_studies(pybind11::module_& module);
 void bind_tuning(pybind11::module_& module);
 void bind_pictures(pybind11::module_& module);
 

@@ -8,6 +8,7 @@
 #include "call.h"
 #include "errors.h"
 #include "json_objects.h"
+#include "limn/report/system_report.h"
 #include "limn/report/tune_report.h"
 #include "limn/report/tuned_scheme.h"
 #include "module.h"
@@ -89,10 +90,50 @@ py::object solve(const Scheme& scheme, const std::string& name, const std::strin
   return to_python(result);
 }
 
+/// As `limn tune --json` of several names or requirements; the rest as of `solve`.
+py::object solve_system(const Scheme& scheme, const std::vector<std::string>& free,
+                        const std::vector<std::string>& require, const std::vector<int>& valences,
+                        const std::vector<std::string>& between, bool everywhere, double seconds,
+                        const std::string& extends) {
+  FreedNames names =
+      value_of(FreedNames::make(scheme, free, everywhere ? Reach::everywhere : Reach::automatic),
+               Fault::scheme);
+  std::vector<Requirement> requirements;
+  for (const std::string& text : require)
+    requirements.push_back(value_of(Requirement::parse(text, scheme), Fault::scheme));
+  std::vector<SearchRange> ranges;
+  for (const std::string& text : between)
+    ranges.push_back(value_of(SearchRange::parse(text), Fault::scheme));
+  if (!ranges.empty() && ranges.size() != free.size())
+    raise({"there are other numbers of ranges and of names"}, Fault::scheme);
+  std::vector<const SearchRange*> searched(free.size(), nullptr);
+  for (std::size_t j = 0; j < ranges.size(); ++j) searched[j] = &ranges[j];
+  const auto solutions = at_each<SystemSolutions>(valences, seconds, [&](int n, const Stop& stop) {
+    return solve_system_at(names, requirements, n, searched, stop);
+  });
+  Json list = Json::array(), closed = Json::object();
+  for (const SystemSolutions& one : solutions) list.push_back(system_json(names, one));
+  const std::vector<std::optional<std::string>> forms = common_forms(names, solutions);
+  for (std::size_t j = 0; j < forms.size(); ++j)
+    closed[free[j]] = forms[j] ? Json(*forms[j]) : Json();
+  Json result{{"scheme", scheme.name}, {"free", free}, {"require", require}};
+  if (!extends.empty()) {
+    const Result<std::string> text = tuned_system_text(names, requirements, solutions, extends);
+    result[text ? "text" : "no_text"] = text ? *text : text.error().text();
+  }
+  result["time_ended"] = list.size() != valences.size();
+  result["valences"] = std::move(list);
+  result["closed_forms"] = std::move(closed);
+  return to_python(result);
+}
+
 }  // namespace
 
 void bind_tuning(py::module_& module) {
   module.def("tune", &solve, py::arg("scheme"), py::arg("free"), py::arg("require"),
+             py::arg("valences"), py::arg("between"), py::arg("everywhere"), py::arg("seconds"),
+             py::arg("extends"));
+  module.def("tune_system", &solve_system, py::arg("scheme"), py::arg("free"), py::arg("require"),
              py::arg("valences"), py::arg("between"), py::arg("everywhere"), py::arg("seconds"),
              py::arg("extends"));
   module.def("freeable_names", &freeable_names, py::arg("scheme"));

@@ -115,8 +115,13 @@ TEST(TuneCommand, RefusesWhatItCannotSolve) {
   refused(loop + "--require 'cup = 1/4' --range", "leave out --range");
   refused(loop + "--require 'cup = 1/4' --between 1,0", "is empty at n = 3");
   refused(loop + "--require 'cup = 1/4' --between 1", "no comma");
-  refused(loop + "--require 'cup = 1/4' --require 'saddle = 1/4'", "one requirement");
-  refused(loop + "--free lambda --require 'cup = 1/4'", "one free name");
+  refused(loop + "--require 'cup = 1/4' --require 'saddle = 1/4'", "2 equations are more than 1");
+  refused(loop + "--free beta --require 'cup = 1/4'", "freed twice");
+  refused(loop + "--free lambda --require c1 --require convergent",
+          "no requirement is an equation");
+  refused(loop + "--free lambda --require 'cup = 1/4' --range", "leave it out");
+  refused(loop + "--free lambda --require 'cup = 1/4' --between 0,1", "once for each --free");
+  refused(loop + "--require 'cup = 1/4' --between 0,1 --between 0,1", "more than once");
   refused(loop + "--require 'cup = 1/4' --valence 2", "2 is not between 3 and");
   refused("butterfly --free w --require 'cup = 1/4' --valence 5..6 --time 0 -o x.toml",
           "one number");
@@ -126,6 +131,42 @@ TEST(TuneCommand, RefusesWhatItCannotSolve) {
   refused(loop, "--require");
   refused("loop --require c1", "--free");
   refused("box-spline-triangle --free i --require c1 --range", "nothing that can be freed");
+}
+
+TEST(TuneCommand, SolvesForSeveralNames) {
+  const Folder folder;
+  const Outcome outcome = folder.limn(
+      "tune loop-type --free b --free beta --require 'tangent = 9/20' --require 'cup = 1/5' "
+      "--require c1 --valence 7 -o two.toml --json");
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  const auto json = nlohmann::json::parse(outcome.out);
+  const auto& found = json.at("valences")[0].at("solutions");
+  ASSERT_EQ(found.size(), 1U);
+  EXPECT_EQ(found[0].at("holds"), true);
+  const Outcome eigen = folder.limn("eigen two.toml --valence 7 --json");
+  ASSERT_EQ(eigen.code, 0) << eigen.err;
+  const auto components = nlohmann::json::parse(eigen.out).at("valences")[0].at("components");
+  EXPECT_NEAR(components.at("tangent").get<double>(), 9.0 / 20, 1e-13);
+  EXPECT_NEAR(components.at("cup").get<double>(), 1.0 / 5, 1e-13);
+}
+
+TEST(TuneCommand, RecognisesAFormulaOfN) {
+  const Folder folder;
+  folder.write("two.toml",
+               "split = \"triangle-dyadic\"\nextends = \"loop\"\n"
+               "[let]\nring = \"1/(2*n)\"\n"
+               "[vertex]\nself = \"1 - n*ring\"\nring = \"ring\"\n");
+  const Outcome outcome =
+      folder.limn("tune two.toml --free ring --require 'cup = tangent^2' --require c1 -o t.toml");
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_NE(outcome.out.find("ring = (31/64 - 3/16*cos(2*pi/n) - 1/16*cos(2*pi/n)^2)/n"),
+            std::string::npos)
+      << outcome.out;
+  const std::string text = folder.read("t.toml");
+  EXPECT_NE(text.find("title   = \"two, tuned\""), std::string::npos) << text;
+  EXPECT_NE(text.find("(n >= 3) * (n <= 5) + (n >= 7) * (n <= 12)"), std::string::npos) << text;
+  EXPECT_NE(text.find("kept at n = 6"), std::string::npos) << text;
+  EXPECT_EQ(folder.limn("show t.toml").code, 0);
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 
 #include "limn/certify/all/power_ball.h"
 #include "limn/number/ball.h"
+#include "limn/number/jet.h"
 #include "limn/number/symbolic.h"
 #include "limn/scheme/evaluate.h"
 #include "limn/scheme/expression.h"
@@ -80,7 +81,7 @@ Result<Number> evaluate(const std::string& text) {
 template <class Number>
 class Conformance : public testing::Test {};
 
-using Numbers = testing::Types<double, Exact, Symbolic, Measured, Ball, certify::PowerBall>;
+using Numbers = testing::Types<double, Jet, Exact, Symbolic, Measured, Ball, certify::PowerBall>;
 TYPED_TEST_SUITE(Conformance, Numbers);
 
 TYPED_TEST(Conformance, Values) {

@@ -5,8 +5,11 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <fstream>
+#include <sstream>
 
 #include "limn/search/front.h"
+#include "support/temporary_folder.h"
 #include "toy.h"
 
 namespace limn::test {
@@ -69,11 +72,46 @@ TEST(Point, IsTheShippedSchemeAtItsParameter) {
   EXPECT_NEAR(*evaluate_point(study, {Rational("3/8")}).objectives[1], 3, 1e-2);
 }
 
+/// A quantity of Loop's surface over an octahedron of this size.
+double energy_at(const std::string& quantity, double size) {
+  const TemporaryFolder folder;
+  std::ofstream mesh(folder / "octahedron.obj");
+  for (const char* place : {"1 0 0", "0 1 0", "0 0 1", "-1 0 0", "0 -1 0", "0 0 -1"}) {
+    std::istringstream numbers(place);
+    mesh << "v";
+    for (double x = 0; numbers >> x;) mesh << " " << size * x;
+    mesh << "\n";
+  }
+  mesh << "f 1 2 3\nf 2 4 3\nf 4 5 3\nf 5 1 3\nf 2 1 6\nf 4 2 6\nf 5 4 6\nf 1 5 6\n";
+  mesh.close();
+  const Result<Study> study = parse_study(with_beta(quantity), folder / "toy.toml");
+  EXPECT_TRUE(study) << study.error().text();
+  EXPECT_EQ(study->files().size(), quantity.find("obj") == std::string::npos ? 0U : 1U);
+  const Outcome outcome =
+      evaluate_point(*study, {Rational("3/8"), Rational("3/32"), Rational("1/16")});
+  EXPECT_TRUE(outcome.feasible) << outcome.reason;
+  return outcome.objectives[0].value_or(NAN);
+}
+
+TEST(Point, TellsEnergiesOfSurfaces) {
+  // k1² + k2² = (k1 - k2)² + 2 k1 k2, and the integral of k1 k2 is 4π of whatever sphere it is
+  const double plate = energy_at("thin_plate(octahedron.obj, 4)", 1);
+  EXPECT_GT(plate, 8 * M_PI * 0.995);
+  EXPECT_LT(plate, 8 * M_PI * 1.5);
+  EXPECT_NEAR(energy_at("thin_plate(octahedron.obj, 4)", 2), plate, 1e-9 * plate);
+  const double variation = energy_at("curvature_variation(octahedron.obj, 4)", 1);
+  EXPECT_GT(variation, 0);
+  EXPECT_NEAR(energy_at("curvature_variation(octahedron.obj, 4)", 2), variation / 4,
+              1e-9 * variation);
+}
+
 TEST(Point, TellsTheDistanceToAnotherScheme) {
-  // Hölder and artifacts of one scheme are those of itself; at another b they differ
-  const Study study = study_of(kLoopStudy);
-  EXPECT_NE(evaluate_point(study, {Rational("3/8")}).objectives,
-            evaluate_point(study, {Rational("47/128")}).objectives);
+  // at b = 3/8 the family is Loop's scheme, whose surface over an octahedron lies well inside
+  EXPECT_NEAR(energy_at("distance(loop, octahedron.obj, 3)", 1), 0, 1e-12);
+  const double apart = energy_at("distance(butterfly, octahedron.obj, 3)", 1);
+  EXPECT_GT(apart, 5);
+  EXPECT_LT(apart, 30);
+  EXPECT_NEAR(energy_at("distance(butterfly, octahedron.obj, 3)", 3), apart, 1e-9 * apart);
 }
 
 TEST(Point, IsInfeasibleWithAReasonWhereThereIsNoScheme) {

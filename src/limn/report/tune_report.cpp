@@ -22,22 +22,14 @@ Json truth_json(Truth truth) {
 }
 
 Json solution_json(const Solution& solution) {
-  const Eigencomponents& found = solution.found;
-  return {{"value", solution.value},
-          {"residual", solution.residual},
-          {"exact", exact_json(solution.rational)},
-          {"double", solution.is_double},
-          {"holds", truth_json(solution.holds)},
-          {"reason", solution.reason},
-          {"components",
-           {{"position", number_json(found.position)},
-            {"tangent", number_json(found.tangent)},
-            {"cup", number_json(found.cup)},
-            {"saddle", number_json(found.saddle)}}},
-          {"verdict",
-           {{"c1_necessary", to_string(found.verdict.c1_necessary)},
-            {"regular_part", regular_part_json(found.verdict.regular_part)},
-            {"bounded_curvature", to_string(found.verdict.bounded_curvature)}}}};
+  Json json{{"value", solution.value},
+            {"residual", solution.residual},
+            {"exact", exact_json(solution.rational)},
+            {"double", solution.is_double},
+            {"holds", truth_json(solution.holds)},
+            {"reason", solution.reason}};
+  json.update(found_json(solution.found));
+  return json;
 }
 
 Json end_json(const RangeEnd& end) {
@@ -80,6 +72,25 @@ Json intervals_json(const std::vector<Interval>& intervals) {
   return list;
 }
 
+Json found_json(const Eigencomponents& found) {
+  return {{"components",
+           {{"position", number_json(found.position)},
+            {"tangent", number_json(found.tangent)},
+            {"cup", number_json(found.cup)},
+            {"saddle", number_json(found.saddle)}}},
+          {"verdict",
+           {{"c1_necessary", to_string(found.verdict.c1_necessary)},
+            {"regular_part", regular_part_json(found.verdict.regular_part)},
+            {"bounded_curvature", to_string(found.verdict.bounded_curvature)}}}};
+}
+
+std::string found_text(int valence, const Eigencomponents& found, Truth holds) {
+  return fmt::format("{:>7}  {} {} {}  {:<9} {:<13} {:<17} ", valence, column_text(found.tangent),
+                     column_text(found.cup), column_text(found.saddle), to_string(holds),
+                     to_string(found.verdict.c1_necessary),
+                     to_string(found.verdict.bounded_curvature));
+}
+
 Json tune_json(const ValenceSolutions& solutions) {
   Json list = Json::array();
   for (const Solution& solution : solutions.solutions) list.push_back(solution_json(solution));
@@ -109,13 +120,9 @@ std::string solution_heading(const std::string& name) {
 std::string tune_text(const std::string& name, const ValenceSolutions& solutions) {
   std::string text;
   for (const Solution& solution : solutions.solutions) {
-    const Eigencomponents& found = solution.found;
-    text += fmt::format(
-        "{:>7}  {} {} {}  {:<9} {:<13} {:<17} {}{}\n", solutions.valence,
-        column_text(found.tangent), column_text(found.cup), column_text(found.saddle),
-        to_string(solution.holds), to_string(found.verdict.c1_necessary),
-        to_string(found.verdict.bounded_curvature), value_text(solution.value, solution.rational),
-        solution.is_double ? " (double)" : "");
+    text += found_text(solutions.valence, solution.found, solution.holds) +
+            value_text(solution.value, solution.rational) +
+            (solution.is_double ? " (double)\n" : "\n");
     if (!solution.reason.empty()) text += remark(solution.reason);
   }
   for (const Interval part : solutions.throughout)

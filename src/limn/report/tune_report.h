@@ -24,6 +24,11 @@ namespace limn {
 /// [[low, high], …]
 [[nodiscard]] nlohmann::ordered_json intervals_json(const std::vector<Interval>& intervals);
 
+/// {"components", "verdict"} of tune_json's solutions.
+[[nodiscard]] nlohmann::ordered_json found_json(const Eigencomponents& found);
+/// The columns of a solution's line but the last one.
+[[nodiscard]] std::string found_text(int valence, const Eigencomponents& found, Truth holds);
+
 /// A line for each solution: its value, components and verdicts; reasons below it. `name`: what was
 /// freed.
 [[nodiscard]] std::string tune_text(const std::string& name, const ValenceSolutions& solutions);

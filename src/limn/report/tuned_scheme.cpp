@@ -83,7 +83,7 @@ Result<std::string> tuned_scheme_text(const FreedScheme& freed, const Requiremen
     text += fmt::format("# The value of '{}' is kept at n = {}.\n", printable(scheme.name),
                         fmt::join(definition.kept, ", "));
   text += fmt::format("title   = {}\nextends = {}\nnotes   = {}\n",
-                      toml_string(fmt::format("{}, tuned", scheme.title)), toml_string(extends),
+                      toml_string(derived_title(scheme, "tuned")), toml_string(extends),
                       toml_string(task));
   return text + definitions_toml(scheme, {{freed.name(), definition.text}});
 }

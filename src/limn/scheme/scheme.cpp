@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <set>
+#include <system_error>
 
 #include <fmt/core.h>
 #include <fmt/ranges.h>
@@ -75,8 +76,38 @@ void check_rules_fit(const Scheme& scheme, const Unread& unread, Faults& faults)
 /// Whether the weights are checked, which is nearly all of the cost, or have been.
 enum class Weights { checked, trusted };
 
-/// All that can be judged of what was read.
-void check_scheme(Scheme& scheme, const Unread& unread, Faults& faults,
+bool uses_any(const Formula& formula, const std::set<std::string>& names) {
+  const std::vector<std::string>& used = formula.expression.names();
+  return std::any_of(used.begin(), used.end(),
+                     [&](const std::string& name) { return names.count(name) > 0; });
+}
+
+/// Names that the scheme's own file defines, and those whose values depend on them.
+std::set<std::string> own_names(const Scheme& scheme) {
+  std::vector<std::pair<std::string, const Formula*>> definitions;
+  for (const auto& [name, value] : scheme.lets) definitions.emplace_back(name, &value);
+  for (const Parameter& one : scheme.parameters) definitions.emplace_back(one.name, &one.value);
+  std::set<std::string> names;
+  for (std::size_t before = 1; before != names.size();) {
+    before = names.size();
+    for (const auto& [name, value] : definitions)
+      if (value->place.file == scheme.file || uses_any(*value, names)) names.insert(name);
+  }
+  return names;
+}
+
+/// Whether a rule is as the extended scheme has it: it was checked there, which may cost seconds.
+bool is_as_extended(const Scheme& scheme, const Rule& rule, const std::set<std::string>& own) {
+  return std::all_of(rule.begin(), rule.end(), [&](const RuleCase& one) {
+    return one.place.file != scheme.file && !(one.when && uses_any(*one.when, own)) &&
+           std::none_of(one.weights.begin(), one.weights.end(),
+                        [&](const Weight& weight) { return uses_any(weight.value, own); });
+  });
+}
+
+/// All that can be judged of what was read. `base`: the split of the scheme that it extends, if
+/// any.
+void check_scheme(Scheme& scheme, const Unread& unread, const Split* base, Faults& faults,
                   Weights weights = Weights::checked) {
   const ExactBudget budget(kExactWork);
   check_names(scheme, unread, faults);
@@ -92,9 +123,14 @@ void check_scheme(Scheme& scheme, const Unread& unread, Faults& faults,
   check_rules_fit(scheme, unread, faults);
   if (scheme.has_decimals && faults.none()) divide_by_sums(scheme);
   if (weights == Weights::trusted) return;
+  const std::set<std::string> own = own_names(scheme);
+  const bool extends = base == scheme.split && !scheme.has_decimals;
   check_rules(
       scheme, valueless,
-      [&](RuleKind kind) { return unread.rule(kind) || !has_use_for(*scheme.split, kind); },
+      [&](RuleKind kind) {
+        return unread.rule(kind) || !has_use_for(*scheme.split, kind) ||
+               (extends && is_as_extended(scheme, *scheme.rule(kind), own));
+      },
       faults);
 }
 
@@ -123,17 +159,20 @@ std::optional<Scheme> parse_in_chain(const SchemeText& file, const SchemeLoader&
     faults.add({"circular: " + text_of(chain)});
     return std::nullopt;
   }
+  const Split* base_split = nullptr;
   const auto extended = [&](const std::string& name, Faults& of_base) -> std::optional<Scheme> {
     const Result<SchemeText> base = load(name, file.path.empty() ? "." : file.path);
-    if (base) return parse_in_chain(*base, load, chain, weights, of_base);
-    of_base.add(base.error());
-    return std::nullopt;
+    if (!base) of_base.add(base.error());
+    std::optional<Scheme> scheme =
+        base ? parse_in_chain(*base, load, chain, weights, of_base) : std::nullopt;
+    if (scheme) base_split = scheme->split;
+    return scheme;
   };
   Draft draft = read_scheme_text(file.text, file.path, extended, faults);
   if (draft.unread.everything) return std::nullopt;
   Scheme& scheme = draft.scheme;
   if (scheme.name.empty()) scheme.name = std::filesystem::path(file.path).stem().string();
-  check_scheme(scheme, draft.unread, faults, weights);
+  check_scheme(scheme, draft.unread, base_split, faults, weights);
   if (!faults.none()) return std::nullopt;
   return std::move(scheme);
 }
@@ -212,6 +251,17 @@ Result<Scheme> parse_texts(const std::vector<SourceText>& texts) {
   return scheme;
 }
 
+std::vector<std::string> scheme_files(const Scheme& scheme) {
+  std::vector<std::string> files;
+  std::filesystem::path path;
+  for (const SourceText& text : scheme.texts) {
+    path = path.parent_path() / text.name;
+    std::error_code ignored;
+    if (std::filesystem::is_regular_file(path, ignored)) files.push_back(path.string());
+  }
+  return files;
+}
+
 Result<Scheme> parse_scheme(std::string_view text, const std::string& path) {
   return parse_first({std::string(text), path, path.empty() ? path : file_id(path)},
                      load_scheme_text);
@@ -249,9 +299,6 @@ Status set_parameters(Scheme& scheme, const std::vector<std::string>& assignment
   Scheme changed = scheme;
   if (Status status = detail::assign_parameters(changed, assignments); !status) return status;
   Faults faults;
-  check_scheme(changed, {}, faults);
-  // the others mostly follow from the same value
-  if (!faults.none()) return detail::in_assignments(assignments, faults.list().front());
   scheme = std::move(changed);
   return Done{};
 }

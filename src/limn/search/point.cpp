@@ -6,6 +6,7 @@
 #include <fmt/core.h>
 
 #include "limn/base/time_budget.h"
+#include "limn/scheme/file/scheme_files.h"
 #include "limn/scheme/file/scheme_text.h"
 #include "limn/scheme/formulas.h"
 #include "limn/scheme/scope.h"
@@ -38,6 +39,15 @@ std::vector<std::string> freed_names(const Study& study) {
     if (std::find(names.begin(), names.end(), coordinate.name) == names.end())
       names.push_back(coordinate.name);
   return names;
+}
+
+/// The scheme file of a point and those that it extends, which are the study's: no file is opened,
+/// so that a point has the same outcome wherever it is evaluated.
+std::vector<SourceText> point_texts(const Study& study, const Point& point) {
+  std::vector<SourceText> texts = study.scheme.texts;
+  texts.front().name = study.scheme_name;
+  texts.insert(texts.begin(), {"point.toml", point_text(study, point, study.scheme_name)});
+  return texts;
 }
 
 void evaluate_objectives(const Study& study, SchemeReading& reading, Outcome& outcome) {
@@ -99,8 +109,8 @@ std::string point_key(const Point& point) {
 std::string point_text(const Study& study, const Point& point, const std::string& extends,
                        const std::string& notes) {
   std::string text =
-      fmt::format("title   = {}\nextends = {}\n", toml_string(study.scheme.title + ", of a study"),
-                  toml_string(extends));
+      fmt::format("title   = {}\nextends = {}\n",
+                  toml_string(derived_title(study.scheme, "of a study")), toml_string(extends));
   if (!notes.empty()) text += fmt::format("notes   = {}\n", toml_string(notes));
   std::vector<std::pair<std::string, std::string>> definitions;
   for (const std::string& name : freed_names(study))
@@ -110,9 +120,7 @@ std::string point_text(const Study& study, const Point& point, const std::string
 
 Outcome evaluate_point(const Study& study, const Point& point) {
   const double start = steady_seconds();
-  const std::string path = study.folder.empty() ? "point.toml" : study.folder + "/point.toml";
-  return evaluate(study, parse_scheme(point_text(study, point, study.scheme_name), path),
-                  Failing::is_left, start);
+  return evaluate(study, parse_texts(point_texts(study, point)), Failing::is_left, start);
 }
 
 Outcome evaluate_scheme(const Study& study, const Scheme& scheme) {

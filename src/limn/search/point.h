@@ -47,9 +47,9 @@ struct Outcome {
   double seconds = 0;                             ///< that it took
 };
 
-/// Evaluates one point; pure, from several threads at once. Demands come first, the cheap ones
-/// before the proofs; a point that fails one has no objectives. Never fails: where there is no
-/// scheme, or no number, the outcome says why.
+/// Evaluates one point; pure, from several threads at once, and opens no file. Demands come first,
+/// the cheap ones before the proofs; a point that fails one has no objectives. Never fails: where
+/// there is no scheme, or no number, the outcome says why.
 [[nodiscard]] Outcome evaluate_point(const Study& study, const Point& point);
 /// The same of any scheme, as of those that are drawn beside; it has objectives also where it fails
 /// a demand.

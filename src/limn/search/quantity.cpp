@@ -13,6 +13,7 @@
 #include "limn/mesh/io/mesh_file.h"
 #include "limn/mesh/mesh.h"
 #include "limn/scheme/evaluate.h"
+#include "limn/scheme/file/scheme_files.h"
 #include "limn/search/quantity_table.h"
 
 namespace limn {
@@ -117,6 +118,7 @@ struct ArgumentReader {
   QuantityArguments arguments = {};
   std::optional<Scheme> scheme = {};
   std::string content = {};
+  std::vector<std::string> files = {};
 
   Status read(Kind kind, const Part& part) {
     switch (kind) {
@@ -142,6 +144,7 @@ struct ArgumentReader {
     if (const Result<Mesh> mesh = Mesh::build(*polygons); !mesh)
       return at_column(Error{path + ": " + mesh.error().message, mesh.error().hint}, part.column);
     content += *bytes;
+    files.push_back(path);
     arguments.mesh = std::make_shared<const Polygons>(*std::move(polygons));
     return Done{};
   }
@@ -153,6 +156,7 @@ struct ArgumentReader {
         find_scheme(is_shipped ? std::string(part.text) : path_from(folder, part.text));
     if (!found) return at_column(named(found.error()), part.column);
     for (const SourceText& text : found->texts) content += text.text;
+    for (std::string& file : scheme_files(*found)) files.push_back(std::move(file));
     scheme = *std::move(found);
     return Done{};
   }
@@ -194,6 +198,7 @@ Result<Quantity> Quantity::parse(std::string_view text, const std::string& folde
   Quantity quantity;
   quantity.text_ = all;
   quantity.content_ = std::move(reader.content);
+  quantity.files_ = std::move(reader.files);
   quantity.row_ = *row;
   quantity.arguments_ = std::move(reader.arguments);
   return quantity;

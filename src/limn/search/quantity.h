@@ -54,11 +54,14 @@ class Quantity {
   [[nodiscard]] const QuantityRow& row() const { return *row_; }
   /// What the number depends on beside the scheme: the content of files. Empty for most.
   [[nodiscard]] const std::string& content() const { return content_; }
+  /// The files that it names, by paths as they were opened.
+  [[nodiscard]] const std::vector<std::string>& files() const { return files_; }
   /// Of a scheme. Fails where it has none, or none that is finite.
   [[nodiscard]] Result<double> operator()(SchemeReading& scheme) const;
 
  private:
   std::string text_, content_;
+  std::vector<std::string> files_;
   const QuantityRow* row_ = nullptr;
   QuantityArguments arguments_;
 };

@@ -3,32 +3,15 @@
 /// threads.
 
 #include <functional>
-#include <vector>
 
 #include "limn/base/time_budget.h"
-#include "limn/search/search.h"
-#include "limn/search/store.h"
+#include "limn/search/kept_search.h"
 
 namespace limn {
-
-/// Where a run stands.
-struct StudyProgress {
-  int generation = 0;
-  long long done = 0;       ///< points, those of earlier runs among them
-  long long most = 0;       ///< points that there will be at most
-  long long feasible = 0;   ///< of those that are done
-  double seconds_left = 0;  ///< an estimate; infinite while nothing was measured
-};
 
 struct StudyOptions {
   Stop stop = {};  ///< asked before each point; what is in hand is finished and kept
   std::function<void(const StudyProgress&)> progress = {};  ///< from any thread, one at a time
-};
-
-struct StudyRun {
-  std::vector<Evaluated> points;  ///< by generation and place, whole generations and the last part
-  bool finished = false;          ///< false: it was stopped
-  long long evaluated = 0;        ///< in this run; the others were in the store
 };
 
 /// Runs or resumes. A point that the store has is not evaluated again; each new one is there before

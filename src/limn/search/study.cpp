@@ -1,11 +1,13 @@
 #include "limn/search/study.h"
 
+#include <algorithm>
 #include <array>
 
 #include <fmt/core.h>
 #include <fmt/ranges.h>
 
 #include "limn/base/files/file.h"
+#include "limn/scheme/file/scheme_files.h"
 #include "limn/search/study_reader.h"
 
 namespace limn {
@@ -49,6 +51,20 @@ std::string Study::identity() const {
   all += fmt::format("effort {} {} {}\n", effort.regularity, effort.tolerance,
                      effort.certificate_parts);
   return all;
+}
+
+std::vector<std::string> Study::files() const {
+  std::vector<std::string> list = scheme_files(scheme);
+  const auto add = [&list](const std::vector<std::string>& more) {
+    list.insert(list.end(), more.begin(), more.end());
+  };
+  for (const Objective& one : objectives) add(one.value.files());
+  for (const Demand& one : demands)
+    if (one.value) add(one.value->files());
+  for (const Landmark& one : landmarks) add(scheme_files(one.scheme));
+  std::sort(list.begin(), list.end());
+  list.erase(std::unique(list.begin(), list.end()), list.end());
+  return list;
 }
 
 }  // namespace limn

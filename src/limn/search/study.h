@@ -88,6 +88,9 @@ struct Study {
   /// All that the results depend on but the number of points, which may be raised later: two
   /// studies with the same identity share their points.
   [[nodiscard]] std::string identity() const;
+  /// The files beside it that it was read from, by paths as they were opened, sorted: schemes,
+  /// meshes. With them it can be read on another machine.
+  [[nodiscard]] std::vector<std::string> files() const;
 };
 
 /// Reads a study. All faults at once, with line, column and remedy. `path`: for messages; schemes

@@ -32,6 +32,10 @@ using SchemeLoader =
 [[nodiscard]] Result<Scheme> parse_scheme(std::string_view text, const std::string& path,
                                           const SchemeLoader& load);
 
+/// The files that a scheme was read from (Scheme::texts), by paths as they were opened. Paths that
+/// are no files, as those of shipped schemes, are left out.
+[[nodiscard]] std::vector<std::string> scheme_files(const Scheme& scheme);
+
 /// The scheme that was read from these texts (Scheme::texts), and from nothing else: no file is
 /// opened. Fails as parse_scheme, where a text is missing, and where one is left over.
 [[nodiscard]] Result<Scheme> parse_texts(const std::vector<SourceText>& texts);

@@ -1,9 +1,12 @@
 #include "limn/scheme/file/scheme_text.h"
 
 #include <algorithm>
+#include <filesystem>
 #include <set>
 
 #include <fmt/core.h>
+
+#include "limn/base/utf8.h"
 
 namespace limn {
 
@@ -20,6 +23,27 @@ std::string toml_string(std::string_view text) {
       result += c;
   }
   return result + '"';
+}
+
+Result<std::string> extended_name(const std::string& name_or_path, const std::string& path) {
+  namespace fs = std::filesystem;
+  const std::vector<std::string> shipped = shipped_schemes();
+  if (std::find(shipped.begin(), shipped.end(), name_or_path) != shipped.end()) return name_or_path;
+  const std::string base = fs::proximate(name_or_path, fs::absolute(path).parent_path()).string();
+  for (std::string_view rest = base; !rest.empty(); rest.remove_prefix(utf8_length(rest)))
+    if (utf8_length(rest) == 0)
+      return Error{fmt::format("no scheme file can extend '{}': its name is not UTF-8", base),
+                   "rename it"};
+  return base;
+}
+
+Error unwritten(const Error& fault, const std::string& path) {
+  const std::string first = fault.message.substr(0, fault.message.find('\n'));
+  return {fmt::format("'{}' is not written: {}", path, first), fault.hint};
+}
+
+std::string derived_title(const Scheme& scheme, std::string_view how) {
+  return fmt::format("{}, {}", scheme.title.empty() ? scheme.name : scheme.title, how);
 }
 
 std::string parameter_toml(const Parameter& parameter, std::string_view value) {

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "limn/base/error.h"
 #include "limn/base/rational.h"
 #include "limn/scheme/scheme.h"
 
@@ -13,6 +14,17 @@ namespace limn {
 
 /// A string of TOML in its quotes. Precondition: UTF-8.
 [[nodiscard]] std::string toml_string(std::string_view text);
+
+/// What a scheme file at `path` says after "extends" to mean a scheme: a shipped name, or a path
+/// from the file's folder. Fails where a scheme file cannot say it: TOML is UTF-8.
+[[nodiscard]] Result<std::string> extended_name(const std::string& name_or_path,
+                                                const std::string& path);
+
+/// What is wrong with a scheme file that therefore is not written: no places in it.
+[[nodiscard]] Error unwritten(const Error& fault, const std::string& path);
+
+/// The title of a scheme made of another: its title, or else its name, and `how`, as "Loop, tuned".
+[[nodiscard]] std::string derived_title(const Scheme& scheme, std::string_view how);
 
 /// The table of a parameter with `value` as its default, after an empty line.
 [[nodiscard]] std::string parameter_toml(const Parameter& parameter, std::string_view value);

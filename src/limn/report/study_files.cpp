@@ -1,19 +1,21 @@
-#include "output/study_output.h"
+#include "limn/report/study_files.h"
 
 #include <algorithm>
 #include <filesystem>
 #include <regex>
+#include <system_error>
 
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
 
-#include "command.h"
 #include "limn/base/files/file.h"
+#include "limn/base/printable.h"
 #include "limn/certify/certificate/certificate_json.h"
 #include "limn/certify/certify.h"
+#include "limn/scheme/file/scheme_text.h"
 #include "limn/search/front.h"
 
-namespace limn::app {
+namespace limn {
 namespace {
 
 namespace fs = std::filesystem;
@@ -79,7 +81,7 @@ Status write_schemes(const StudyResult& result, const StudyFiles& files,
     const Evaluated& one = result.run.points[chosen[k]];
     const std::string name = fmt::format("{}/{:02}", folder, k + 1);
     const std::string path = name + ".toml";
-    const Result<std::string> extends = extends_name(is_shipped ? study.scheme_name : base, path);
+    const Result<std::string> extends = extended_name(is_shipped ? study.scheme_name : base, path);
     if (!extends) return extends.error();
     const std::string text = point_text(study, one.point, *extends, notes_of(result, one));
     const Result<Scheme> back = parse_scheme(text, path);
@@ -98,10 +100,7 @@ Status write_schemes(const StudyResult& result, const StudyFiles& files,
   return Done{};
 }
 
-}  // namespace
-
-Status write_study_files(const StudyResult& result, const StudyFiles& files,
-                         nlohmann::ordered_json& json) {
+Status write_all(const StudyResult& result, const StudyFiles& files, nlohmann::ordered_json& json) {
   const std::string& folder = files.folder;
   if (Status status = write_schemes(result, files, json); !status) return status;
   if (Status status = write_file(folder + "/front.csv", csv_text(front_table(result))); !status)
@@ -118,4 +117,29 @@ Status write_study_files(const StudyResult& result, const StudyFiles& files,
   return Done{};
 }
 
-}  // namespace limn::app
+}  // namespace
+
+Result<Store> open_study_folder(const Study& study, const std::string& folder, bool restart) {
+  std::error_code failed;
+  fs::create_directories(folder + "/best", failed);
+  if (failed) return Error{"the folder cannot be made: " + failed.message(), {}, folder};
+  return Store::open(folder + "/study.sqlite", study, restart);
+}
+
+Status conclude_study(const Study& study, const StudyRun& run, const StudyFiles& files,
+                      std::string& text, nlohmann::ordered_json& json) {
+  StudyResult result{study, run};
+  result.best = best_points(study, run.points);
+  for (const Landmark& one : study.landmarks) {
+    if (files.progress) files.progress("other schemes: " + printable(one.label));
+    result.landmarks.push_back({one.label, evaluate_scheme(study, one.scheme)});
+  }
+  json = study_json(result);
+  if (Status status = write_all(result, files, json); !status) return status;
+  text = study_text(result);
+  if (!run.finished) text += "the time ended: the same command goes on from here\n";
+  text += fmt::format("written to {}\n", printable(files.folder));
+  return Done{};
+}
+
+}  // namespace limn

@@ -1,0 +1,192 @@
+"""Studies: by threads here, by the command, and by Dask's workers, one of which is killed."""
+
+import os
+import pathlib
+import pickle
+import signal
+import sqlite3
+import subprocess
+import sys
+
+import distributed
+import pytest
+
+import limn
+
+SCHEME = """
+split   = "triangle-dyadic"
+extends = "loop-type"
+[parameter.b]
+default = "3/8"
+range   = ["0", "1/2"]
+"""
+
+STUDY = """
+title    = "Loop type"
+scheme   = "{scheme}"
+valences = "3..5"
+[[free]]
+name = "b"
+low  = "1/4"
+high = "7/16"
+[[free]]
+name     = "beta"
+valences = "3..5"
+low      = 0
+high     = "3/(5*n)"
+[[objective]]
+value = "worst_artifact(4)"
+goal  = "min"
+[[objective]]
+value = "holder_lower()"
+goal  = "max"
+[[require]]
+that      = "c1"
+certified = true
+[method]
+kind   = "pareto"
+points = 40
+batch  = 8
+[[compare]]
+scheme = "loop"
+"""
+
+
+@pytest.fixture
+def study_file(tmp_path):
+    (tmp_path / "in").mkdir()
+    (tmp_path / "in" / "mine.toml").write_text(SCHEME)
+    path = tmp_path / "in" / "s.toml"
+    path.write_text(STUDY.format(scheme="mine.toml"))
+    return path
+
+
+def kept(folder):
+    """All that a folder has but the seconds that points took."""
+    with sqlite3.connect(folder / "study.sqlite") as store:
+        cursor = store.execute("select * from points order by key")
+        names = [column[0] for column in cursor.description]
+        rows = [tuple(v for k, v in zip(names, row) if k != "seconds") for row in cursor]
+    files = {p.relative_to(folder): p.read_bytes() for p in folder.rglob("*") if p.is_file()}
+    return rows, {name: text for name, text in files.items() if "study.sqlite" not in name.name}
+
+
+def test_is_what_the_command_does(study_file, tmp_path, command, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    seen = []
+    found = limn.study(study_file, "one/out", csv=True, progress=seen.append)
+    printed = command("study", study_file, "-o", "one/again", "--csv")
+    assert found["points"] == printed["points"] >= 40
+    assert kept(tmp_path / "one" / "out") == kept(tmp_path / "one" / "again")
+    assert [point["objectives"] for point in found["best"]] == [
+        point["objectives"] for point in printed["best"]
+    ]
+    assert seen[-1]["done"] == found["points"] and seen[-1]["feasible"] == found["feasible"]
+    assert str(found).startswith("Loop type: ")
+    assert limn.study_quantities() == command("study", "--quantities")["quantities"]
+
+
+def test_stops_and_goes_on(study_file, tmp_path):
+    whole = limn.study(study_file, tmp_path / "whole")
+    nothing = limn.study(study_file, tmp_path / "parts", seconds=0)
+    assert not nothing["finished"] and nothing["evaluated"] == 0
+
+    class Enough(Exception):
+        pass
+
+    def stop(at):
+        if at["done"] == 13:
+            raise Enough
+
+    with pytest.raises(Enough):
+        limn.study(study_file, tmp_path / "parts", progress=stop)
+    rest = limn.study(study_file, tmp_path / "parts")
+    assert 0 < rest["evaluated"] <= whole["evaluated"] - 13
+    assert kept(tmp_path / "parts") == kept(tmp_path / "whole")
+
+
+def test_pickles_with_its_files(study_file, tmp_path):
+    study = limn.Study(study_file)
+    point = ["3/8", "3/16", "1/10", "1/12"]
+    here = study.evaluate(point)
+    assert here["feasible"] and study.coordinates == ["b", "beta@3", "beta@4", "beta@5"]
+    packed = pickle.dumps(study)
+    for path in study_file.parent.iterdir():
+        path.unlink()
+    script = (
+        "import pickle, sys, limn\n"
+        f"found = pickle.load(sys.stdin.buffer).evaluate({point!r})\n"
+        "found.pop('seconds')\nprint(repr(found))\n"
+    )
+    done = subprocess.run([sys.executable, "-c", script], input=packed, capture_output=True, check=True)
+    here.pop("seconds")
+    assert eval(done.stdout) == here
+
+
+def test_says_what_is_wrong(study_file, tmp_path):
+    with pytest.raises(limn.Error) as caught:
+        limn.Study("scheme = \"loop\"\nx = 1\n")
+    assert (caught.value.line, caught.value.column) == (2, 1)
+    with pytest.raises(limn.Error, match="unknown scheme|nowhere"):
+        limn.Study(STUDY.format(scheme="nowhere.toml"))
+    limn.study(study_file, tmp_path / "out", seconds=0)
+    study_file.write_text(STUDY.format(scheme="mine.toml").replace("7/16", "13/32"))
+    with pytest.raises(limn.Error, match="another study"):
+        limn.study(study_file, tmp_path / "out", seconds=0)
+
+
+@pytest.fixture(scope="module")
+def cluster():
+    with distributed.LocalCluster(
+        n_workers=2, threads_per_worker=1, processes=True, dashboard_address=None
+    ) as made:
+        yield made
+
+
+@pytest.mark.filterwarnings("ignore")
+def test_a_worker_is_killed_and_nothing_changes(study_file, tmp_path, cluster):
+    alone = limn.study(study_file, tmp_path / "alone", csv=True)
+    killed = []
+
+    with distributed.Client(cluster) as client:
+
+        def kill(at):
+            if at["done"] == 11:
+                killed.extend(list(client.run(os.getpid).values())[:1])
+                os.kill(killed[0], signal.SIGKILL)
+
+        found = limn.study(study_file, tmp_path / "many", client=client, csv=True, progress=kill)
+        assert killed and killed[0] not in client.run(os.getpid).values()
+    assert found["points"] == alone["points"] and found["evaluated"] == alone["evaluated"]
+    assert kept(tmp_path / "many") == kept(tmp_path / "alone")
+
+
+@pytest.mark.filterwarnings("ignore")
+def test_the_command_leaves_it_to_workers(study_file, tmp_path, command, cluster):
+    environment = {**os.environ, "LIMN_PYTHON": sys.executable}
+    words = [os.environ["LIMN_COMMAND"], "study", str(study_file), "--csv", "-o"]
+    for folder, more in (("here", []), ("there", ["--dask", cluster.scheduler_address])):
+        done = subprocess.run(
+            [*words, tmp_path / folder, *more], env=environment, capture_output=True, check=False
+        )
+        assert done.returncode == 0, done.stderr.decode()
+    assert kept(tmp_path / "there") == kept(tmp_path / "here")
+
+
+def test_the_command_says_what_is_missing(study_file, tmp_path):
+    words = [os.environ["LIMN_COMMAND"], "study", str(study_file), "-o", str(tmp_path / "out")]
+    nowhere = subprocess.run(
+        [*words, "--dask", "tcp://127.0.0.1:9"],
+        env={**os.environ, "LIMN_PYTHON": sys.executable},
+        capture_output=True,
+        check=False,
+    )
+    assert nowhere.returncode == 2 and b"no Dask scheduler answers" in nowhere.stderr
+    no_python = subprocess.run(
+        [*words, "--dask", "tcp://127.0.0.1:9"],
+        env={**os.environ, "LIMN_PYTHON": "/bin/false"},
+        capture_output=True,
+        check=False,
+    )
+    assert no_python.returncode == 2 and b"no Python here can import limn" in no_python.stderr
+    assert not pathlib.Path(tmp_path / "out" / "best").exists()
