@@ -95,15 +95,18 @@ class EndZones {
   Two own_, other_;
 };
 
-/// The old points that a row weighs, of a side's point (x, y). Beyond the side they are given in
-/// the frame of the half-edge there.
-void add_sources(const GridLayout& layout, Index h, const SideRow& row, Index x,
+/// The old points that a row weighs, of a side's point (x, y); `code` is the side's. Beyond the
+/// side they are given in the frame of the half-edge there.
+void add_sources(const GridLayout& layout, Index h, EdgeCode code, const SideRow& row, Index x,
                  std::vector<Index>& sources) {
-  const Mesh& mesh = layout.control();
   for (const Offset& place : row.sources) {
     const Index a = x + place.a, b = row.y + place.b;
-    sources.push_back(b >= 0 ? layout.point_beyond(h, a, b)
-                             : layout.point_beyond(mesh.twin(h), layout.side() - a, -b));
+    if (b == 0 && 0 < a && a < layout.side())  // most are so
+      sources.push_back(layout.point_along(code, a / layout.unit()));
+    else if (b >= 0)
+      sources.push_back(layout.point_beyond(h, a, b));
+    else
+      sources.push_back(layout.point_beyond(layout.control().twin(h), layout.side() - a, -b));
     assert(sources.back() != kNone);
   }
 }
@@ -285,10 +288,11 @@ void SharpSteps::add_rows(int level, const GridLayout& old_points, const GridLay
       for (const Index h : strips.sides) {
         if (row.y == 0 && !leads(*control_, h)) continue;
         const EndZones ends(reach_, *control_, of.sharpness, h);
+        const EdgeCode code = edge_code(*control_, h);
         for (Index x = row.phase; mirrored(new_points.lattice(), side, x, row.y) > 0;
              x += row.period) {
           if (x == 0 || ends.have(side, x, row.y)) continue;
-          add_sources(old_points, h, row, x, sources);
+          add_sources(old_points, h, code, row, x, sources);
           targets.push_back(new_points.point(h, x, row.y));
         }
       }
