@@ -8,7 +8,8 @@
 namespace limn::peers {
 namespace {
 
-using Make = std::unique_ptr<RepeatedPeer> (*)(Method, const Polygons&, int, Precision);
+using Make = std::unique_ptr<RepeatedPeer> (*)(Method, const Polygons&, int, Precision,
+                                               const PeerTags&);
 
 /// The faces are those of `opensubdiv_peer`, whose vertices have the same numbers.
 std::string difference_after(const Scheme& scheme, Method method, const Polygons& control,
@@ -17,7 +18,7 @@ std::string difference_after(const Scheme& scheme, Method method, const Polygons
   peer->refine(levels);
   Polygons theirs = peer->polygons();
   const std::unique_ptr<RepeatedPeer> repeated =
-      make(method, control, levels, Precision::double_float);
+      make(method, control, levels, Precision::double_float, {});
   repeated->evaluate();
   repeated->evaluate();
   EXPECT_EQ(repeated->vertex_count(), theirs.positions.size());

@@ -141,8 +141,8 @@ class GridFamily final : public Family {
   /// False where there are no tables of some place.
   bool find_sharp_steps(const Scheme& scheme, int levels) {
     if (!sharpness_.any()) return true;
-    Result<SharpSteps> made = SharpSteps::make(scheme, cycle_, tables_.front(), mesh(), sharpness_,
-                                               plain_ - first_, levels - first_);
+    Result<SharpSteps> made = SharpSteps::make(scheme, cycle_, tables_.front(), mesh(), groups_,
+                                               sharpness_, plain_ - first_, levels - first_);
     if (made) sharp_.emplace(std::move(*made));
     return made.ok();
   }

@@ -1,7 +1,10 @@
 #include "limn/fast/sites/sharp_steps.h"
 
 #include <algorithm>
+#include <array>
 #include <cassert>
+#include <string>
+#include <unordered_map>
 
 namespace limn::fast {
 namespace {
@@ -13,19 +16,51 @@ bool cuts(const Mesh& mesh, const Sharpness& sharpness, Index h) {
   return sharpness_of_edge(mesh, sharpness, mesh.edge(h)) > 0;
 }
 
-/// The pattern turned so that of those that turning leads to it is the greatest; returns by how
-/// many spokes.
-std::size_t turn(SharpPattern& pattern) {
-  if (pattern.open) return 0;
-  const std::vector<double> spokes = pattern.spokes;
-  std::vector<double> turned = spokes;
-  std::size_t best = 0;
-  for (std::size_t k = 1; k < spokes.size(); ++k) {
-    std::rotate(turned.begin(), turned.begin() + 1, turned.end());
-    if (turned <= pattern.spokes) continue;
-    pattern.spokes = turned;
-    best = k;
+/// How sharp places are in one step, as numbers: equal ones are alike.
+class Classes {
+ public:
+  enum : char16_t { smooth = 0, stays = 1, first_that_ends = 2 };
+
+  char16_t of(double sharpness) {
+    const double here = in_one_step(sharpness);
+    if (!(here > 0)) return smooth;
+    if (here >= kInfinitelySharp) return stays;
+    const auto place = std::find(ends_.begin(), ends_.end(), here) - ends_.begin();
+    if (place == std::ssize(ends_)) ends_.push_back(here);
+    return static_cast<char16_t>(first_that_ends + place);
   }
+  [[nodiscard]] double value(char16_t number) const {
+    if (number < first_that_ends) return number == stays ? kInfinitelySharp : 0;
+    return ends_[number - first_that_ends];
+  }
+  /// What ends where nothing else does is as though it stayed, if it is sharp for the whole step.
+  [[nodiscard]] bool is_whole(char16_t number) const {
+    return number < first_that_ends || value(number) == kWholeStep;
+  }
+  /// Whether numbers do not go as far.
+  [[nodiscard]] bool too_many() const { return ends_.size() > 60000; }
+
+ private:
+  std::vector<double> ends_;
+};
+
+/// What is sharp at a control vertex, by classes: of itself, then of its spokes.
+using Key = std::u16string;
+
+/// The key turned so that of those that turning leads to it is the greatest; returns by how many
+/// spokes.
+std::size_t turn(Key& key) {
+  const std::size_t spokes = key.size() - 1;
+  const auto spoke = [&](std::size_t from, std::size_t i) { return key[1 + (from + i) % spokes]; };
+  std::size_t best = 0;
+  for (std::size_t from = 1; from < spokes; ++from)
+    for (std::size_t i = 0; i < spokes; ++i) {
+      const char16_t here = spoke(from, i), there = spoke(best, i);
+      if (here == there) continue;
+      if (here > there) best = from;
+      break;
+    }
+  std::rotate(key.begin() + 1, key.begin() + 1 + static_cast<std::ptrdiff_t>(best), key.end());
   return best;
 }
 
@@ -60,15 +95,18 @@ class EndZones {
   Two own_, other_;
 };
 
-/// The old points that a row weighs, of a side's point (x, y). Beyond the side they are given in
-/// the frame of the half-edge there.
-void add_sources(const GridLayout& layout, Index h, const SideRow& row, Index x,
+/// The old points that a row weighs, of a side's point (x, y); `code` is the side's. Beyond the
+/// side they are given in the frame of the half-edge there.
+void add_sources(const GridLayout& layout, Index h, EdgeCode code, const SideRow& row, Index x,
                  std::vector<Index>& sources) {
-  const Mesh& mesh = layout.control();
   for (const Offset& place : row.sources) {
     const Index a = x + place.a, b = row.y + place.b;
-    sources.push_back(b >= 0 ? layout.point_beyond(h, a, b)
-                             : layout.point_beyond(mesh.twin(h), layout.side() - a, -b));
+    if (b == 0 && 0 < a && a < layout.side())  // most are so
+      sources.push_back(layout.point_along(code, a / layout.unit()));
+    else if (b >= 0)
+      sources.push_back(layout.point_beyond(h, a, b));
+    else
+      sources.push_back(layout.point_beyond(layout.control().twin(h), layout.side() - a, -b));
     assert(sources.back() != kNone);
   }
 }
@@ -103,32 +141,50 @@ Sharpness after_steps(Sharpness sharpness, int steps) {
 class SharpSteps::Maker {
  public:
   Maker(const Scheme& scheme, const GridCycle& cycle, const StencilTables& tables,
-        const Mesh& control)
-      : lattice_(cycle.lattice),
-        reach_(tables.reach),
-        mesh_(control),
-        read_(scheme, cycle, tables) {}
+        const Mesh& control, const std::vector<ZoneGroup>& groups)
+      : mesh_(control), groups_(groups), read_(scheme, cycle, tables) {}
+
+  /// Finds the places where something is sharp: later there are no others.
+  void find_places(const Sharpness& sharpness) {
+    for (std::size_t g = 0; g < groups_.size(); ++g) {
+      const ZoneGroup& group = groups_[g];
+      const auto sectors = at(group.kind.sectors);
+      for (std::size_t i = 0; i < group.vertices.size() && sectors > 0; ++i) {
+        bool sharp = !sharpness.vertices.empty() && sharpness.vertices[at(group.vertices[i])] > 0;
+        for (std::size_t k = i * sectors; k < (i + 1) * sectors; ++k)
+          sharp = sharp || sharpness.edges[at(group.codes[k] >> 1)] > 0;
+        if (sharp) places_.push_back({g, i});
+      }
+    }
+  }
 
   Result<Level> make(Sharpness sharpness) {
     Level level;
     level.sharpness = std::move(sharpness);
-    if (Status status = find_strips(level); !status) return status.error();
-    if (Status status = find_zones(level); !status) return status.error();
+    Classes classes;
+    edges_.clear();
+    for (const double sharp : level.sharpness.edges) edges_.push_back(classes.of(sharp));
+    if (Status status = find_strips(classes, level); !status) return status.error();
+    if (Status status = find_zones(classes, level); !status) return status.error();
     return level;
   }
 
  private:
-  Status find_strips(Level& level) {
+  /// A vertex of a group.
+  struct Place {
+    std::size_t group = 0, index = 0;
+  };
+
+  Status find_strips(const Classes& classes, Level& level) {
     std::map<double, std::vector<Index>> sides;
-    touched_.assign(at(mesh_.vertex_count()), false);
-    for (Index e = 0; e < std::ssize(level.sharpness.edges); ++e) {
-      const Index h = mesh_.halfedge_of_edge(e), twin = mesh_.twin(h);
-      const double sharp = level.sharpness.edges[at(e)];
-      if (twin == kNone || !(sharp > 0)) continue;
-      touched_[at(mesh_.origin(h))] = touched_[at(mesh_.target(h))] = true;
-      std::vector<Index>& list = sides[in_one_step(sharp)];
+    for (std::size_t e = 0; e < edges_.size(); ++e) {
+      if (edges_[e] == Classes::smooth) continue;
+      const double sharp =
+          classes.is_whole(edges_[e]) ? kInfinitelySharp : classes.value(edges_[e]);
+      const Index h = mesh_.halfedge_of_edge(static_cast<Index>(e));
+      std::vector<Index>& list = sides[sharp];
       list.push_back(h);
-      list.push_back(twin);
+      list.push_back(mesh_.twin(h));
     }
     for (auto& [sharp, list] : sides) {
       const auto rows = read_.strip(sharp);
@@ -138,71 +194,78 @@ class SharpSteps::Maker {
     return Done{};
   }
 
-  Status find_zones(Level& level) {
-    const std::vector<double>& own = level.sharpness.vertices;
-    for (std::size_t v = 0; v < own.size(); ++v)
-      if (own[v] > 0) touched_[v] = true;
-    std::map<SharpPattern, std::size_t> group_of;
-    for (Index v = 0; v < mesh_.vertex_count(); ++v) {
-      if (!touched_[at(v)] || mesh_.is_isolated(v)) continue;
-      SharpPattern pattern = pattern_at(level.sharpness, v);
-      std::rotate(ring_.begin(), ring_.begin() + static_cast<std::ptrdiff_t>(turn(pattern)),
-                  ring_.end());
-      const auto [found, fresh] = group_of.try_emplace(std::move(pattern), level.zones.size());
+  Status find_zones(Classes& classes, Level& level) {
+    std::array<std::unordered_map<Key, std::size_t>, 2> zones_of;  // closed, open
+    Key key;
+    for (const Place& place : places_) {
+      const ZoneGroup& group = groups_[place.group];
+      const bool open = group.kind.open;
+      if (!find_key(level.sharpness, place, classes, key)) continue;
+      const std::size_t turned = open ? 0 : turn(key);
+      const auto [found, fresh] = zones_of[open ? 1 : 0].try_emplace(key, level.zones.size());
       if (fresh) {
-        const auto table = read_.zone(found->first);
+        SharpPattern pattern{open, classes.value(key[0]), {}};
+        for (std::size_t s = 1; s < key.size(); ++s)
+          pattern.spokes.push_back(classes.value(key[s]));
+        const auto table = read_.zone(pattern);
         if (!table) return table.error();
-        const StarShape kind{lattice_, static_cast<Index>(std::ssize(ring_)), found->first.open};
-        level.zones.push_back({**table, {kind, {}, {}, {}, {}}});
+        level.zones.push_back({**table, {group.kind, {}, {}, {}, {}}});
       }
       Zones& zones = level.zones[found->second];
-      if (!zones.table.targets.empty()) add(v, zones.group);
+      if (!zones.table.targets.empty()) add(place, turned, zones.group);
     }
+    if (classes.too_many()) return Error{"too many kinds of sharpness for tables"};
     std::erase_if(level.zones, [](const Zones& zones) { return zones.group.vertices.empty(); });
     return Done{};
   }
 
-  /// Fills ring_, too: with the half-edges out of v.
-  SharpPattern pattern_at(const Sharpness& sharpness, Index v) {
-    SharpPattern pattern;
-    pattern.open = mesh_.is_boundary_vertex(v);
-    if (!sharpness.vertices.empty()) pattern.own = in_one_step(sharpness.vertices[at(v)]);
-    ring_.clear();
-    const Index first = mesh_.halfedge_of_vertex(v);
-    Index h = first;
-    do {
-      const Index e = mesh_.edge(h);
-      const bool states = !sharpness.edges.empty() && !mesh_.is_boundary_edge(e);
-      pattern.spokes.push_back(states ? in_one_step(sharpness.edges[at(e)]) : 0);
-      ring_.push_back(h);
-      h = mesh_.rotate(h);
-    } while (h != first && h != kNone);
-    return pattern;
+  /// False where nothing is sharp any more.
+  bool find_key(const Sharpness& sharpness, const Place& place, Classes& classes, Key& key) const {
+    const ZoneGroup& group = groups_[place.group];
+    const auto sectors = at(group.kind.sectors);
+    const Index v = group.vertices[place.index];
+    key.clear();
+    key.push_back(sharpness.vertices.empty() ? char16_t{Classes::smooth}
+                                             : classes.of(sharpness.vertices[at(v)]));
+    for (std::size_t k = place.index * sectors; k < (place.index + 1) * sectors; ++k)
+      key.push_back(edges_[at(group.codes[k] >> 1)]);
+    const auto is_whole = [&](char16_t number) { return classes.is_whole(number); };
+    if (std::all_of(key.begin(), key.end(), is_whole))
+      for (char16_t& number : key) number = std::min<char16_t>(number, Classes::stays);
+    return std::any_of(key.begin(), key.end(), [](char16_t number) { return number > 0; });
   }
 
-  void add(Index v, ZoneGroup& group) const {
-    group.vertices.push_back(v);
-    for (const Index h : ring_) {
-      group.sectors.push_back(h);
-      group.codes.push_back(edge_code(mesh_, h));
-      group.ends.push_back(mesh_.target(h));
+  void add(const Place& place, std::size_t turned, ZoneGroup& to) const {
+    const ZoneGroup& group = groups_[place.group];
+    const auto sectors = at(group.kind.sectors);
+    to.vertices.push_back(group.vertices[place.index]);
+    for (std::size_t s = 0; s < sectors; ++s) {
+      const std::size_t k = place.index * sectors + (s + turned) % sectors;
+      to.sectors.push_back(group.sectors[k]);
+      to.codes.push_back(group.codes[k]);
+      to.ends.push_back(group.ends[k]);
     }
   }
 
-  Lattice lattice_;
-  const Reach& reach_;
   const Mesh& mesh_;
+  const std::vector<ZoneGroup>& groups_;
   SharpTables read_;
-  std::vector<bool> touched_;  // vertices where something is sharp
-  std::vector<Index> ring_;
+  std::vector<Place> places_;
+  std::vector<char16_t> edges_;  // classes at the level
 };
 
 Result<SharpSteps> SharpSteps::make(const Scheme& scheme, const GridCycle& cycle,
                                     const StencilTables& tables, const Mesh& control,
+                                    const std::vector<ZoneGroup>& groups,
                                     const Sharpness& sharpness, int first, int last) {
   SharpSteps steps(tables.reach, control, first);
-  Maker maker(scheme, cycle, tables, control);
-  Sharpness left = after_steps({sharpness.edges, sharpness.vertices, {}, {}}, first);
+  Maker maker(scheme, cycle, tables, control, groups);
+  Sharpness left{sharpness.edges, sharpness.vertices, {}, {}};
+  left.edges.resize(at(control.edge_count()), 0);
+  for (Index e = 0; e < control.edge_count(); ++e)
+    if (control.is_boundary_edge(e)) left.edges[at(e)] = 0;  // these are no creases
+  left = after_steps(std::move(left), first);
+  maker.find_places(left);
   for (int level = first; level < last && left.any(); ++level) {
     Sharpness next = after_steps(left, 1);
     Result<Level> made = maker.make(std::move(left));
@@ -225,10 +288,11 @@ void SharpSteps::add_rows(int level, const GridLayout& old_points, const GridLay
       for (const Index h : strips.sides) {
         if (row.y == 0 && !leads(*control_, h)) continue;
         const EndZones ends(reach_, *control_, of.sharpness, h);
+        const EdgeCode code = edge_code(*control_, h);
         for (Index x = row.phase; mirrored(new_points.lattice(), side, x, row.y) > 0;
              x += row.period) {
           if (x == 0 || ends.have(side, x, row.y)) continue;
-          add_sources(old_points, h, row, x, sources);
+          add_sources(old_points, h, code, row, x, sources);
           targets.push_back(new_points.point(h, x, row.y));
         }
       }

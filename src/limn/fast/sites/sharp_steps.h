@@ -20,11 +20,12 @@ namespace limn::fast {
 class SharpSteps {
  public:
   /// Of the steps from levels `first` … `last` - 1, counted from that of `control`, the mesh that
-  /// is cut into grids; `sharpness` is that of `control`, which must outlive these. Fails as
-  /// SharpTables. Cost: a table for each kind of place, and for each level some 0.3 µs for each
-  /// sharp edge and vertex.
+  /// is cut into grids; `sharpness` is that of `control`, which must outlive these; `groups` are
+  /// group_vertices(control). Fails as SharpTables. Cost: a table for each kind of place, and for
+  /// each level some 0.1 µs for each sharp edge and vertex.
   [[nodiscard]] static Result<SharpSteps> make(const Scheme& scheme, const GridCycle& cycle,
                                                const StencilTables& tables, const Mesh& control,
+                                               const std::vector<ZoneGroup>& groups,
                                                const Sharpness& sharpness, int first, int last);
 
   /// The rows of the step from a level, in the layouts of that and the next.

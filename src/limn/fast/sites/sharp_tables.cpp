@@ -65,15 +65,11 @@ Sharpness sharpness_of(const Site& site, const SharpPattern& pattern) {
 SharpTables::SharpTables(const Scheme& scheme, const GridCycle& cycle, const StencilTables& tables)
     : scheme_(scheme), cycle_(cycle), tables_(tables), rules_(scheme) {}
 
-Site& SharpTables::site(Index sectors, bool open) {
-  const auto found = sites_.find({sectors, open});
-  if (found != sites_.end()) return found->second;
-  const Index rings =
-      rings_of_site(cycle_, {&tables_, 1}, tables_.reach.strip_depth + cycle_.edge());
-  return sites_
-      .emplace(std::pair(sectors, open),
-               Site(*scheme_.split, cycle_, {cycle_.lattice, sectors, open}, rings))
-      .first->second;
+Site SharpTables::site(Index sectors, bool open, Index more) const {
+  return {*scheme_.split,
+          cycle_,
+          {cycle_.lattice, sectors, open},
+          rings_of_site(cycle_, {&tables_, 1}, more)};
 }
 
 std::vector<SectorPoint> SharpTables::points_round(const SharpPattern& pattern) const {
@@ -122,7 +118,11 @@ Result<SharpTables::Forms> SharpTables::read(const Site& site, const SharpPatter
 Result<const ZoneTable*> SharpTables::zone(const SharpPattern& pattern) {
   const auto found = zones_.find(pattern);
   if (found != zones_.end()) return &found->second;
-  const Site& round = site(static_cast<Index>(pattern.spokes.size()), pattern.open);
+  const auto sectors = static_cast<Index>(pattern.spokes.size());
+  auto kept = sites_.find({sectors, pattern.open});
+  if (kept == sites_.end())
+    kept = sites_.emplace(std::pair(sectors, pattern.open), site(sectors, pattern.open, 0)).first;
+  const Site& round = kept->second;
   Result<Forms> read = this->read(round, pattern, points_round(pattern));
   if (!read) return read.error();
   ZoneTable table = zone_table(read->forms, round, 0, std::move(read->points));
@@ -138,7 +138,7 @@ Result<const std::vector<SideRow>*> SharpTables::strip(double sharpness) {
   std::vector<SectorPoint> points;
   for (Index y = 0; y <= tables_.reach.strip_depth; ++y)
     for (Index x = 0; x < cycle_.cut; ++x) points.push_back({0, x, y});
-  const Site& plane = site(sectors, false);
+  const Site plane = site(sectors, false, tables_.reach.strip_depth + cycle_.edge());
   Result<Forms> read = this->read(plane, straight, points);
   if (!read) return read.error();
   std::vector<SideRow> rows;

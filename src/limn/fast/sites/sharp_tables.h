@@ -19,10 +19,11 @@
 namespace limn::fast {
 
 /// What a step makes of a sharpness: the sharpness, where it ends with the step; else
-/// kInfinitelySharp, or 0.
+/// kInfinitelySharp, or 0. Where all that ends at a place is kWholeStep, it is as though it stayed.
 [[nodiscard]] inline double in_one_step(double sharpness) {
   return after_step(sharpness) > 0 ? kInfinitelySharp : sharpness;
 }
+inline constexpr double kWholeStep = 1;
 
 /// A control vertex with what is sharp there, as in_one_step has it.
 struct SharpPattern {
@@ -58,7 +59,8 @@ class SharpTables {
     std::vector<SectorPoint> points;
     std::vector<Form> forms;
   };
-  [[nodiscard]] Site& site(Index sectors, bool open);
+  /// On which zones, and points so many steps farther out, see as far as they look.
+  [[nodiscard]] Site site(Index sectors, bool open, Index more) const;
   [[nodiscard]] std::vector<SectorPoint> points_round(const SharpPattern& pattern) const;
   /// Of those points whose stencils differ from the smooth ones.
   [[nodiscard]] Result<Forms> read(const Site& site, const SharpPattern& pattern,
