@@ -109,4 +109,6 @@ Result<std::string> extends_name(const std::string& scheme, const std::string& p
   return extended_name(name, path);
 }
 
+Error unwritten(const Error& fault, const std::string& path) { return not_written(fault, path); }
+
 }  // namespace limn::app

@@ -109,4 +109,7 @@ struct SchemeOptions {
 /// and standard input has no name.
 [[nodiscard]] Result<std::string> extends_name(const std::string& scheme, const std::string& path);
 
+/// What is wrong with a scheme file that therefore is not written: no places in it.
+[[nodiscard]] Error unwritten(const Error& fault, const std::string& path);
+
 }  // namespace limn::app

@@ -8,7 +8,6 @@
 #include "limn/base/printable.h"
 #include "limn/regular/smoothness/second_differences.h"
 #include "limn/report/eigen/eigen_report.h"
-#include "limn/scheme/file/scheme_text.h"
 #include "limn/spectrum/eigencomponents.h"
 #include "limn/tune/prescribe.h"
 

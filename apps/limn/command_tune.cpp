@@ -11,7 +11,6 @@
 #include "limn/base/time_budget.h"
 #include "limn/report/tune_report.h"
 #include "limn/report/tuned_scheme.h"
-#include "limn/scheme/file/scheme_text.h"
 #include "options/tune_options.h"
 
 namespace limn::app {

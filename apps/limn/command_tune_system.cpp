@@ -7,7 +7,6 @@
 #include "limn/base/files/file.h"
 #include "limn/base/printable.h"
 #include "limn/report/system_report.h"
-#include "limn/scheme/file/scheme_text.h"
 #include "options/tune_options.h"
 
 namespace limn::app {

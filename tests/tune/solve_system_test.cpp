@@ -82,7 +82,7 @@ TEST(EigenvalueJet, HasTheSlopesOfClosedForms) {
   // of the Loop type: tangent b + 2c cos, cup b + 2c - n beta, c = 1/2 - b
   FreedNames freed = FreedNames::make(shipped("loop-type"), {"b", "beta"}).value();
   for (int n = 4; n <= 9; ++n) {
-    const BlockSlopes slopes = freed.slopes(n, {0.36, 0.11 * 5 / n}, {0, 1}).value();
+    const BlockSlopes slopes = freed.slopes(n, {0.36, 0.25 / n}, {0, 1}).value();
     for (const int omega : {0, 1}) {
       const BlockSpectrum spectrum = approx_spectrum(slopes.blocks, omega);
       const Jet jet = eigenvalue_jet(slopes, spectrum.eigenvalues[omega == 0 ? 1 : 0]).value();
@@ -91,7 +91,7 @@ TEST(EigenvalueJet, HasTheSlopesOfClosedForms) {
         EXPECT_NEAR(jet.slope(0), 1 - 2 * cosine(n), 1e-12);
         EXPECT_NEAR(jet.slope(1), 0, 1e-12);
       } else {
-        EXPECT_NEAR(jet.value, 0.64 - 0.55, 1e-14);
+        EXPECT_NEAR(jet.value, 0.64 - 0.25, 1e-14);
         EXPECT_NEAR(jet.slope(0), -1, 1e-12);
         EXPECT_NEAR(jet.slope(1), -n, 1e-11);
       }
@@ -100,7 +100,7 @@ TEST(EigenvalueJet, HasTheSlopesOfClosedForms) {
 }
 
 TEST(SolveSystem, FindsTheLoopTypeOfATangentAndACup) {
-  for (int n = 4; n <= 9; ++n) {
+  for (const int n : {4, 5, 7, 8, 9}) {  // at 6 the tangent is 1/2 for every b
     const SystemSolutions found =
         solved_system(shipped("loop-type"), {"b", "beta"}, n,
                       {"tangent = 2/5 + cos(2*pi/n)/5", "cup = 1/5"}, {"1/4,1/2", "0,1/n"});
@@ -148,10 +148,10 @@ TEST(SolveSystem, TakesTheNearestOfManySolutions) {
 TEST(SolveSystem, AsksTheOthersOfEachSolution) {
   const SystemSolutions no =
       solved_system(shipped("loop-type"), {"b", "beta"}, 7,
-                    {"tangent = 9/20", "cup = 1/5", "cup > tangent^2"}, {"1/4,1/2", "0,1/n"});
+                    {"tangent = 11/20", "cup = 1/5", "cup > tangent^2"}, {"1/4,1/2", "0,1/n"});
   ASSERT_EQ(no.solutions.size(), 1U);
   EXPECT_EQ(no.solutions[0].holds, Truth::no);
-  EXPECT_NE(no.solutions[0].reason.find("is missed by 0.0025"), std::string::npos)
+  EXPECT_NE(no.solutions[0].reason.find("is missed by 0.102"), std::string::npos)
       << no.solutions[0].reason;
 }
 

@@ -85,7 +85,7 @@ Status write_schemes(const StudyResult& result, const StudyFiles& files,
     if (!extends) return extends.error();
     const std::string text = point_text(study, one.point, *extends, notes_of(result, one));
     const Result<Scheme> back = parse_scheme(text, path);
-    if (!back) return unwritten(back.error(), path);
+    if (!back) return not_written(back.error(), path);
     if (Status status = compare_again(study, *back, one, path); !status) return status;
     if (Status status = write_file(path, text); !status) return status;
     const auto at = std::find(result.best.begin(), result.best.end(), chosen[k]);

@@ -137,9 +137,10 @@ std::string system_text(const FreedNames& names, const SystemSolutions& solution
   for (const SystemSolution& one : solutions.solutions) {
     text += found_text(solutions.valence, one.found, one.holds) + "\n";
     for (std::size_t j = 0; j < names.size(); ++j) {
-      text += fmt::format("           {} = {:.16g}", names.one(j).name(), one.values[j]);
+      const std::string digits = fmt::format("{:.16g}", one.values[j]);
+      text += fmt::format("           {} = {}", names.one(j).name(), digits);
       const std::optional<std::string> exact = exact_text(one, solutions.valence, j);
-      text += exact ? " = " + *exact + "\n" : "\n";
+      text += exact && *exact != digits ? " = " + *exact + "\n" : "\n";
     }
     if (!one.reason.empty()) text += fmt::format("           {}\n", printable(one.reason));
   }
@@ -180,7 +181,11 @@ Result<std::string> tuned_system_text(const FreedNames& names,
                                names.one(j).name()),
                    "give a single --valence"};
     const Definition definition = definition_of(names, j, solutions, forms[j]);
-    if (definition.text.empty()) return Error{"no solution was found to write"};
+    if (definition.text.empty())
+      return Error{fmt::format(
+          "no solution was found to write, at n = {}: {}", solutions.front().valence,
+          solutions.front().solutions.empty() ? solutions.front().reason
+                                              : solutions.front().solutions.front().reason)};
     definitions.emplace_back(names.one(j).name(), definition.text);
     list += (j > 0 ? ", " : "") + names.one(j).name();
     kept = definition.kept;

@@ -37,7 +37,7 @@ Result<std::string> extended_name(const std::string& name_or_path, const std::st
   return base;
 }
 
-Error unwritten(const Error& fault, const std::string& path) {
+Error not_written(const Error& fault, const std::string& path) {
   const std::string first = fault.message.substr(0, fault.message.find('\n'));
   return {fmt::format("'{}' is not written: {}", path, first), fault.hint};
 }

@@ -21,7 +21,7 @@ namespace limn {
                                                 const std::string& path);
 
 /// What is wrong with a scheme file that therefore is not written: no places in it.
-[[nodiscard]] Error unwritten(const Error& fault, const std::string& path);
+[[nodiscard]] Error not_written(const Error& fault, const std::string& path);
 
 /// The title of a scheme made of another: its title, or else its name, and `how`, as "Loop, tuned".
 [[nodiscard]] std::string derived_title(const Scheme& scheme, std::string_view how);
