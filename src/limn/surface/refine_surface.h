@@ -85,8 +85,9 @@ struct RefinedSurface {
 /// mesh has others, where a rule is missing that the mesh needs (boundary rules, valences), where
 /// 2^31 half-edges or the memory that there is are exceeded, where the scheme cannot take the
 /// sharpness (check_takes_sharpness, refine/crease_step.h) or the texture coordinates
-/// (check_takes_texture), and where the limit cannot be had (but see `partial`). Cost: some nanoseconds a refined vertex by the quick engine, about a hundred by
-/// the plain one; curvatures some microseconds.
+/// (check_takes_texture), and where the limit cannot be had (but see `partial`). Cost: some
+/// nanoseconds a refined vertex by the quick engine, about a hundred by the plain one; curvatures
+/// some microseconds.
 [[nodiscard]] Result<RefinedSurface> refine_surface(const Scheme& scheme, Mesh control,
                                                     std::vector<Point3> points,
                                                     const SurfaceOptions& options = {});
