@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cassert>
+#include <optional>
 #include <string>
 #include <unordered_map>
 
@@ -99,14 +100,17 @@ class EndZones {
 /// side they are given in the frame of the half-edge there.
 void add_sources(const GridLayout& layout, Index h, EdgeCode code, const SideRow& row, Index x,
                  std::vector<Index>& sources) {
+  const Mesh& mesh = layout.control();
   for (const Offset& place : row.sources) {
     const Index a = x + place.a, b = row.y + place.b;
-    if (b == 0 && 0 < a && a < layout.side())  // most are so
-      sources.push_back(layout.point_along(code, a / layout.unit()));
+    if (b == 0 && 0 <= a && a <= layout.side())  // most are so
+      sources.push_back(a == 0               ? mesh.origin(h)
+                        : a == layout.side() ? mesh.target(h)
+                                             : layout.point_along(code, a / layout.unit()));
     else if (b >= 0)
       sources.push_back(layout.point_beyond(h, a, b));
     else
-      sources.push_back(layout.point_beyond(layout.control().twin(h), layout.side() - a, -b));
+      sources.push_back(layout.point_beyond(mesh.twin(h), layout.side() - a, -b));
     assert(sources.back() != kNone);
   }
 }
@@ -123,7 +127,8 @@ BoundarySides sharp_sides(const Mesh& control, const Sharpness& sharpness) {
       if (control.twin(h) == kNone) fixed |= bit;
       if (cuts(control, sharpness, h)) all |= bit;
     }
-    for (unsigned mask = 0; mask < sides.size(); ++mask)
+    sides[fixed] = true;
+    for (unsigned mask = 0; all != fixed && mask < sides.size(); ++mask)
       if ((mask & fixed) == fixed && (mask & ~all) == 0) sides[mask] = true;
   }
   // a single sharp vertex, too, is seen from a boundary's rules
@@ -156,14 +161,16 @@ class SharpSteps::Maker {
         if (sharp) places_.push_back({g, i});
       }
     }
+    edges_.assign(sharpness.edges.size(), Classes::smooth);
+    for (std::size_t e = 0; e < edges_.size(); ++e)
+      if (sharpness.edges[e] > 0) sharp_edges_.push_back(static_cast<Index>(e));
   }
 
   Result<Level> make(Sharpness sharpness) {
     Level level;
     level.sharpness = std::move(sharpness);
     Classes classes;
-    edges_.clear();
-    for (const double sharp : level.sharpness.edges) edges_.push_back(classes.of(sharp));
+    for (const Index e : sharp_edges_) edges_[at(e)] = classes.of(level.sharpness.edges[at(e)]);
     if (Status status = find_strips(classes, level); !status) return status.error();
     if (Status status = find_zones(classes, level); !status) return status.error();
     return level;
@@ -177,14 +184,11 @@ class SharpSteps::Maker {
 
   Status find_strips(const Classes& classes, Level& level) {
     std::map<double, std::vector<Index>> sides;
-    for (std::size_t e = 0; e < edges_.size(); ++e) {
-      if (edges_[e] == Classes::smooth) continue;
-      const double sharp =
-          classes.is_whole(edges_[e]) ? kInfinitelySharp : classes.value(edges_[e]);
-      const Index h = mesh_.halfedge_of_edge(static_cast<Index>(e));
-      std::vector<Index>& list = sides[sharp];
-      list.push_back(h);
-      list.push_back(mesh_.twin(h));
+    for (const Index e : sharp_edges_) {
+      const char16_t number = edges_[at(e)];
+      if (number == Classes::smooth) continue;
+      sides[classes.is_whole(number) ? kInfinitelySharp : classes.value(number)].push_back(
+          mesh_.halfedge_of_edge(e));
     }
     for (auto& [sharp, list] : sides) {
       const auto rows = read_.strip(sharp);
@@ -251,7 +255,8 @@ class SharpSteps::Maker {
   const std::vector<ZoneGroup>& groups_;
   SharpTables read_;
   std::vector<Place> places_;
-  std::vector<char16_t> edges_;  // classes at the level
+  std::vector<Index> sharp_edges_;  // the same of edges
+  std::vector<char16_t> edges_;     // classes of all edges at the level
 };
 
 Result<SharpSteps> SharpSteps::make(const Scheme& scheme, const GridCycle& cycle,
@@ -281,27 +286,36 @@ void SharpSteps::add_rows(int level, const GridLayout& old_points, const GridLay
   const auto index = at(level - first_);
   if (index >= levels_.size()) return;
   const Level& of = levels_[index];
-  const Index side = new_points.side();
   for (const Strips& strips : of.strips)
     for (const SideRow& row : strips.rows) {
-      std::vector<Index> sources, targets;
+      SideRows made;
       for (const Index h : strips.sides) {
-        if (row.y == 0 && !leads(*control_, h)) continue;
-        const EndZones ends(reach_, *control_, of.sharpness, h);
-        const EdgeCode code = edge_code(*control_, h);
-        for (Index x = row.phase; mirrored(new_points.lattice(), side, x, row.y) > 0;
-             x += row.period) {
-          if (x == 0 || ends.have(side, x, row.y)) continue;
-          add_sources(old_points, h, code, row, x, sources);
-          targets.push_back(new_points.point(h, x, row.y));
-        }
+        add_side(of, row, h, old_points, new_points, made);
+        if (row.y > 0) add_side(of, row, control_->twin(h), old_points, new_points, made);
       }
-      if (!targets.empty())
-        plans.push_back({row.table, HugeArray<Index>(sources), HugeArray<Index>(targets), false});
+      if (!made.targets.empty())
+        plans.push_back(
+            {row.table, HugeArray<Index>(made.sources), HugeArray<Index>(made.targets), false});
     }
-  const bool overlap = reach_.zones_meet(side);
+  const bool overlap = reach_.zones_meet(new_points.side());
   for (const Zones& zones : of.zones)
     plans.push_back(zone_rows(zones.table, zones.group, old_points, new_points, overlap));
+}
+
+void SharpSteps::add_side(const Level& of, const SideRow& row, Index h,
+                          const GridLayout& old_points, const GridLayout& new_points,
+                          SideRows& made) const {
+  const Index side = new_points.side();
+  const EdgeCode code = edge_code(*control_, h);
+  std::optional<EndZones> ends;
+  if (std::max(reach_.fan_zone.size, reach_.corner_zone.size) > 0)
+    ends.emplace(reach_, *control_, of.sharpness, h);
+  for (Index x = row.phase; mirrored(new_points.lattice(), side, x, row.y) > 0; x += row.period) {
+    if (x == 0 || (ends && ends->have(side, x, row.y))) continue;
+    add_sources(old_points, h, code, row, x, made.sources);
+    made.targets.push_back(row.y == 0 ? new_points.point_along(code, x)
+                                      : new_points.point(h, x, row.y));
+  }
 }
 
 }  // namespace limn::fast

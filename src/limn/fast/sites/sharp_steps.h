@@ -38,7 +38,7 @@ class SharpSteps {
     ZoneTable table;
     ZoneGroup group;
   };
-  /// Half-edges with rows in common along them: of each edge both.
+  /// Half-edges with rows in common along them and their twins.
   struct Strips {
     std::vector<SideRow> rows;
     std::vector<Index> sides;
@@ -48,9 +48,16 @@ class SharpSteps {
     std::vector<Strips> strips;
     std::vector<Zones> zones;
   };
+  struct SideRows {
+    std::vector<Index> sources, targets;
+  };
   class Maker;
   SharpSteps(const Reach& reach, const Mesh& control, int first)
       : reach_(reach), control_(&control), first_(first) {}
+
+  /// A row's points along a half-edge, on its left.
+  void add_side(const Level& of, const SideRow& row, Index h, const GridLayout& old_points,
+                const GridLayout& new_points, SideRows& made) const;
 
   Reach reach_;
   const Mesh* control_;
