@@ -64,8 +64,8 @@ TEST(ParameterSetter, KnowsTheDegreeOfWeights) {
   EXPECT_EQ(degree("edge = { end = \"1/2 - 1/(8*a)\", wing = \"1/(8*a)\" }"), std::nullopt);
   EXPECT_EQ(degree("edge = { end = \"1/2 - sqrt(a)/8\", wing = \"sqrt(a)/8\" }"), std::nullopt);
   EXPECT_EQ(degree("edge = { end = \"1/2 - (a < 2)/8\", wing = \"(a < 2)/8\" }"), std::nullopt);
-  EXPECT_EQ(degree("[[edge]]\nwhen = \"a < 2\"\nend = \"3/8\"\nwing = \"1/8\"\n"
-                   "[[edge]]\nend = \"3/8\"\nwing = \"1/8\""),
+  EXPECT_EQ(degree("[[vertex]]\nwhen = \"a < 2\"\nself = \"1 - n*beta\"\nring = \"beta\"\n"
+                   "[[vertex]]\nself = \"1 - n*beta\"\nring = \"beta\""),
             std::nullopt);
 }
 
