@@ -136,7 +136,7 @@ TEST(TuneCommand, RefusesWhatItCannotSolve) {
 TEST(TuneCommand, SolvesForSeveralNames) {
   const Folder folder;
   const Outcome outcome = folder.limn(
-      "tune loop-type --free b --free beta --require 'tangent = 11/20' --require 'cup = 1/5' "
+      "tune loop-type --free b --free beta --require 'tangent = 11/20' --require 'cup = 1/4' "
       "--require c1 --valence 7 -o two.toml --json");
   ASSERT_EQ(outcome.code, 0) << outcome.err;
   const auto json = nlohmann::json::parse(outcome.out);
@@ -147,7 +147,7 @@ TEST(TuneCommand, SolvesForSeveralNames) {
   ASSERT_EQ(eigen.code, 0) << eigen.err;
   const auto components = nlohmann::json::parse(eigen.out).at("valences")[0].at("components");
   EXPECT_NEAR(components.at("tangent").get<double>(), 11.0 / 20, 1e-13);
-  EXPECT_NEAR(components.at("cup").get<double>(), 1.0 / 5, 1e-13);
+  EXPECT_NEAR(components.at("cup").get<double>(), 1.0 / 4, 1e-13);
 }
 
 TEST(TuneCommand, RecognisesAFormulaOfN) {
