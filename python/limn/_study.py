@@ -17,6 +17,7 @@ from ._errors import Error
 if TYPE_CHECKING:
     from ._limn import Outcome
 
+    Parts = tuple[str, bytes, dict[str, bytes], str]
     Points = list[tuple[int, list[str]]]
     Outcomes = Generator[tuple[int, Outcome], None, None]
 
@@ -55,6 +56,7 @@ class Study:
             self._data = _limn.StudyData("study.toml", text)
         else:
             self._data = _limn.StudyData(text)
+        self._parts: Optional[Parts] = None  # of one that came from another process
 
     def __repr__(self) -> str:
         return f"<limn.Study {self.title or self.file}: {len(self.coordinates)} coordinates>"
@@ -93,16 +95,23 @@ class Study:
         """What two studies share only if their points have the same outcomes."""
         return hashlib.sha256(_limn.__version__.encode() + self._data.identity).hexdigest()[:32]
 
-    def __reduce__(self) -> tuple[Any, ...]:
+    def _all_parts(self) -> Parts:
+        """Its text and the files that it was read from: what another process needs."""
+        if self._parts is not None:
+            return self._parts
         files = {}
         for name in self._data.files:
             with open(name, "rb") as file:
                 files[os.path.abspath(os.fsdecode(name))] = file.read()
-        return _study_of, (os.path.abspath(self.file), self._data.text, files, self._token())
+        return os.path.abspath(self.file), self._data.text, files, self._token()
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return _study_of, (self._all_parts(),)
 
 
-def _study_of(path: str, text: bytes, files: dict[str, bytes], token: str) -> Study:
+def _study_of(parts: Parts) -> Study:
     """A study from its files, which are laid out anew round it while it is read."""
+    path, text, files, token = parts
     study = Study.__new__(Study)
     with tempfile.TemporaryDirectory(prefix="limn-study-") as root:
         for name, content in files.items():
@@ -111,6 +120,7 @@ def _study_of(path: str, text: bytes, files: dict[str, bytes], token: str) -> St
             with open(place, "wb") as file:
                 file.write(content)
         study._data = _limn.StudyData(root + path, text.decode())
+    study._parts = parts
     if study._token() != token:
         raise Error(
             "a study is not the same in two processes",
@@ -121,6 +131,22 @@ def _study_of(path: str, text: bytes, files: dict[str, bytes], token: str) -> St
 
 def _evaluate(study: Study, point: list[str]) -> Outcome:
     return study._data.evaluate(point)
+
+
+_last: dict[str, Study] = {}  # of a worker, by its token
+
+
+def _evaluate_there(parts: Parts, point: list[str]) -> Outcome:
+    """On a worker. What goes wrong with the study does so in the task, which is then told."""
+    token = parts[3]
+    if token not in _last:
+        _last.clear()
+        _last[token] = _study_of(parts)
+    return _evaluate(_last[token], point)
+
+
+def _itself(parts: Parts) -> Parts:
+    return parts
 
 
 def _here(study: Study, points: Points, stop: Callable[[], bool]) -> Outcomes:
@@ -146,10 +172,9 @@ class _Workers:
     def __init__(self, client: Any, study: Study) -> None:
         self._client = client
         self._token = study._token()
-        rebuild, parts = study.__reduce__()
-        # made where it is needed, and made again where the worker that had it is lost
+        # sent once, and again where the worker that had it is lost
         key = f"limn-study-{self._token}"
-        self._study = client.submit(rebuild, *parts, key=key, retries=_RETRIES)
+        self._parts = client.submit(_itself, study._all_parts(), key=key, retries=_RETRIES)
 
     def __call__(self, study: Study, points: Points, stop: Callable[[], bool]) -> Outcomes:
         as_completed: Any = import_module("distributed").as_completed
@@ -159,7 +184,7 @@ class _Workers:
             key = f"limn-point-{self._token}-{hashlib.sha256(' '.join(point).encode()).hexdigest()}"
             places[key] = place
             futures.append(
-                self._client.submit(_evaluate, self._study, point, key=key, retries=_RETRIES)
+                self._client.submit(_evaluate_there, self._parts, point, key=key, retries=_RETRIES)
             )
         try:
             for future in as_completed(futures):

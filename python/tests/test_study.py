@@ -62,13 +62,19 @@ def study_file(tmp_path):
 
 
 def kept(folder):
-    """All that a folder has but the seconds that points took."""
+    """All that a folder has but the seconds that points took, and the folder's name in proofs."""
     with sqlite3.connect(folder / "study.sqlite") as store:
         cursor = store.execute("select * from points order by key")
         names = [column[0] for column in cursor.description]
         rows = [tuple(v for k, v in zip(names, row) if k != "seconds") for row in cursor]
-    files = {p.relative_to(folder): p.read_bytes() for p in folder.rglob("*") if p.is_file()}
-    return rows, {name: text for name, text in files.items() if "study.sqlite" not in name.name}
+    files = {}
+    for path in folder.rglob("*"):
+        if path.is_file() and "study.sqlite" not in path.name:
+            text = path.read_text("utf-8", "replace")
+            for name in (str(folder), str(folder.relative_to(folder.parents[1]))):
+                text = text.replace(name, "FOLDER")
+            files[path.relative_to(folder)] = text
+    return rows, files
 
 
 def test_is_what_the_command_does(study_file, tmp_path, command, monkeypatch):

@@ -1,6 +1,6 @@
 """Installs the module as a user would, by pip into a virtual environment and as a wheel.
 
-    packaging.py BUILD    with the extension of that build folder; no network is needed
+    installing.py BUILD    with the extension of that build folder; no network is needed
 """
 
 import os
