@@ -133,7 +133,7 @@ def test_says_what_is_wrong(study_file, tmp_path):
     with pytest.raises(limn.Error) as caught:
         limn.Study("scheme = \"loop\"\nx = 1\n")
     assert (caught.value.line, caught.value.column) == (2, 1)
-    with pytest.raises(limn.Error, match="unknown scheme|nowhere"):
+    with pytest.raises(limn.Error, match="cannot read"):
         limn.Study(STUDY.format(scheme="nowhere.toml"))
     limn.study(study_file, tmp_path / "out", seconds=0)
     study_file.write_text(STUDY.format(scheme="mine.toml").replace("7/16", "13/32"))
