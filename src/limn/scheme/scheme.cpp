@@ -299,6 +299,9 @@ Status set_parameters(Scheme& scheme, const std::vector<std::string>& assignment
   Scheme changed = scheme;
   if (Status status = detail::assign_parameters(changed, assignments); !status) return status;
   Faults faults;
+  check_scheme(changed, {}, nullptr, faults);
+  // the others mostly follow from the same value
+  if (!faults.none()) return detail::in_assignments(assignments, faults.list().front());
   scheme = std::move(changed);
   return Done{};
 }
