@@ -3,7 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <map>
 #include <random>
 #include <set>
@@ -20,9 +22,9 @@ std::size_t at(Index i) { return static_cast<std::size_t>(i); }
 
 using Numbers = std::vector<double>;
 
-double rounded(double x) { return std::round(x * 1e8) / 1e8; }
-void add(Numbers& list, const Point3& p) {
-  for (const double x : {p.x, p.y, p.z}) list.push_back(rounded(x));
+double rounded(double x, double parts = 1e8) { return std::round(x * parts) / parts; }
+void add(Numbers& list, const Point3& p, double parts = 1e8) {
+  for (const double x : {p.x, p.y, p.z}) list.push_back(rounded(x, parts));
 }
 
 /// All that a surface says of its corners: the point, and what is asked for there.
@@ -37,7 +39,8 @@ std::multiset<Numbers> corners(const RefinedSurface& surface) {
       const auto v = at(mesh.corners[at(c)]);
       add(one, mesh.positions[v]);
       if (!surface.limit.empty()) add(one, surface.limit[v]);
-      if (!surface.normals.empty()) add(one, surface.normals[v]);
+      // where the normal at a corner is that of the faces there, rounding of points grows to 1e-6
+      if (!surface.normals.empty()) add(one, surface.normals[v], 1e4);
       for (const VertexNumbers& numbers : attributes.vertices)
         one.push_back(rounded(numbers.values[v]));
       if (!attributes.texture.empty()) {
@@ -136,7 +139,11 @@ class SharpSurface : public ::testing::TestWithParam<std::string> {
       return false;
     }
     EXPECT_EQ(fast->polygons.positions.size(), plain->polygons.positions.size());
-    EXPECT_EQ(corners(*fast), corners(*plain));
+    const std::multiset<Numbers> a = corners(*fast), b = corners(*plain);
+    std::vector<Numbers> first, second;  // what one has and the other has not
+    std::set_difference(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(first));
+    std::set_difference(b.begin(), b.end(), a.begin(), a.end(), std::back_inserter(second));
+    EXPECT_EQ(first, second);
     EXPECT_EQ(sharp(*fast), sharp(*plain));
     return quick;
   }
