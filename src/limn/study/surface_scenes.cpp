@@ -12,10 +12,6 @@
 namespace limn {
 namespace {
 
-/// For each vertex: the surface, a panel's copy of it, and the tree that rays are cast into
-/// (measured for pictures of triangles).
-constexpr double kSurfaceBytes = 300;
-
 SpaceVector vector_of(const Point3& p) { return {p.x, p.y, p.z}; }
 
 std::vector<SpaceVector> vectors_of(const std::vector<Point3>& points) {

@@ -21,6 +21,10 @@ namespace limn {
                                                   const std::vector<Point3>& points, int steps,
                                                   LimitGaps* gaps = nullptr);
 
+/// Bytes for each vertex of a surface: itself, a panel's copy of it, and the tree that rays are
+/// cast into (measured for pictures of triangles).
+inline constexpr double kSurfaceBytes = 300;
+
 /// What a picture of such a surface takes.
 struct DrawingEstimate {
   double vertices = 0, triangles = 0;

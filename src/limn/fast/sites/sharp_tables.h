@@ -10,6 +10,7 @@
 /// most places share a table with many, at this level and at others.
 
 #include <map>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -30,7 +31,10 @@ struct SharpPattern {
   bool open = false;           ///< on the boundary
   double own = 0;              ///< of the vertex
   std::vector<double> spokes;  ///< of the first edge of each of its faces; a boundary edge has 0
-  friend auto operator<=>(const SharpPattern&, const SharpPattern&) = default;
+  // not <=>, which emscripten's library lacks for vectors
+  friend bool operator<(const SharpPattern& a, const SharpPattern& b) {
+    return std::tie(a.open, a.own, a.spokes) < std::tie(b.open, b.own, b.spokes);
+  }
 };
 
 /// The zone of a face at a vertex, by whether the edges at its sides there are sharp, or on the
