@@ -82,13 +82,13 @@ class Certificate(Dict[str, Any]):
         return table(("valence", "C1", "curvature", "reason"), rows, self["scheme"])
 
 
-class Comparison(Dict[str, Any]):
-    """Schemes side by side: ``limn compare --json``. ``str`` of it is the table."""
+class _Told(Dict[str, Any]):
+    """A dict as ``--json`` of a command, with the lines that the command prints."""
 
     def __init__(self, values: dict[str, Any], text: str) -> None:
         super().__init__(values)
         self.text = text
-        """The command's table: the best of each line is marked."""
+        """The command's lines."""
 
     def __str__(self) -> str:
         return self.text
@@ -98,6 +98,11 @@ class Comparison(Dict[str, Any]):
 
     def _repr_pretty_(self, printer: Any, cycle: bool) -> None:
         printer.text(self.text)
+
+
+class Comparison(_Told):
+    """Schemes side by side: ``limn compare --json``. ``str`` of it is the table, in which the best of
+    each line is marked."""
 
 
 class Fairness(Dict[str, Any]):

@@ -9,10 +9,11 @@ import tempfile
 import time
 from concurrent.futures import FIRST_COMPLETED, Future, ThreadPoolExecutor, wait
 from importlib import import_module
-from typing import TYPE_CHECKING, Any, Callable, Dict, Generator, Optional, Union
+from typing import TYPE_CHECKING, Any, Callable, Generator, Optional, Union
 
 from . import _limn
 from ._errors import Error
+from ._results import _Told
 
 if TYPE_CHECKING:
     from ._limn import Outcome
@@ -26,22 +27,8 @@ Path = Union[str, "os.PathLike[str]"]
 _RETRIES = 3  # of a point whose evaluation raised; workers that die are the scheduler's matter
 
 
-class StudyResult(Dict[str, Any]):
+class StudyResult(_Told):
     """What a study found: a dict as ``limn study --json``, whose ``str`` is what the command says."""
-
-    def __init__(self, values: dict[str, Any], text: str) -> None:
-        super().__init__(values)
-        self.text = text
-        """The command's lines."""
-
-    def __str__(self) -> str:
-        return self.text
-
-    def __reduce__(self) -> tuple[Any, ...]:
-        return type(self), (dict(self), self.text)
-
-    def _repr_pretty_(self, printer: Any, cycle: bool) -> None:
-        printer.text(self.text)
 
 
 class Study:
