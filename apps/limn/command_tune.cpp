@@ -68,19 +68,6 @@ nlohmann::ordered_json heading_json(const Task& task, const nlohmann::ordered_js
           {"time_ended", walk.ended_early()}};
 }
 
-/// Writes the solutions as a scheme file, if it reads back.
-Status write_tuned(const Task& task, const std::vector<ValenceSolutions>& solutions,
-                   const TuneOptions& options) {
-  const Result<std::string> extends = extends_name(options.scheme.name, options.output);
-  if (!extends) return extends.error();
-  const Result<std::string> text =
-      tuned_scheme_text(task.freed, task.requirement, solutions, *extends);
-  if (!text) return text.error();
-  if (const Result<Scheme> back = parse_scheme(*text, options.output); !back)
-    return unwritten(back.error(), options.output);
-  return write_file(options.output, *text);
-}
-
 /// What was solved, as it is printed.
 struct Solved {
   std::vector<ValenceSolutions> all;
@@ -120,9 +107,11 @@ int solve(Task& task, const TuneOptions& options) {
   if (walk.ended_early() && !options.output.empty())
     return report({walk.what_was_reached() + ", so that no file is written", kMoreTime});
   if (!solved->any_value && !solved->all.empty()) return report(solved->without_value);
+  const auto text_of = [&](const std::string& extends) {
+    return tuned_scheme_text(task.freed, task.requirement, solved->all, extends);
+  };
   if (!options.output.empty())
-    if (Status written = write_tuned(task, solved->all, options); !written)
-      return report(written.error());
+    if (Status written = write_tuned(options, text_of); !written) return report(written.error());
   if (options.json) {
     print_json(heading_json(task, solved->list, walk));
   } else {

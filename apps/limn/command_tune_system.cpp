@@ -65,19 +65,6 @@ Result<SystemTask> read_task(const TuneOptions& options) {
                     std::move(between)};
 }
 
-/// Writes the solutions as a scheme file, if it reads back.
-Status write_tuned(const SystemTask& task, const std::vector<SystemSolutions>& solutions,
-                   const TuneOptions& options) {
-  const Result<std::string> extends = extends_name(options.scheme.name, options.output);
-  if (!extends) return extends.error();
-  const Result<std::string> text =
-      tuned_system_text(task.names, task.requirements, solutions, *extends);
-  if (!text) return text.error();
-  if (const Result<Scheme> back = parse_scheme(*text, options.output); !back)
-    return unwritten(back.error(), options.output);
-  return write_file(options.output, *text);
-}
-
 std::string quoted_list(const std::vector<std::string>& words) {
   std::string text;
   for (const std::string& word : words) text += (text.empty() ? "" : ", ") + printable(word);
@@ -132,8 +119,11 @@ int tune_system(const TuneOptions& options) {
   if (!status) return report(status.error());
   if (walk.ended_early() && !options.output.empty())
     return report({walk.what_was_reached() + ", so that no file is written", kMoreTime});
+  const auto text_of = [&](const std::string& extends) {
+    return tuned_system_text(task->names, task->requirements, all, extends);
+  };
   if (!options.output.empty())
-    if (Status written = write_tuned(*task, all, options); !written) return report(written.error());
+    if (Status written = write_tuned(options, text_of); !written) return report(written.error());
   print(*task, all, walk, options);
   const bool undecided = std::any_of(all.begin(), all.end(), [](const SystemSolutions& at) {
     return std::any_of(at.solutions.begin(), at.solutions.end(),

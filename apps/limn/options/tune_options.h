@@ -7,6 +7,7 @@
 #include <fmt/core.h>
 
 #include "command.h"
+#include "limn/base/files/file.h"
 #include "limn/base/progress.h"
 #include "limn/base/time_budget.h"
 #include "options/time_option.h"
@@ -29,6 +30,19 @@ struct TuneOptions {
 
 /// Several names, or several requirements.
 [[nodiscard]] int tune_system(const TuneOptions& options);
+
+/// Writes the solutions as a scheme file, if it reads back. `text_of(extends)` gives the text as a
+/// Result, of a file that extends the scheme by that name.
+template <class TextOf>
+[[nodiscard]] Status write_tuned(const TuneOptions& options, TextOf text_of) {
+  const Result<std::string> extends = extends_name(options.scheme.name, options.output);
+  if (!extends) return extends.error();
+  const Result<std::string> text = text_of(*extends);
+  if (!text) return text.error();
+  if (const Result<Scheme> back = parse_scheme(*text, options.output); !back)
+    return unwritten(back.error(), options.output);
+  return write_file(options.output, *text);
+}
 
 /// The valences one after the other, with progress, until the time ends.
 class Walk {
