@@ -48,6 +48,19 @@ INSTANTIATE_TEST_SUITE_P(Schemes, Proved,
                                          "interpolating-loop", "laplacian-butterfly",
                                          "laplacian-loop", "laplacian-loop-low", "loop-ternary"));
 
+TEST(Certify, LeavesCurvatureOutWhereItIsNotAskedFor) {
+  CertifyOptions options;
+  options.curvature = false;
+  const Result<Certificate> without = certify(test::shipped("loop"), {3, 5, 7}, options);
+  ASSERT_TRUE(without.ok()) << without.error().text();
+  for (const ValenceClaim& claim : without->valences) {
+    EXPECT_EQ(claim.c1, Answer::proved) << claim.valence;
+    EXPECT_EQ(claim.curvature.answer, CurvatureAnswer::undecided) << claim.valence;
+    EXPECT_EQ(claim.curvature.reason, "was not asked for") << claim.valence;
+  }
+  EXPECT_TRUE(check_certificate(*without).ok());
+}
+
 TEST(Certify, RefutesTheButterflyFromEightOn) {
   const Certificate certificate = certified(test::shipped("butterfly"), 3, 12);
   for (const ValenceClaim& claim : certificate.valences) {

@@ -104,7 +104,7 @@ Result<ValenceClaim> certify_valence(const Scheme& scheme, const RegularProof& r
   if (known != options.known.end() && known->c1 != Answer::undecided) return *known;
   if (options.time.ended()) return undecided(n, "the time ended before it was looked at");
   if (options.progress) options.progress(fmt::format("valence {}", n));
-  ProofLimits limits{options.bits, options.most_parts, options.time.stop()};
+  ProofLimits limits{options.bits, options.most_parts, options.curvature, options.time.stop()};
   Result<SearchedValence> found = search_valence(scheme, regular, signs, n, limits);
   if (found && found->more_bits_may_help && !options.time.ended()) {
     limits.bits *= 2;

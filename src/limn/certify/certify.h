@@ -23,6 +23,8 @@ struct CertifyOptions {
   /// Valences at which the scheme cannot be evaluated, as without a rule there, are undecided
   /// instead of a failure.
   bool leave_out = false;
+  /// Also what can be proved of curvature, where C1 is: for long fractions most of the cost.
+  bool curvature = true;
   TimeBudget time;                                   ///< when it ends, what is left is undecided
   std::function<void(const std::string&)> progress;  ///< called with what is done next, if given
   /// Claims that are taken over unseen, from a certificate of the same scheme that was checked.

@@ -63,12 +63,13 @@ const Result<Eigencomponents>& SchemeReading::components(int n) {
       .first->second;
 }
 
-const Result<certify::Certificate>& SchemeReading::certificate() {
-  if (certificate_) return *certificate_;
+const Result<certify::Certificate>& SchemeReading::certificate(bool curvature) {
+  if (certificate_ && (has_curvature_ || !curvature)) return *certificate_;
   certify::CertifyOptions options;
   options.most_parts = effort_.certificate_parts;
   options.most_products = effort_.certificate_parts;
   options.leave_out = true;
+  options.curvature = has_curvature_ = curvature;
   certificate_ = certify::certify(scheme_, valences_, options);
   return *certificate_;
 }

@@ -48,8 +48,9 @@ class SchemeReading {
   [[nodiscard]] const RegularPart& regular_part();
   /// approx_eigencomponents at a valence from 3 on, without what the lattice lets curvature be.
   [[nodiscard]] const Result<Eigencomponents>& components(int n);
-  /// certify at all of `valences`; what cannot be evaluated is undecided there.
-  [[nodiscard]] const Result<certify::Certificate>& certificate();
+  /// certify at all of `valences`; what cannot be evaluated is undecided there. `curvature`:
+  /// whether what it says of curvature is wanted, which may cost far more than all else.
+  [[nodiscard]] const Result<certify::Certificate>& certificate(bool curvature);
 
  private:
   Scheme scheme_;
@@ -62,6 +63,7 @@ class SchemeReading {
   FrequencyAnalysis frequencies_;
   std::map<int, Result<Eigencomponents>> components_;
   std::optional<Result<certify::Certificate>> certificate_;
+  bool has_curvature_ = false;  ///< the certificate
 };
 
 }  // namespace limn

@@ -45,11 +45,13 @@ class Search {
     }
     if (Status shown = find_map(*balls); !shown)
       return SearchedValence{undecided(shown.error().message), false};
-    if (claim_.c1 == Answer::proved)
+    if (claim_.c1 != Answer::proved)
+      claim_.curvature.reason = "not C1";
+    else if (!limits_.curvature)
+      claim_.curvature.reason = "was not asked for";
+    else
       claim_.curvature = search_curvature(scheme_, *balls, leader_, regular_.curvature,
                                           Effective(*balls, regular_.cells, signs_));
-    else
-      claim_.curvature.reason = "not C1";
     return SearchedValence{claim_, false};
   }
 

@@ -28,6 +28,7 @@ struct RegularProof {
 struct ProofLimits {
   int bits = 128;
   int most_parts = 200'000;  ///< of cells, for one valence
+  bool curvature = true;     ///< whether it is looked for
   Stop stop;
 };
 
