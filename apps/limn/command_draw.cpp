@@ -58,8 +58,7 @@ struct Drawing {
 };
 
 /// What the options ask of the surface.
-Result<MarkedOptions> wanted_of(const DrawOptions& options, const Scheme& scheme,
-                                ControlMesh& control) {
+Result<MarkedOptions> wanted_of(const DrawOptions& options, Scheme& scheme, ControlMesh& control) {
   MarkedOptions wanted{.steps = options.levels};
   Result<Sharpness> sharpness = options.sharpness.of(control, scheme);
   if (!sharpness) return sharpness.error();
@@ -77,10 +76,8 @@ Result<MarkedOptions> wanted_of(const DrawOptions& options, const Scheme& scheme
   wanted.texture = &texture;
   wanted.rule = options.attributes.rules().texture;
   if (wanted.textured)
-    if (Status takes = check_takes_texture(scheme, control.mesh, texture, wanted.rule); !takes) {
-      takes.error().hint = "leave out --texture, or take a scheme with a dyadic split";
+    if (Status takes = check_takes_texture(scheme, control.mesh, texture, wanted.rule); !takes)
       return takes.error();
-    }
   return wanted;
 }
 
@@ -112,7 +109,7 @@ SurfaceScene control_scene(MarkedSurface flat, const ControlNet& net, SurfaceSce
   return control;
 }
 
-Result<Drawing> drawing_of(const DrawOptions& options, const Scheme& scheme) {
+Result<Drawing> drawing_of(const DrawOptions& options, Scheme& scheme) {
   const bool attributes =
       options.marks || options.is_textured() || options.sharpness.may_name_faces();
   Result<ControlMesh> control =
@@ -184,7 +181,7 @@ int draw(const DrawOptions& options) {
   if (Status status = check_mesh_path(options.mesh); !status) return report(status.error());
   if (Status status = options.output.check(options.json); !status) return report(status.error());
   if (Status status = check_outputs({options.output.path}); !status) return report(status.error());
-  const Result<Scheme> scheme = options.scheme.load();
+  Result<Scheme> scheme = options.scheme.load();
   if (!scheme) return report(scheme.error());
   ProgressLine line;
   line.show("finding limit points");

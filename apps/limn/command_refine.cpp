@@ -207,7 +207,7 @@ Result<RefinedFile> refine_then_write(const RefineOptions& options, const Scheme
 }
 
 /// Refines into the output, while it is written where that can be.
-Result<RefinedFile> refine_into_output(const RefineOptions& options, const Scheme& scheme,
+Result<RefinedFile> refine_into_output(const RefineOptions& options, Scheme& scheme,
                                        ControlMesh& control, ProgressLine& line) {
   SurfaceOptions wanted = wanted_of(options, line);
   Result<Sharpness> sharpness = options.sharpness.of(control, scheme);
@@ -242,7 +242,7 @@ int refine_mesh(const RefineOptions& options) {
                    "it ends in .csv or .json"});
   if (Status status = check_outputs({options.output.path, options.curvatures}); !status)
     return report(status.error());
-  const Result<Scheme> scheme = options.scheme.load();
+  Result<Scheme> scheme = options.scheme.load();
   if (!scheme) return report(scheme.error());
   Result<ControlMesh> control =
       load_control_mesh(options.mesh, options.preparation, options.sharpness.use(),

@@ -97,10 +97,6 @@ TEST(DrawCommand, ShowsCreasesSeamsAndTexture) {
     EXPECT_EQ(outcome.code, 0) << outcome.err;
     EXPECT_NE(folder.read("c.png"), folder.read("a.png")) << more;
   }
-  folder.write("tip.toml", "[[corner]]\nvertices = [1]\nsharpness = \"infinite\"\n");
-  const Outcome tip = folder.limn("draw " + kQuads + " -s catmull-clark --tags tip.toml -o f.png");
-  EXPECT_EQ(tip.code, 0);
-  EXPECT_EQ(tip.err, "");
   EXPECT_EQ(folder.limn(knob + "d.svg --marks --texture").code, 0);
   EXPECT_NE(folder.read("d.svg").find("<image"), std::string::npos);
   expect_refused(folder.limn("draw " + kQuads + " -s catmull-clark --texture -o e.png"),

@@ -248,6 +248,74 @@ TEST_P(Sharp, LimitsOfWhatFades) {
   EXPECT_GT(fading, 5);
 }
 
+// --- smooth triangles --------------------------------------------------------------------------
+
+Scheme smooth_catmull_clark() {
+  Scheme scheme = find_scheme("catmull-clark").value();
+  EXPECT_TRUE(use_smooth_triangles(scheme));
+  return scheme;
+}
+
+/// Triangles, quads and larger faces, closed and open.
+std::vector<ControlMesh> mixed_meshes() {
+  std::vector<ControlMesh> all = closed_polygons();
+  for (std::vector<ControlMesh> more : {open_polygons(), closed_triangles(), open_triangles()})
+    for (ControlMesh& mesh : more) all.push_back(std::move(mesh));
+  std::erase_if(all, [](const ControlMesh& mesh) { return mesh.polygons.face_count() > 200; });
+  return all;
+}
+
+TEST(SmoothTriangles, AreThoseOfOpenSubdiv) {
+  const Scheme smooth = smooth_catmull_clark();
+  const Scheme plain = find_scheme("catmull-clark").value();
+  int changed = 0;
+  unsigned seed = 90;
+  for (const ControlMesh& control : mixed_meshes()) {
+    const Mesh mesh = Mesh::build(control.polygons).value();
+    for (const double share : {0.0, 0.3}) {
+      PeerTags tags = random_tags(mesh, Kind::whole, share, ++seed);
+      tags.smooth_triangles = true;
+      for (int level = 1; level <= 3; ++level) {
+        const auto peer = opensubdiv_peer(Method::catmull_clark, control.polygons, tags);
+        peer->refine(level);
+        EXPECT_EQ(difference(refined_with(smooth, control.polygons, tags, level), peer->polygons(),
+                             1e-12),
+                  "")
+            << control.name << ", share " << share << ", level " << level;
+        if (level == 1 &&
+            !difference(refined_with(plain, control.polygons, tags, level), peer->polygons(), 1e-12)
+                 .empty())
+          ++changed;
+      }
+    }
+  }
+  EXPECT_GT(changed, 4);
+}
+
+TEST(SmoothTriangles, HaveTheLimitsOfOpenSubdiv) {
+  const Scheme smooth = smooth_catmull_clark();
+  for (const ControlMesh& control : mixed_meshes()) {
+    const Mesh mesh = Mesh::build(control.polygons).value();
+    PeerTags tags;
+    tags.smooth_triangles = true;
+    const auto peer = opensubdiv_peer(Method::catmull_clark, control.polygons, tags);
+    peer->want_limit();
+    peer->refine(1);
+    ASSERT_TRUE(peer->move_to_limit(0));
+    const auto fine = refine(smooth, mesh, control.polygons.positions, 1).value();
+    const LimitPoints limit = approx_limit_points(smooth, fine.mesh, fine.values).value();
+    EXPECT_EQ(difference(fine.mesh.polygons(limit.positions), peer->polygons(), 1e-12), "")
+        << control.name;
+    // and those of the control points are the same, found without that step
+    const LimitPoints early = approx_limit_points(smooth, mesh, control.polygons.positions).value();
+    for (std::size_t v = 0; v < early.positions.size(); ++v)
+      EXPECT_LT(std::sqrt(dot(early.positions[v] - limit.positions[v],
+                              early.positions[v] - limit.positions[v])),
+                1e-10)
+          << control.name << ", vertex " << v;
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(OpenSubdiv, Sharp, ::testing::Values(Method::loop, Method::catmull_clark),
                          [](const auto& one) {
                            return one.param == Method::loop ? "Loop" : "CatmullClark";

@@ -137,6 +137,10 @@ TEST(Placement, CountsOfAllNamedRoles) {
       {RuleKind::boundary_spoke, q, "far", 1, false},
       {RuleKind::boundary_spoke, q, "wing", 2, false},
       {RuleKind::boundary_spoke, q, "far-wing", 2, false},
+      {RuleKind::edge_side, t, "end", 2, false},
+      {RuleKind::edge_side, t, "face", 2, false},
+      {RuleKind::edge_side, q, "end", 2, false},
+      {RuleKind::edge_side, q, "face", 2, false},
   };
   std::size_t named = 0;
   for (int i = 0; i < kRuleKinds; ++i)

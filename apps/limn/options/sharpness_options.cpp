@@ -48,6 +48,12 @@ void SharpnessOptions::declare(CLI::App& command) {
       .add_option("--creases", creases,
                   "how sharpness fades, uniform or chaikin (default: uniform, or as tags say)")
       ->check(CLI::IsMember(words(crease_methods())));
+  command
+      .add_option(
+          "--triangles", triangles,
+          "smooth: triangles amid other faces are refined more evenly, where the scheme has "
+          "a rule for that (default: catmullClark, or as tags say)")
+      ->check(CLI::IsMember({"catmullClark", "smooth"}));
 }
 
 namespace {
@@ -67,14 +73,17 @@ void add_cuts(ControlMesh& control, const Scheme& scheme, Sharpness& sharpness) 
 
 }  // namespace
 
-Result<Sharpness> SharpnessOptions::of(ControlMesh& control, const Scheme& scheme) const {
+Result<Sharpness> SharpnessOptions::of(ControlMesh& control, Scheme& scheme) const {
   Sharpness sharpness;
   add_cuts(control, scheme, sharpness);
   BoundaryMode mode = BoundaryMode::edge_only;
+  bool smooth = false;
   const auto add = [&](const SharpnessTags& tags) -> Status {
     if (tags.boundary) mode = *tags.boundary;
-    if (tags.smooth_triangles.value_or(false)) {
-      Error warning("smooth triangles are refined like others");
+    if (tags.smooth_triangles) smooth = *tags.smooth_triangles;
+    if (smooth && tags.smooth_triangles && triangles.empty() && !scheme.smooth_triangles) {
+      Error warning(fmt::format(
+          "{} has no rule for smooth triangles, which are refined like others", scheme.name));
       warning.file = tags.file;
       warning.line = tags.line;
       add_warnings(control.remarks, {warning});
@@ -96,6 +105,11 @@ Result<Sharpness> SharpnessOptions::of(ControlMesh& control, const Scheme& schem
   if (!creases.empty()) sharpness.method = value_of(creases, crease_methods());
   if (!boundary.empty()) mode = value_of(boundary, boundary_modes());
   apply_boundary_mode(control.mesh, mode, sharpness);
+  if (!triangles.empty()) smooth = triangles == "smooth";
+  if (smooth && !use_smooth_triangles(scheme) && !triangles.empty())
+    return Error{fmt::format("{} has no rule for smooth triangles", scheme.name),
+                 "leave out --triangles, or state [smooth-triangles] in a scheme file", scheme.file,
+                 0, 0};
   return sharpness;
 }
 

@@ -13,8 +13,8 @@ namespace limn::app {
 struct SharpnessOptions {
   std::string tags_file;
   bool no_tags = false;
-  double crease_angle = -1;       // degrees; negative: none
-  std::string boundary, creases;  // as USD names them; empty: as the files say
+  double crease_angle = -1;                  // degrees; negative: none
+  std::string boundary, creases, triangles;  // as USD names them; empty: as the files say
 
   void declare(CLI::App& command);
   /// Whether names of faces may be needed: those of `of`'s control mesh.
@@ -24,7 +24,9 @@ struct SharpnessOptions {
   /// All of it together: what is stated later counts, in the order mesh file, --tags,
   /// --crease-angle; options count more than files. What a cut mesh holds sharp comes first, where
   /// the scheme takes it; else a warning says that it is smooth.
-  [[nodiscard]] Result<Sharpness> of(ControlMesh& control, const Scheme& scheme) const;
+  /// `scheme` gets its rule for smooth triangles, where that is stated; an error where the option
+  /// asks for it and there is none.
+  [[nodiscard]] Result<Sharpness> of(ControlMesh& control, Scheme& scheme) const;
 };
 
 }  // namespace limn::app

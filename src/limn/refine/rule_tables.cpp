@@ -40,6 +40,7 @@ std::optional<HopFlag> flag_hops(RuleKind kind, int flag) {
     case RuleKind::face:
     case RuleKind::boundary_edge: return HopFlag{{}, flag == 1};
     case RuleKind::edge:
+    case RuleKind::edge_side:
       if (flag < 2) return HopFlag{{}, flag == 1};
       return HopFlag{{Hop::twin}, flag == 3};
     case RuleKind::edge_end:
@@ -260,6 +261,8 @@ Status RuleTables<Number>::prepare_edges(const Mesh& mesh, const Births& births)
   if (interior)
     if (Status status = add(births.thirds ? RuleKind::edge_third : RuleKind::edge, 0, 0); !status)
       return status;
+  if (interior && scheme_->rule(RuleKind::edge_side))
+    if (Status status = prepare_faces(mesh, RuleKind::edge_side); !status) return status;
   if (!boundary) return Done{};
   if (!births.thirds) return add(RuleKind::boundary_edge, 0, 0);
   for (Index v = 0; v < mesh.vertex_count(); ++v)

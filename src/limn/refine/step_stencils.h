@@ -26,6 +26,7 @@ class StepStencils {
                 stands_in(scheme, RuleKind::boundary_spoke)),
         boundary_ends_(stands_in(scheme, RuleKind::boundary_edge_end)),
         face_ends_(stands_in(scheme, RuleKind::face_end)),
+        edge_sides_(stands_in(scheme, RuleKind::edge_side)),
         mesh_(mesh),
         births_(births),
         tables_(tables),
@@ -271,6 +272,17 @@ class StepStencils {
     visit_row(RuleKind::edge_third, h, false, tables_.row(RuleKind::edge_third, 0), sink);
   }
 
+  /// An interior edge seen from its faces; of two alike one tells all.
+  template <class Sink>
+  bool visit_edge_sides(Index h, Index twin, Sink& sink) const {
+    std::array<Seen, 2> seen;
+    const std::array<Index, 2> degrees{mesh_.degree(mesh_.face(h)), mesh_.degree(mesh_.face(twin))};
+    for (std::size_t side = 0; side < 2; ++side)
+      seen[side] = {RuleKind::edge_side, side == 0 ? h : twin, false,
+                    row_of(RuleKind::edge_side, degrees[side])};
+    return visit_mean(seen.data(), degrees[0] == degrees[1] ? 1 : 2, sink);
+  }
+
   template <class Sink>
   void visit_edge(Index i, Sink& sink) const {
     const EdgeChild child = edge_child(mesh_, births_, i);
@@ -278,6 +290,7 @@ class StepStencils {
     const Index h = child.halfedge;
     const Index twin = mesh_.twin(h);
     if (twin == kNone) return visit_boundary_edge(h, sink);
+    if (edge_sides_ && visit_edge_sides(h, twin, sink)) return;
     if (spokes_) {
       std::array<Seen, 2> seen;
       for (const bool other : {false, true}) {
@@ -293,7 +306,8 @@ class StepStencils {
   const Split& split_;
   bool spokes_;         // whether interior edges may be seen from their ends,
   bool boundary_ends_;  // boundary edges
-  bool face_ends_;      // and faces from their corners
+  bool face_ends_;      // faces from their corners,
+  bool edge_sides_;     // and interior edges from their faces
   const Mesh& mesh_;
   const Births& births_;
   const RuleTables<Number>& tables_;

@@ -44,6 +44,7 @@ std::string anchor_text(RuleKind kind) {
     case RuleKind::edge: return "an interior edge";
     case RuleKind::edge_end: return "an interior edge, seen from an end with n edges";
     case RuleKind::edge_third: return "each third of an interior edge, from the near end";
+    case RuleKind::edge_side: return "an interior edge, seen from a face with n corners";
     case RuleKind::face: return "a face with n corners";
     case RuleKind::face_end: return "a face, seen from a corner with n edges";
     case RuleKind::corner: return "a corner of a face with n corners";

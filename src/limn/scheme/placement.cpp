@@ -84,7 +84,7 @@ bool has(const Moves& moves, Move move) {
 
 /// The step must turn round the rule's own vertex or face, so that it is back after n of them.
 Status check_repeated(RuleKind kind, const Walk& walk) {
-  if (!rule_has_valence(kind) || kind >= RuleKind::boundary_vertex)
+  if (!rule_has_valence(kind) || kind == RuleKind::edge_side || kind >= RuleKind::boundary_vertex)
     return fault("a repeated step needs a rule with an n, at an interior vertex or a face");
   if (has(walk.before, Move::face) || has(walk.after, Move::face))
     return fault("only the repeated step may cross edges");
@@ -112,7 +112,8 @@ Status check_walk(RuleKind kind, const Walk& walk) {
   }
   if (walk.reads_face && has(walk.before, Move::face))
     return fault("a role that reads a face's new vertex may not cross an edge");
-  if (walk.reads_face && kind != RuleKind::vertex && kind != RuleKind::edge)
+  if (walk.reads_face && kind != RuleKind::vertex && kind != RuleKind::edge &&
+      kind != RuleKind::edge_side)
     return fault("only vertex and edge rules may read a face's new vertex");
   return walk.repeated ? check_repeated(kind, walk) : Status(Done{});
 }
@@ -125,7 +126,8 @@ std::vector<Moves> flag_words(RuleKind kind) {
     case RuleKind::face_end:
     case RuleKind::corner: return {{}, {Move::edge}};
     case RuleKind::face: return {{}, {Move::vertex}};
-    case RuleKind::edge: return {{}, {Move::vertex}, {Move::face, Move::vertex}, {Move::face}};
+    case RuleKind::edge:
+    case RuleKind::edge_side: return {{}, {Move::vertex}, {Move::face, Move::vertex}, {Move::face}};
     case RuleKind::edge_end:
     case RuleKind::edge_third:
     case RuleKind::boundary_spoke: return {{}, {Move::face}};
@@ -326,7 +328,8 @@ AnchorFlags anchor_flags(RuleKind kind, const Mesh& mesh, Index h, bool at_targe
     case RuleKind::corner: return {{{h, false}, {mesh.prev(h), true}}, 2};
     case RuleKind::face:
     case RuleKind::boundary_edge: return {{{h, false}, {h, true}}, 2};
-    case RuleKind::edge: {
+    case RuleKind::edge:
+    case RuleKind::edge_side: {
       const Index twin = mesh.twin(h);
       return {{{h, false}, {h, true}, {twin, false}, {twin, true}}, 4};
     }

@@ -6,9 +6,9 @@ namespace {
 constexpr std::size_t kLongestWalk = 24;  // farther than any stencil in use; bounds the lattices
 
 constexpr std::array<std::string_view, kRuleKinds> kRuleNames{
-    "vertex",        "edge",   "edge-end",        "edge-third",    "face",
-    "face-end",      "corner", "boundary.vertex", "boundary.edge", "boundary.edge-end",
-    "boundary.spoke"};
+    "vertex",          "edge",          "edge-end",          "edge-third",
+    "edge-side",       "face",          "face-end",          "corner",
+    "boundary.vertex", "boundary.edge", "boundary.edge-end", "boundary.spoke"};
 
 constexpr unsigned bit(RuleKind kind) { return 1U << static_cast<unsigned>(kind); }
 constexpr unsigned kTriangle = 1;
@@ -34,10 +34,12 @@ const std::array kRoles{
         kTriangle,
         {"across", "vefev", "the vertices across the edges that face it"}},
     Row{bit(RuleKind::vertex), kQuad, {"diagonal", "vev", "the opposite corners of its faces"}},
-    Row{bit(RuleKind::vertex) | bit(RuleKind::edge),
+    Row{bit(RuleKind::vertex) | bit(RuleKind::edge) | bit(RuleKind::edge_side),
         kAny,
         {"face", "F", "the new vertices of its faces"}},
-    Row{bit(RuleKind::edge) | bit(RuleKind::boundary_edge), kAny, {"end", "", "its ends"}},
+    Row{bit(RuleKind::edge) | bit(RuleKind::edge_side) | bit(RuleKind::boundary_edge),
+        kAny,
+        {"end", "", "its ends"}},
     Row{kWholeEdge, kTriangle, {"wing", "ev", "the third vertices of its two faces"}},
     Row{bit(RuleKind::edge), kQuad, {"wing", "ev", "the other vertices of its two faces"}},
     Row{bit(RuleKind::edge_third),
@@ -141,6 +143,7 @@ bool rule_has_valence(RuleKind kind) {
 
 std::optional<RuleKind> stands_in_for(RuleKind kind, const Split& split) {
   switch (kind) {
+    case RuleKind::edge_side: return RuleKind::edge;
     case RuleKind::edge_end:
     case RuleKind::boundary_spoke:
       return split.births.thirds ? RuleKind::edge_third : RuleKind::edge;
@@ -155,7 +158,8 @@ std::optional<RuleKind> stands_in_for(RuleKind kind, const Split& split) {
 
 int regular_valence(RuleKind kind, Lattice lattice) {
   const bool triangles = lattice == Lattice::triangle;
-  if (kind == RuleKind::face || kind == RuleKind::corner) return triangles ? 3 : 4;
+  if (kind == RuleKind::face || kind == RuleKind::corner || kind == RuleKind::edge_side)
+    return triangles ? 3 : 4;
   if (kind >= RuleKind::boundary_vertex) return triangles ? 4 : 3;
   return triangles ? 6 : 4;
 }

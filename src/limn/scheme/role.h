@@ -30,6 +30,7 @@ enum class RuleKind : unsigned char {
   edge,               ///< an interior edge; 2 ends × 2 faces
   edge_end,           ///< an interior edge seen from one of its ends; 2 faces
   edge_third,         ///< an interior edge cut in three, seen from the end that is near; 2 faces
+  edge_side,          ///< an interior edge seen from one of its faces; 2 ends × 2 faces
   face,               ///< a face; per edge of it, 2 ends
   face_end,           ///< a face seen from one of its corners; its 2 edges there
   corner,             ///< a corner of a face; its 2 edges
@@ -39,7 +40,7 @@ enum class RuleKind : unsigned char {
   boundary_spoke,     ///< an interior edge seen from its end on the boundary; 2 faces
 };
 /// How many kinds there are.
-inline constexpr int kRuleKinds = 11;
+inline constexpr int kRuleKinds = 12;
 
 /// "vertex", "edge-end", "boundary.vertex", …: as scheme files write it.
 [[nodiscard]] std::string_view rule_name(RuleKind kind);
@@ -47,11 +48,11 @@ inline constexpr int kRuleKinds = 11;
 [[nodiscard]] std::optional<RuleKind> find_rule(std::string_view name);
 /// Whether the rule belongs to a single vertex or face, so that n is defined in its weights: the
 /// number of edges at the vertex (of what is seen from an end or a corner: at that one), or of the
-/// face's corners.
+/// face's corners (of an edge seen from a face: of that one's).
 [[nodiscard]] bool rule_has_valence(RuleKind kind);
-/// The rule that this one takes the place of wherever a case of it applies: edge_end and
-/// boundary_spoke of edge, face_end of face, boundary_edge_end of boundary_edge unless the split
-/// trisects boundary edges. Nothing: every valence needs a case.
+/// The rule that this one takes the place of wherever a case of it applies: edge_end, edge_side
+/// and boundary_spoke of edge, face_end of face, boundary_edge_end of boundary_edge unless the
+/// split trisects boundary edges. Nothing: every valence needs a case.
 [[nodiscard]] std::optional<RuleKind> stands_in_for(RuleKind kind, const Split& split);
 /// The valence of the rule's anchor on the regular lattice (6 or 4; faces 3 or 4; boundary
 /// vertices 4 or 3).

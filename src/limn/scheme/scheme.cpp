@@ -19,6 +19,7 @@
 #include "limn/scheme/mask_rules.h"
 #include "limn/scheme/parameter_setter.h"
 #include "limn/scheme/scheme_size.h"
+#include "limn/scheme/scope.h"
 #include "limn/scheme/shipped_scheme.h"
 
 namespace limn {
@@ -35,6 +36,7 @@ bool has_use_for(const Split& split, RuleKind kind) {
     case RuleKind::boundary_spoke: return split.halves_edges();
     case RuleKind::edge_end: return split.births.edges && split.births.vertices;
     case RuleKind::edge_third: return split.births.thirds;
+    case RuleKind::edge_side: return false;  // but in smooth-triangles
     case RuleKind::boundary_edge: return split.halves_edges() || split.odd_step_cut == 2;
     case RuleKind::face: return split.births.faces;
     case RuleKind::face_end: return split.births.faces && split.births.vertices;
@@ -105,6 +107,51 @@ bool is_as_extended(const Scheme& scheme, const Rule& rule, const std::set<std::
   });
 }
 
+/// Whether two rules have the same weights on the regular lattice, role by role.
+bool says_the_same(const Scheme& scheme, RuleKind one, RuleKind other) {
+  const int n = regular_valence(one, scheme.split->lattice);
+  const Result<const RuleCase*> a = applicable_case(scheme, one, n);
+  const Result<const RuleCase*> b = applicable_case(scheme, other, n);
+  if (!a || !b || *a == nullptr || *b == nullptr) return false;
+  const auto weighs = [&](const RuleCase& from, const RuleCase& in) {
+    Scope<Exact> scope(scheme, n, std::nullopt);
+    return std::all_of(from.weights.begin(), from.weights.end(), [&](const Weight& weight) {
+      Result<Exact> rest = scope(weight.value);
+      for (const Weight& same : in.weights)
+        if (rest && same.walk == weight.walk) {
+          const Result<Exact> value = scope(same.value);
+          if (!value) return false;
+          rest = Exact::subtract(*rest, *value);
+        }
+      return rest.ok() && rest->is_zero();
+    });
+  };
+  return weighs(**a, **b) && weighs(**b, **a);
+}
+
+/// The rule for smooth triangles, and that there is a use for it.
+void check_smooth_triangles(const Scheme& scheme, const std::set<std::string>& valueless,
+                            Faults& faults) {
+  const Split& split = *scheme.split;
+  if (!split.any_polygons || !split.halves_edges()) {
+    const Place& place = scheme.smooth_triangles->front().place;
+    faults.add({fmt::format("the split {} has no use for smooth-triangles", split.name),
+                "it is for splits of faces with any number of corners that halve edges", place.file,
+                place.line, place.column});
+    return;
+  }
+  Scheme smooth = scheme;
+  use_smooth_triangles(smooth);
+  check_rules(
+      smooth, valueless, [](RuleKind kind) { return kind != RuleKind::edge_side; }, faults);
+  if (faults.none() && !says_the_same(smooth, RuleKind::edge_side, RuleKind::edge)) {
+    const Place& place = scheme.smooth_triangles->back().place;
+    faults.add({"the smooth-triangles rule says of quads something else than the edge rule",
+                "it is for the first step; its case at n = 4 needs the weights of edge", place.file,
+                place.line, place.column});
+  }
+}
+
 /// All that can be judged of what was read. `base`: the split of the scheme that it extends, if
 /// any.
 void check_scheme(Scheme& scheme, const Unread& unread, const Split* base, Faults& faults,
@@ -132,6 +179,7 @@ void check_scheme(Scheme& scheme, const Unread& unread, const Split* base, Fault
                (extends && is_as_extended(scheme, *scheme.rule(kind), own));
       },
       faults);
+  if (scheme.smooth_triangles && faults.none()) check_smooth_triangles(scheme, valueless, faults);
 }
 
 /// The files that are being read, each extended by the one before it.
@@ -308,6 +356,12 @@ Status set_parameters(Scheme& scheme, const std::vector<std::string>& assignment
 
 Status set_parameter(Scheme& scheme, const std::string& assignment) {
   return set_parameters(scheme, {assignment});
+}
+
+bool use_smooth_triangles(Scheme& scheme) {
+  if (!scheme.smooth_triangles) return false;
+  scheme.rules[static_cast<std::size_t>(RuleKind::edge_side)] = scheme.smooth_triangles;
+  return true;
 }
 
 }  // namespace limn

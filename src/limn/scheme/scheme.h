@@ -112,11 +112,14 @@ struct Scheme {
   std::vector<std::pair<std::string, Formula>> lets;  ///< names for expressions, as in the file
   std::vector<Parameter> parameters;                  ///< in the order of the file
   std::array<std::optional<Rule>, kRuleKinds> rules;  ///< by RuleKind; nothing: not stated
-  std::vector<Fact> facts;                            ///< in the order of the file
-  std::vector<Equivalence> equivalences;              ///< in the order of the file
-  std::optional<Rows> stated_mask;  ///< facts: the regular mask as the literature prints it
-  std::optional<Rows> mask;         ///< the scheme is given by its mask alone …
-  std::optional<Factors> factors;   ///< … or by factors alone
+  /// The edge_side rule that smooth triangles have; it is none of `rules` until that is asked for
+  /// (use_smooth_triangles). At the lattice's own faces it says what the edge rule says.
+  std::optional<Rule> smooth_triangles;
+  std::vector<Fact> facts;                ///< in the order of the file
+  std::vector<Equivalence> equivalences;  ///< in the order of the file
+  std::optional<Rows> stated_mask;        ///< facts: the regular mask as the literature prints it
+  std::optional<Rows> mask;               ///< the scheme is given by its mask alone …
+  std::optional<Factors> factors;         ///< … or by factors alone
   /// weights = "decimal": the file's decimals are rounded values of what they stand for, so that
   /// its rules may sum to 1 to rounding alone (decimals.h).
   bool has_decimals = false;
@@ -140,6 +143,10 @@ struct Scheme {
 [[nodiscard]] Result<Scheme> find_scheme(const std::string& name_or_path);
 /// Names of the shipped schemes, sorted.
 [[nodiscard]] std::vector<std::string> shipped_schemes();
+
+/// Edges of triangles are refined by the scheme's rule for smooth triangles, OpenSubdiv's option of
+/// that name; false, and nothing done, where it has none.
+bool use_smooth_triangles(Scheme& scheme);
 
 /// Sets parameters to expressions (which may use n and the lets), then checks the rules and the
 /// ranges anew, of all of them together: counts of a box spline may fit only as a whole. Each

@@ -90,6 +90,7 @@ Scene scene_of(RuleKind kind, const Split& split, int n) {
       return star_scene(lattice, regular_valence(RuleKind::vertex, lattice));
     case RuleKind::corner: return face_scene(n);
     case RuleKind::edge:
+    case RuleKind::edge_side:
     case RuleKind::edge_third:
       return star_scene(lattice, regular_valence(RuleKind::vertex, lattice));
     case RuleKind::vertex:

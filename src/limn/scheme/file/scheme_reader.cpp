@@ -124,7 +124,7 @@ class SchemeFileReader {
       scheme_.factors = read_factors(in_, node);
       if (!in_.unharmed_since(before)) unread_.everything = true;
     } else if (name != "split" && name != "weights" && name != "boundary" &&
-               (!find_rule(name) || name.starts_with(kBoundary))) {
+               name != "smooth-triangles" && (!find_rule(name) || name.starts_with(kBoundary))) {
       in_.unknown_key(key, "a scheme file", known_keys());
       unread_.tables = unread_.tables || node.is_table() || node.is_array();
     }
@@ -211,6 +211,7 @@ class SchemeFileReader {
       }
       if (node != nullptr) read_rule(kind, *node);
     }
+    if (const toml::node* smooth = root.get("smooth-triangles")) read_smooth_triangles(*smooth);
     if (const toml::node* boundary = root.get("boundary"))
       in_.each(*boundary, "boundary", [&](const toml::key& key, const toml::node&) {
         if (!find_rule(std::string(kBoundary) + std::string(key.str())))
@@ -218,9 +219,27 @@ class SchemeFileReader {
       });
   }
 
+  /// A rule of its own, under the name of the kind that it is.
+  void read_smooth_triangles(const toml::node& node) {
+    const std::string name(rule_name(RuleKind::edge_side));
+    in_.each(node, "smooth-triangles", [&](const toml::key& key, const toml::node& value) {
+      if (key.str() != name) return in_.unknown_key(key, "smooth-triangles", {name});
+      const std::size_t before = in_.faults();
+      Rule rule = cases_of(RuleKind::edge_side, value);
+      if (in_.unharmed_since(before)) scheme_.smooth_triangles = std::move(rule);
+    });
+  }
+
   void read_rule(RuleKind kind, const toml::node& node) {
     const std::size_t before = in_.faults();
     bool& unread = unread_.rules[static_cast<std::size_t>(kind)];
+    Rule rule = cases_of(kind, node);
+    unread = unread || !in_.unharmed_since(before);
+    if (!rule.empty()) scheme_.rules[static_cast<std::size_t>(kind)] = std::move(rule);
+  }
+
+  Rule cases_of(RuleKind kind, const toml::node& node) {
+    const std::size_t before = in_.faults();
     Rule rule;
     if (node.is_array()) {
       in_.each_element(node, rule_name(kind),
@@ -235,8 +254,7 @@ class SchemeFileReader {
                        rule[i].place.line, rule[i].place.column});
     if (in_.unharmed_since(before) && rule.empty())
       in_.fail(node, fmt::format("the {} rule has no case", rule_name(kind)));
-    unread = unread || !in_.unharmed_since(before);
-    if (!rule.empty()) scheme_.rules[static_cast<std::size_t>(kind)] = std::move(rule);
+    return rule;
   }
 
   /// Weights that cannot be read are left out.
@@ -306,6 +324,8 @@ class SchemeFileReader {
     }
     scheme_.split = base->split;
     scheme_.has_decimals = scheme_.has_decimals || base->has_decimals;
+    if (!scheme_.smooth_triangles && !scheme_.rule(RuleKind::edge))  // it belongs to that one
+      scheme_.smooth_triangles = std::move(base->smooth_triangles);
     for (std::size_t i = 0; i < kRuleKinds; ++i)
       if (!scheme_.rules[i]) scheme_.rules[i] = std::move(base->rules[i]);
     for (auto& let : base->lets)
