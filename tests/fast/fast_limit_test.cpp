@@ -42,7 +42,8 @@ TEST_P(FastLimit, OfOnePointIsThatPoint) {
   const Scheme& scheme = shipped(GetParam());
   const Mesh mesh = torus(scheme.split->lattice, 4, 5);
   const std::vector<Point3> points(static_cast<std::size_t>(mesh.vertex_count()), {1, 2, 3});
-  const auto found = approx_fast_limit_mesh(scheme, mesh, points, 3).value();
+  const FastRefiner refiner = FastRefiner::make(scheme, mesh, 3).value();
+  const auto found = approx_fast_limit_mesh(scheme, refiner, points).value();
   if (!found) GTEST_SKIP() << "no quick limit at this level";
   for (const Point3& p : found->limit) {
     EXPECT_NEAR(p.x, 1, 1e-14);

@@ -158,10 +158,9 @@ TEST(LimitAtAnySizeOf, PartsOfAModel) {
     both.corners.push_back(both.corners[i] + count);
     if (i % 3 == 2) both.face_begin.push_back(static_cast<Index>(both.corners.size()));
   }
+  const FastRefiner refiner = FastRefiner::make(scheme, Mesh::build(both).value(), kLevels).value();
   const FastLimitMesh found =
-      approx_fast_limit_mesh(scheme, Mesh::build(both).value(), both.positions, kLevels)
-          .value()
-          .value();
+      approx_fast_limit_mesh(scheme, refiner, both.positions).value().value();
   for (Index v = 0; v < count; ++v)
     EXPECT_LT(distance(found.normals[v], found.normals[v + count]), 1e-9) << v;
   for (const Point3& n : found.normals) EXPECT_NEAR(length(n), 1, 1e-12);

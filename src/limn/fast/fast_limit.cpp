@@ -13,24 +13,19 @@ Result<std::optional<FastRefiner::Limit>> approx_fast_limit(const Scheme& scheme
 }
 
 Result<std::optional<FastLimitMesh>> approx_fast_limit_mesh(const Scheme& scheme,
-                                                            const Mesh& control,
-                                                            const std::vector<Point3>& positions,
-                                                            int levels,
-                                                            const Sharpness& sharpness) {
+                                                            const FastRefiner& refiner,
+                                                            const std::vector<Point3>& positions) {
   using Found = std::optional<FastLimitMesh>;
-  const Result<FastRefiner> refiner = FastRefiner::make(scheme, control, levels, sharpness);
-  if (!refiner) return refiner.error();
-  const Result<std::optional<FastRefiner::Limit>> limit = approx_fast_limit(scheme, *refiner);
+  const Result<std::optional<FastRefiner::Limit>> limit = approx_fast_limit(scheme, refiner);
   if (!limit) return limit.error();
   if (!*limit) return Found();
-  const auto vertices = static_cast<std::size_t>(refiner->vertex_count());
+  const auto vertices = static_cast<std::size_t>(refiner.vertex_count());
   std::vector<Point3> fine(vertices), points(vertices), normals(vertices);
   FastRefiner::Scratch<double> scratch;
-  refiner->evaluate_limit<double>(**limit, numbers_of(positions), numbers_of(points),
-                                  numbers_of(normals), scratch);
+  refiner.evaluate_limit<double>(**limit, numbers_of(positions), numbers_of(points),
+                                 numbers_of(normals), scratch);
   std::copy_n(scratch.refined.data(), 3 * vertices, numbers_of(fine).data());
-  return Found(
-      {refined_polygons(*refiner, std::move(fine)), std::move(points), std::move(normals)});
+  return Found({refined_polygons(refiner, std::move(fine)), std::move(points), std::move(normals)});
 }
 
 }  // namespace limn

@@ -18,9 +18,8 @@ struct FastLimitMesh {
   std::vector<Point3> limit;    ///< one for each vertex
   std::vector<Point3> normals;  ///< of length 1, or zero; one for each vertex
 };
-/// All of it in one call. Nothing as approx_fast_limit; fails as FastRefiner::make, too.
+/// All of it, from the positions of the control vertices. Nothing and failure as approx_fast_limit.
 [[nodiscard]] Result<std::optional<FastLimitMesh>> approx_fast_limit_mesh(
-    const Scheme& scheme, const Mesh& control, const std::vector<Point3>& positions, int levels,
-    const Sharpness& sharpness = {});
+    const Scheme& scheme, const FastRefiner& refiner, const std::vector<Point3>& positions);
 
 }  // namespace limn

@@ -10,12 +10,12 @@
 #include <fmt/core.h>
 
 #include "limn/base/parallel.h"
+#include "limn/limit/limit_ways.h"
 #include "limn/limit/mesh_part.h"
 #include "limn/limit/vertex_sides.h"
 #include "limn/mesh/sharpness/cut_mesh.h"
 #include "limn/mesh/unit_normal.h"
 #include "limn/refine/refine.h"
-#include "limn/scheme/seen_from.h"
 
 namespace limn {
 namespace {
@@ -30,40 +30,6 @@ std::size_t at(Index i) { return static_cast<std::size_t>(i); }
 double distance(Point3 a, Point3 b) {
   return std::max({std::abs(a.x - b.x), std::abs(a.y - b.y), std::abs(a.z - b.z)});
 }
-
-/// How far a scheme's rules read from their anchor, in edges, at most.
-int reach_of(const Scheme& scheme) {
-  std::ptrdiff_t reach = 1;
-  for (const std::optional<Rule>& rule : scheme.rules) {
-    if (!rule) continue;
-    for (const RuleCase& one : *rule)
-      for (const Weight& weight : one.weights) {
-        const auto moves = [](const Moves& walk) {
-          return std::count(walk.begin(), walk.end(), Move::vertex);
-        };
-        reach = std::max(reach, moves(weight.walk.before) + moves(weight.walk.after) +
-                                    (weight.walk.reads_face ? 1 : 0));
-      }
-  }
-  return static_cast<int>(reach);
-}
-
-/// Whether the limit at a vertex depends on the rules that make its neighbours: because a rule
-/// crosses edges but round its own vertex, or is seen from one.
-bool goes_far(const Scheme& scheme) {
-  if (has_rules_seen_from(scheme)) return true;
-  for (const std::optional<Rule>& rule : scheme.rules) {
-    if (!rule) continue;
-    for (const RuleCase& one : *rule)
-      for (const Weight& weight : one.weights)
-        if (!weight.walk.repeated &&
-            std::count(weight.walk.before.begin(), weight.walk.before.end(), Move::face) > 0)
-          return true;
-  }
-  return false;
-}
-
-bool fades(double sharpness) { return sharpness > 0 && sharpness < kInfinitelySharp; }
 
 /// What rests in the end: a vertex's point, and the normal of each of its sides.
 struct Rested {
@@ -82,16 +48,17 @@ class CreaseLimit {
         sharpness_(sharpness),
         options_(options),
         normals_(normals),
-        rings_(3 * reach_of(scheme) + 2) {}
+        rings_(rings_of_limit(scheme)),
+        found_(limit_ways(scheme, mesh, sharpness, options.vertices)) {}
 
   Result<SharpLimitPoints> run() {
-    classify();
-    result_.positions.resize(kinds_.size());
-    result_.normals.resize(kinds_.size());
+    const std::size_t count = found_.ways.size();
+    result_.positions.resize(count);
+    result_.normals.resize(count);
     if (options_.curvatures) {
       constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-      result_.curvatures.assign(kinds_.size(), {nan, nan});
-      result_.no_curvature.assign(kinds_.size(), NoCurvature::no_normal);
+      result_.curvatures.assign(count, {nan, nan});
+      result_.no_curvature.assign(count, NoCurvature::no_normal);
     }
     if (Status status = find_on_cut(); !status) return status.error();
     if (Status status = rest_all(); !status) return status.error();
@@ -102,92 +69,20 @@ class CreaseLimit {
 
  private:
   using Kind = CreaseStep::Rule;
-  /// How a vertex's limit is found.
-  enum class Way : std::uint8_t { none, on_cut, resting, later };
-
-  void classify() {
-    std::vector<Index> count(at(mesh_.vertex_count()), 0);
-    std::vector<bool> fading(at(mesh_.vertex_count()), false);
-    along_.resize(at(mesh_.edge_count()));
-    for (Index e = 0; e < mesh_.edge_count(); ++e) {
-      const double sharp = sharpness_of_edge(mesh_, sharpness_, e);
-      along_[at(e)] = sharp > 0;
-      if (!along_[at(e)]) continue;
-      const Index h = mesh_.halfedge_of_edge(e);
-      for (const Index v : {mesh_.origin(h), mesh_.target(h)}) {
-        ++count[at(v)];
-        if (fades(sharp)) fading[at(v)] = true;
-      }
-    }
-    std::vector<bool> resting(at(mesh_.vertex_count()), false);
-    for (Index v = 0; v < mesh_.vertex_count(); ++v) {
-      const double own = sharpness_.vertices.empty() ? 0 : sharpness_.vertices[at(v)];
-      kinds_.push_back(CreaseStep::rule_of(own, count[at(v)]));
-      if (fades(own)) fading[at(v)] = true;
-      resting[at(v)] = kinds_.back() == Kind::dart || kinds_.back() == Kind::corner;
-    }
-    std::vector<bool> near = fading;
-    if (goes_far(scheme_)) {
-      for (std::size_t v = 0; v < near.size(); ++v) near[v] = near[v] || resting[v];
-      widen(near);
-      widen(fading);
-    }
-    std::vector<bool> wanted(at(mesh_.vertex_count()), options_.vertices.empty());
-    for (const Index v : options_.vertices) wanted[at(v)] = true;
-    ways_.assign(at(mesh_.vertex_count()), Way::none);
-    for (Index v = 0; v < mesh_.vertex_count(); ++v) {
-      if (!wanted[at(v)]) continue;
-      ways_[at(v)] = Way::on_cut;
-      if (mesh_.is_isolated(v)) continue;
-      if (resting[at(v)]) ways_[at(v)] = Way::resting;
-      if (resting[at(v)] ? fading[at(v)] : near[at(v)]) ways_[at(v)] = Way::later;
-    }
-  }
-
-  /// All that is near these. What a part cuts at its rim is farther from its centres.
-  void widen(std::vector<bool>& taken) const {
-    std::vector<Index> near;
-    for (Index v = 0; v < mesh_.vertex_count(); ++v)
-      if (taken[at(v)]) near.push_back(v);
-    for (int ring = 0; ring + 1 < rings_; ++ring) {
-      std::vector<Index> next;
-      for (const Index v : near) {
-        const Index first = mesh_.halfedge_of_vertex(v);
-        for (Index h = first; h != kNone;) {
-          for (Index g = mesh_.next(h); g != h; g = mesh_.next(g)) {
-            if (taken[at(mesh_.origin(g))]) continue;
-            taken[at(mesh_.origin(g))] = true;
-            next.push_back(mesh_.origin(g));
-          }
-          h = mesh_.rotate(h);
-          if (h == first) break;
-        }
-      }
-      near = std::move(next);
-    }
-  }
-
-  [[nodiscard]] std::vector<Index> those(Way way) const {
-    std::vector<Index> vertices;
-    for (Index v = 0; v < mesh_.vertex_count(); ++v)
-      if (ways_[at(v)] == way) vertices.push_back(v);
-    return vertices;
-  }
-
   /// Smooth vertices and those on creases have the limits of the mesh that is cut there.
   Status find_on_cut() {
-    const CutMesh cut = cut_along(mesh_, along_);
+    const CutMesh cut = cut_along(mesh_, found_.sharp);
     std::vector<Point3> values;
     values.reserve(cut.originals.size());
     LimitOptions some = options_;
     some.vertices.clear();
     some.partial = true;  // so that vertices have their own numbers here
-    std::vector<Index> copies(kinds_.size(), 0);
+    std::vector<Index> copies(found_.ways.size(), 0);
     for (std::size_t copy = 0; copy < cut.originals.size(); ++copy) {
       const std::size_t v = at(cut.originals[copy]);
       values.push_back(values_[v]);
       ++copies[v];
-      if (ways_[v] == Way::on_cut) some.vertices.push_back(static_cast<Index>(copy));
+      if (found_.ways[v] == LimitWay::on_cut) some.vertices.push_back(static_cast<Index>(copy));
     }
     if (some.vertices.empty()) return Done{};
     Result<LimitPoints> found = approx_limit_points(scheme_, cut.mesh, values, some);
@@ -231,7 +126,7 @@ class CreaseLimit {
     std::vector<Index> number(cut.originals.size(), kNone);
     for (Index h = 0; h < mesh_.halfedge_count(); ++h) {
       const std::size_t v = at(mesh_.origin(h));
-      if (ways_[v] != Way::on_cut || copies[v] < 2) continue;
+      if (found_.ways[v] != LimitWay::on_cut || copies[v] < 2) continue;
       Index& side = number[at(cut.mesh.origin(h))];
       if (side == kNone) side = add_side(normals[at(cut.mesh.origin(h))]);
       of_corner(h) = side;
@@ -263,7 +158,7 @@ class CreaseLimit {
   }
 
   Status rest_all() {
-    const std::vector<Index> vertices = those(Way::resting);
+    const std::vector<Index> vertices = found_.those(LimitWay::resting);
     std::vector<Rested> rested(vertices.size());
     std::vector<Status> done(vertices.size(), Done{});
     const auto rest_some = [&](Index first, Index last) {
@@ -288,7 +183,7 @@ class CreaseLimit {
   /// Until the point rests, or nearly, and the normals: their steps shrink by a factor each. The
   /// point is kept at 0, so that nothing is lost of what is round it.
   Result<Rested> rest(Index v) const {
-    if (kinds_[at(v)] == Kind::corner && !normals_) return Rested{values_[at(v)], {}, true};
+    if (found_.kinds[at(v)] == Kind::corner && !normals_) return Rested{values_[at(v)], {}, true};
     RuleTables<double> tables(scheme_);
     PartCutter cutter(mesh_, values_, sharpness_);
     MeshPart part = cutter.run({v}, rings_);
@@ -300,7 +195,7 @@ class CreaseLimit {
     result.point = moved_to_origin(part);
     int exponent = 0;  // the part is 2^exponent times as large as it was
     // a cone has no normal
-    const bool cone = kinds_[at(v)] == Kind::corner && !sides.open && sides.count() == 1;
+    const bool cone = found_.kinds[at(v)] == Kind::corner && !sides.open && sides.count() == 1;
     int resting = 0;
     for (int step = 0; step < kMostSteps && resting < kRestingSteps; ++step) {
       Result<Refined<Point3>> fine = refine_once(scheme_, part.mesh, part.values, part.sharpness,
@@ -345,7 +240,7 @@ class CreaseLimit {
   /// Vertices at which something fades, or near which something fades or rests: their
   /// neighbourhoods are refined until it has faded, or is farther off.
   Status find_later() {
-    const std::vector<Index> vertices = those(Way::later);
+    const std::vector<Index> vertices = found_.those(LimitWay::later);
     for (std::size_t first = 0; first < vertices.size(); first += kTogether) {
       const std::size_t end = std::min(first + kTogether, vertices.size());
       const std::vector<Index> some(vertices.begin() + static_cast<std::ptrdiff_t>(first),
@@ -410,9 +305,7 @@ class CreaseLimit {
   const LimitOptions& options_;
   bool normals_;
   int rings_;
-  std::vector<bool> along_;  // the sharp edges
-  std::vector<Kind> kinds_;
-  std::vector<Way> ways_;
+  LimitWays found_;
   SharpLimitPoints result_;
 };
 

@@ -35,11 +35,18 @@ class Work {
           !takes)
         return takes.error();
     start_ = std::chrono::steady_clock::now();
+    if (quick_) {
+      Result<FastRefiner> made =
+          FastRefiner::make(scheme_, control_, options_.levels, options_.sharpness);
+      if (!made) return made.error();
+      refiner_ = *std::move(made);
+    }
     if (quick_ && options_.of_limit() && !options_.curvatures) {
       const Result<bool> whole = quick_limit();
       if (!whole) return whole.error();
       if (*whole) {
-        if (Status status = quick_attributes(); !status) return status.error();
+        if (Status status = quick_attributes(surface_.polygons); !status) return status.error();
+        find_holes();
         leave_out_holes(holes_);
         return std::move(surface_);
       }
@@ -117,7 +124,7 @@ class Work {
   /// Refinement and limit in one; false where the limit has no quick way.
   Result<bool> quick_limit() {
     Result<std::optional<FastLimitMesh>> quick =
-        approx_fast_limit_mesh(scheme_, control_, points_, options_.levels, options_.sharpness);
+        approx_fast_limit_mesh(scheme_, *refiner_, points_);
     stop_clock();
     // where there is no limit somewhere, the plain way knows where, and gives the rest
     if (!quick && !options_.partial) return quick.error();
@@ -141,15 +148,12 @@ class Work {
   /// they are in surface_, and the result is empty.
   Result<Refined<Point3>> refined_mesh() {
     if (quick_) {
-      Result<FastRefiner> refiner =
-          FastRefiner::make(scheme_, control_, options_.levels, options_.sharpness);
-      if (!refiner) return refiner.error();
-      std::vector<Point3> points(static_cast<std::size_t>(refiner->vertex_count()));
-      refiner->evaluate<double>(numbers_of(points_), numbers_of(points));
-      Polygons fine = refined_polygons(*refiner, std::move(points));
-      if (Status status = quick_attributes(*refiner, fine); !status) return status.error();
-      find_holes(*refiner);
-      SharpnessTags sharp = refiner->sharp_tags();
+      std::vector<Point3> points(static_cast<std::size_t>(refiner_->vertex_count()));
+      refiner_->evaluate<double>(numbers_of(points_), numbers_of(points));
+      Polygons fine = refined_polygons(*refiner_, std::move(points));
+      if (Status status = quick_attributes(fine); !status) return status.error();
+      find_holes();
+      SharpnessTags sharp = refiner_->sharp_tags();
       stop_clock();
       if (!mesh_is_needed()) {
         surface_.polygons = std::move(fine);
@@ -165,11 +169,11 @@ class Work {
   }
 
   /// Which faces of the quick engine's mesh are holes.
-  void find_holes(const FastRefiner& refiner) {
+  void find_holes() {
     const std::vector<bool>& holes = options_.sharpness.holes;
     if (holes.empty()) return;
-    std::vector<Index> face_of(static_cast<std::size_t>(refiner.face_count()));
-    refiner.write_parents(face_of);
+    std::vector<Index> face_of(static_cast<std::size_t>(refiner_->face_count()));
+    refiner_->write_parents(face_of);
     for (const Index f : face_of) holes_.push_back(holes[static_cast<std::size_t>(f)]);
   }
 
@@ -255,7 +259,7 @@ class Work {
   }
 
   /// By the quick engine.
-  Status quick_attributes(const FastRefiner& refiner, const Polygons& fine) {
+  Status quick_attributes(const Polygons& fine) {
     if (options_.attributes == nullptr || options_.attributes->empty()) return Done{};
     Columns columns;
     columns.smooth.emplace_back();
@@ -263,14 +267,14 @@ class Work {
     add_columns(control_, columns, texture);
     for (std::size_t i = 1; i < columns.smooth.size(); ++i) {
       Column column(fine.positions.size());
-      refiner.evaluate<double>(numbers_of(std::as_const(columns.smooth[i])), numbers_of(column));
+      refiner_->evaluate<double>(numbers_of(std::as_const(columns.smooth[i])), numbers_of(column));
       columns.smooth[i] = std::move(column);
     }
     take_columns(columns, texture ? fine.corners : std::vector<Index>());
     std::vector<Index> face_of;
     if (options_.attributes->has_labels()) {
-      face_of.resize(static_cast<std::size_t>(refiner.face_count()));
-      refiner.write_parents(face_of);
+      face_of.resize(static_cast<std::size_t>(refiner_->face_count()));
+      refiner_->write_parents(face_of);
     }
     hand_down(face_of);
     const TextureCoordinates& coordinates = options_.attributes->texture;
@@ -281,15 +285,6 @@ class Work {
     if (!refined) return refined.error();
     surface_.attributes.texture = *std::move(refined);
     return Done{};
-  }
-  Status quick_attributes() {
-    const bool any = options_.attributes != nullptr && !options_.attributes->empty();
-    if (!any && !options_.sharpness.has_holes()) return Done{};
-    const Result<FastRefiner> refiner =
-        FastRefiner::make(scheme_, control_, options_.levels, options_.sharpness);
-    if (!refiner) return refiner.error();
-    find_holes(*refiner);
-    return quick_attributes(*refiner, surface_.polygons);
   }
 
   /// Finds what is wanted of the limit surface.
@@ -325,6 +320,7 @@ class Work {
   std::vector<Point3> points_;
   const SurfaceOptions& options_;
   bool quick_;
+  std::optional<FastRefiner> refiner_;  // where quick_
   std::chrono::steady_clock::time_point start_;
   std::vector<bool> holes_;  // of the quick engine's faces
   RefinedSurface surface_;
