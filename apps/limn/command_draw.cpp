@@ -39,10 +39,11 @@ struct DrawOptions {
   AttributeOptions attributes;
   bool marks = false;
   bool control = false;
-  std::string texture;  // squares along a unit; empty: no texture
+  std::string texture;        // squares along a unit; empty: no squares
+  std::string texture_image;  // path; empty: no image
   bool json = false;
 
-  [[nodiscard]] bool is_textured() const { return !texture.empty(); }
+  [[nodiscard]] bool is_textured() const { return !texture.empty() || !texture_image.empty(); }
   [[nodiscard]] double squares() const {
     double number = 0;
     return read_number(texture, number) ? number : 0;
@@ -55,6 +56,7 @@ struct Drawing {
   std::optional<SurfaceScene> control;  ///< what is drawn beside it
   LimitGaps gaps;
   MeshRemarks remarks;
+  std::optional<TextureLook> texture = {};
 };
 
 /// What the options ask of the surface.
@@ -69,7 +71,8 @@ Result<MarkedOptions> wanted_of(const DrawOptions& options, Scheme& scheme, Cont
   if (!wanted.marks && !wanted.textured) return wanted;
   if (texture.empty()) {
     if (!wanted.textured) return wanted;
-    Error error("the mesh has no texture coordinates to draw", "leave out --texture");
+    Error error("the mesh has no texture coordinates to draw",
+                "leave out --texture, --texture-image");
     error.file = options.mesh;
     return error;
   }
@@ -142,7 +145,19 @@ Result<Drawing> drawing_of(const DrawOptions& options, Scheme& scheme) {
                  std::move(control->remarks)};
 }
 
-void add_panel(const DrawOptions& options, const SurfaceScene& scene, Figure& figure) {
+/// What the texture shows, if it is drawn.
+Result<std::optional<TextureLook>> texture_of(const DrawOptions& options) {
+  if (!options.is_textured()) return std::optional<TextureLook>();
+  TextureLook look{.squares = options.squares()};
+  if (options.texture_image.empty()) return std::optional(std::move(look));
+  Result<Image> image = read_png(options.texture_image);
+  if (!image) return image.error();
+  look.image = *std::move(image);
+  return std::optional(std::move(look));
+}
+
+void add_panel(const DrawOptions& options, const Drawing& drawing, Figure& figure) {
+  const SurfaceScene& scene = drawing.scene;
   const LightLines lights{.count = options.lights};
   if (options.lines) {
     figure.add(ReflectionLinePanel{.scene = scene, .lights = lights});
@@ -150,7 +165,7 @@ void add_panel(const DrawOptions& options, const SurfaceScene& scene, Figure& fi
   }
   ShadedPanel panel{.scene = scene};
   if (options.stripes) panel.stripes = lights;
-  if (options.is_textured()) panel.checker = CheckerLook{.squares = options.squares()};
+  panel.texture = drawing.texture;
   figure.add(std::move(panel));
 }
 
@@ -158,10 +173,10 @@ Figure figure_of(const DrawOptions& options, const Drawing& drawing) {
   Figure figure(drawing.control ? 2 : 1, kWidth);
   if (drawing.control) {
     ShadedPanel panel{.scene = *drawing.control};
-    if (options.is_textured()) panel.checker = CheckerLook{.squares = options.squares()};
+    panel.texture = drawing.texture;
     figure.add(std::move(panel));
   }
-  add_panel(options, drawing.scene, figure);
+  add_panel(options, drawing, figure);
   return figure;
 }
 
@@ -183,10 +198,13 @@ int draw(const DrawOptions& options) {
   if (Status status = check_outputs({options.output.path}); !status) return report(status.error());
   Result<Scheme> scheme = options.scheme.load();
   if (!scheme) return report(scheme.error());
+  Result<std::optional<TextureLook>> texture = texture_of(options);
+  if (!texture) return report(texture.error());
   ProgressLine line;
   line.show("finding limit points");
   Result<Drawing> drawing = drawing_of(options, *scheme);
   if (!drawing) return report(drawing.error());
+  drawing->texture = *std::move(texture);
   const SurfaceScene* const scene = &drawing->scene;
   add_warnings(drawing->remarks,
                gaps_text(drawing->gaps, {.mesh = fmt::format("{}, refined", options.mesh),
@@ -234,11 +252,18 @@ void declare_look(CLI::App& command, DrawOptions& options) {
   command.add_flag("--marks", options.marks,
                    "sharp edges and vertices in lines and dots, the sharper the darker and the "
                    "wider, and the seams of the texture, dashed; with a legend");
+  CLI::Option* const squares =
+      command
+          .add_flag("--texture{8}", options.texture,
+                    "the texture as a checker of 8 squares along a unit of its coordinates "
+                    "(--texture=N: of N)")
+          ->check(number_between(1e-6, 1e6).description(""));
   command
-      .add_flag("--texture{8}", options.texture,
-                "the texture as a checker of 8 squares along a unit of its coordinates "
-                "(--texture=N: of N)")
-      ->check(number_between(1e-6, 1e6).description(""));
+      .add_option(
+          "--texture-image", options.texture_image,
+          "the texture as this image, a .png, between (0, 0) and (1, 1) and repeated beyond")
+      ->type_name("FILE")
+      ->excludes(squares);
   options.view.declare(command);
 }
 

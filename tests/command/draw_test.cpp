@@ -104,6 +104,11 @@ TEST(DrawCommand, ShowsCreasesSeamsAndTexture) {
   expect_refused(folder.limn("draw " LIMN_EXAMPLES "/knob.obj -s doo-sabin -o e.png"),
                  "doo-sabin takes no sharp edges");
   expect_refused(folder.limn(knob + "e.png --texture=0"), "--texture");
+  const Outcome image = folder.limn(knob + "f.png --texture-image a.png");
+  EXPECT_EQ(image.code, 0) << image.err;
+  EXPECT_NE(folder.read("f.png"), folder.read("a.png"));
+  expect_refused(folder.limn(knob + "e.png --texture-image " + kQuads), "no PNG image");
+  expect_refused(folder.limn(knob + "e.png --texture-image a.png --texture"), "--texture");
 }
 
 TEST(DrawCommand, RefusesBadInput) {

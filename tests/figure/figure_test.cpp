@@ -227,6 +227,44 @@ TEST_F(FigureFile, PagesOfNoSizeAreErrors) {
     for (const FigureFormat format : kFormats) EXPECT_FALSE(Canvas(size, 10).render(format).ok());
 }
 
+TEST(Png, IsReadAsItWasWritten) {
+  if (!figures_available()) GTEST_SKIP() << "built without cairo";
+  const TemporaryFolder folder;
+  Canvas canvas(2, 1, kPngDensity);  // 4 × 2 pixels
+  Image image{4, 2};
+  for (int i = 0; i < 8; ++i)
+    for (const int value : {30 * i, 255 - 20 * i, 7 * i, 255})
+      image.rgba.push_back(static_cast<std::uint8_t>(value));
+  canvas.image(image, {0, 0, 2, 1});
+  const std::string path = folder / "image.png";
+  ASSERT_TRUE(canvas.write(path).ok());
+  const Result<Image> read = read_png(path);
+  ASSERT_TRUE(read.ok()) << read.error().text();
+  EXPECT_EQ(read->width, 4);
+  EXPECT_EQ(read->height, 2);
+  EXPECT_EQ(read->rgba, image.rgba);
+}
+
+TEST(Png, ThatIsNoneIsAnError) {
+  if (!figures_available()) GTEST_SKIP() << "built without cairo";
+  const TemporaryFolder folder;
+  const std::string path = folder / "image.png";
+  const auto message = [&](const std::string& content) {
+    EXPECT_TRUE(write_file(path, content).ok());
+    const Result<Image> read = read_png(path);
+    return read ? std::string() : read.error().text();
+  };
+  const std::string head("\x89PNG\r\n\x1a\n\0\0\0\rIHDR", 16);
+  EXPECT_NE(message("").find("no PNG image"), std::string::npos);
+  EXPECT_NE(message("\xff\xd8\xff a photograph").find("no PNG image"), std::string::npos);
+  EXPECT_NE(message(head).find("no PNG image"), std::string::npos);
+  EXPECT_NE(message(head + std::string("\0\1\0\0\0\1\0\0", 8)).find("67 million"),
+            std::string::npos);
+  EXPECT_NE(message(head + std::string("\0\0\0\2\0\0\0\2", 8)).find("cannot be read"),
+            std::string::npos);
+  EXPECT_NE(read_png(folder / "none.png").error().text().find("none.png"), std::string::npos);
+}
+
 TEST(Figure, WithoutCairoSaysSo) {
   if (figures_available()) GTEST_SKIP() << "built with cairo";
   const Status written = sample_figure().write("figure.pdf");

@@ -277,15 +277,45 @@ TEST_F(Pictures, NameTiesInTheLegend) {
   EXPECT_EQ(words, "one other both ");
 }
 
-/// The unit square, from the front, in four squares.
-TEST_F(Pictures, ShowTexturesAsCheckers) {
+/// The unit square, from the front, with itself as texture.
+SurfaceScene textured_square() {
   SurfaceScene scene{.azimuth = 0, .elevation = 0};
   scene.surfaces.push_back({.vertices = {{0, 0, 0}, {0, 1, 0}, {0, 1, 1}, {0, 0, 1}},
                             .normals = {{1, 0, 0}, {1, 0, 0}, {1, 0, 0}, {1, 0, 0}},
                             .triangles = {{0, 1, 2}, {0, 2, 3}},
                             .texture = {{0, 0}, {1, 0}, {1, 1}, {0, 1}}});
-  const CheckerLook look{.squares = 2, .colours = {{grey(1), grey(0)}}};
-  const Canvas canvas = drawn(ShadedPanel{.scene = scene, .checker = look});
+  return scene;
+}
+
+/// Black and white pixels in the upper row, a transparent and a grey one below, over white: each
+/// is itself in its middle, and halfway between two, also across the rim, is their mean.
+TEST_F(Pictures, ShowTexturesAsImages) {
+  SurfaceScene scene = textured_square();
+  scene.surfaces[0].colour = grey(1);
+  const Image image{2, 2, {0, 0, 0, 255, 255, 255, 255, 255, 0, 0, 0, 0, 128, 128, 128, 255}};
+  const TextureLook look{.image = image};
+  const auto brightness_at = [&](const PagePoint& at) {
+    return brightness(image_of(drawn(ShadedPanel{.scene = scene, .texture = look})), at);
+  };
+  scene.surfaces[0].colour = grey(1);
+  const double white = brightness_at({153, 53});  // of the light that falls on it
+  EXPECT_LT(brightness_at({53, 53}), 0.05 * white);
+  EXPECT_NEAR(brightness_at({53, 153}), white, 0.02);
+  EXPECT_NEAR(brightness_at({153, 153}) / white, 128.0 / 255, 0.05);
+  EXPECT_NEAR(brightness_at({103, 53}) / white, 0.5, 0.05);
+  EXPECT_NEAR(brightness_at({4, 53}) / white, 0.5, 0.05);
+  // once more to the right, moved by a half, and upside down
+  for (auto& [u, v] : scene.surfaces[0].texture) u += 7.5;
+  EXPECT_LT(brightness_at({153, 53}), 0.05 * white);
+  for (auto& [u, v] : scene.surfaces[0].texture) v = -v;
+  EXPECT_LT(brightness_at({153, 153}), 0.05 * white);
+}
+
+/// The unit square in four squares.
+TEST_F(Pictures, ShowTexturesAsCheckers) {
+  SurfaceScene scene = textured_square();
+  const TextureLook look{.squares = 2, .colours = {{grey(1), grey(0)}}};
+  const Canvas canvas = drawn(ShadedPanel{.scene = scene, .texture = look});
   const ImageOp& op = image_of(canvas);
   const std::vector<PagePoint> light = {{53, 153}, {153, 53}, {99, 107}, {107, 99}};
   const std::vector<PagePoint> dark = {{153, 153}, {53, 53}, {107, 107}, {99, 99}};
@@ -293,10 +323,10 @@ TEST_F(Pictures, ShowTexturesAsCheckers) {
   for (const PagePoint& at : dark) EXPECT_LT(brightness(op, at), 0.4);
   // one that has no coordinates has its own colour, as has one with too few
   scene.surfaces[0].texture[2] = {std::numeric_limits<double>::quiet_NaN(), 0};
-  EXPECT_GT(brightness(image_of(drawn(ShadedPanel{.scene = scene, .checker = look})), {153, 153}),
+  EXPECT_GT(brightness(image_of(drawn(ShadedPanel{.scene = scene, .texture = look})), {153, 153}),
             0.6);
   scene.surfaces[0].texture.pop_back();
-  EXPECT_GT(brightness(image_of(drawn(ShadedPanel{.scene = scene, .checker = look})), {153, 153}),
+  EXPECT_GT(brightness(image_of(drawn(ShadedPanel{.scene = scene, .texture = look})), {153, 153}),
             0.6);
 }
 

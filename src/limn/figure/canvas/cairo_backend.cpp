@@ -231,9 +231,71 @@ Error render_error(const char* reason) {
   return error;
 }
 
+/// Gives cairo the bytes of a file.
+cairo_status_t take(void* rest, unsigned char* data, unsigned length) {
+  std::string_view& bytes = *static_cast<std::string_view*>(rest);
+  if (bytes.size() < length) return CAIRO_STATUS_READ_ERROR;
+  std::memcpy(data, bytes.data(), length);
+  bytes.remove_prefix(length);
+  return CAIRO_STATUS_SUCCESS;
+}
+
+constexpr std::string_view kPngSignature("\x89PNG\r\n\x1a\n", 8);
+constexpr std::uint64_t kMostPixels = std::uint64_t{1} << 26;
+
+/// Of a PNG file, as its head says; 0 where that is none.
+std::uint64_t pixels_of(std::string_view png) {
+  if (png.size() < 24 || !png.starts_with(kPngSignature)) return 0;
+  const auto number = [&](std::size_t at) {
+    std::uint64_t value = 0;
+    for (std::size_t i = 0; i < 4; ++i)
+      value = 256 * value + static_cast<unsigned char>(png[at + i]);
+    return value;
+  };
+  return number(16) * number(20);
+}
+
+/// Whatever its format, in bytes of red, green, blue and opacity.
+Image image_of(cairo_surface_t* png) {
+  Image image{cairo_image_surface_get_width(png), cairo_image_surface_get_height(png)};
+  const Surface plain(cairo_image_surface_create(CAIRO_FORMAT_ARGB32, image.width, image.height));
+  const Context context(cairo_create(plain.get()));
+  cairo_set_source_surface(context.get(), png, 0, 0);
+  cairo_paint(context.get());
+  cairo_surface_flush(plain.get());
+  const unsigned char* row = cairo_image_surface_get_data(plain.get());
+  image.rgba.reserve(std::size_t{4} * static_cast<std::size_t>(image.width * image.height));
+  for (int y = 0; y < image.height; ++y, row += cairo_image_surface_get_stride(plain.get()))
+    for (int x = 0; x < image.width; ++x) {
+      std::uint32_t pixel = 0;
+      std::memcpy(&pixel, row + std::ptrdiff_t{4} * x, sizeof pixel);
+      const std::uint32_t opacity = pixel >> 24;
+      for (const int shift : {16, 8, 0}) {
+        const std::uint32_t value = (pixel >> shift) & 255;
+        image.rgba.push_back(static_cast<std::uint8_t>(
+            opacity == 0 ? 0
+                         : std::min<std::uint32_t>(255, (255 * value + opacity / 2) / opacity)));
+      }
+      image.rgba.push_back(static_cast<std::uint8_t>(opacity));
+    }
+  return image;
+}
+
 }  // namespace
 
 bool cairo_available() { return true; }
+
+Result<Image> cairo_decode_png(std::string_view bytes) {
+  const std::uint64_t pixels = pixels_of(bytes);
+  if (pixels == 0) return Error{"it is no PNG image", "convert it to PNG"};
+  if (pixels > kMostPixels)
+    return Error{"the image has more than 67 million pixels", "make it smaller"};
+  const Surface png(cairo_image_surface_create_from_png_stream(take, &bytes));
+  if (const cairo_status_t status = cairo_surface_status(png.get()))
+    return Error{std::string("the image cannot be read: ") + cairo_status_to_string(status),
+                 "is the file whole?"};
+  return image_of(png.get());
+}
 
 Result<std::string> cairo_render(const Canvas& canvas, FigureFormat format) {
   const auto possible = [](double size) { return size > 0 && size <= kLargestPage; };
@@ -272,6 +334,10 @@ double cairo_text_width(std::string_view text, const TextStyle& style) {
 #else
 
 bool cairo_available() { return false; }
+
+Result<Image> cairo_decode_png(std::string_view) {
+  return Error{"this limn was built without cairo, so it reads no images"};
+}
 
 Result<std::string> cairo_render(const Canvas&, FigureFormat) {
   Error error;

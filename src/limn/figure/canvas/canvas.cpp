@@ -122,6 +122,16 @@ Status Canvas::write(const std::string& path, FigureFormat format) const {
 
 bool figures_available() { return cairo_available(); }
 
+Result<Image> read_png(const std::string& path) {
+  const Result<std::string> bytes = read_file(path);
+  if (!bytes) return bytes.error();
+  Result<Image> image = cairo_decode_png(*bytes);
+  if (image) return image;
+  Error error = image.error();
+  error.file = path;
+  return error;
+}
+
 double text_width(std::string_view text, const TextStyle& style) {
   return cairo_text_width(text, style);
 }

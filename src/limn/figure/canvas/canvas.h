@@ -96,6 +96,9 @@ struct Image {
   std::vector<std::uint8_t> rgba = {};
 };
 
+/// The image of a .png file, of at most 2^26 pixels. Errors name the file.
+[[nodiscard]] Result<Image> read_png(const std::string& path);
+
 /// What a canvas remembers.
 struct FillOp {
   Path path;

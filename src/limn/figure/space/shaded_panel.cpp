@@ -138,11 +138,11 @@ Shading shading_of(const ShadedPanel& panel) {
   if (has_values(panel))
     shading.first = ValueColours{panel.values->values, scale_of(*panel.values)};
   if (panel.ties) shading.tie = panel.ties->colour;
-  if (panel.checker && !panel.scene.surfaces.empty()) {
+  if (panel.texture && !panel.scene.surfaces.empty()) {
     const SmoothSurface& first = panel.scene.surfaces.front();
+    const TextureLook& look = *panel.texture;
     if (first.texture.size() == first.vertices.size())
-      shading.checker =
-          CheckerColours{first.texture, panel.checker->squares, panel.checker->colours};
+      shading.texture = TextureColours{first.texture, look.squares, look.colours, look.image};
   }
   return shading;
 }

@@ -19,10 +19,11 @@ struct SurfaceValues {
   std::optional<double> low = {}, high = {};  ///< of the colours; without them the values' own
 };
 
-/// The texture of the first surface of a scene as squares, dark and light in turns.
-struct CheckerLook {
+/// The texture of the first surface of a scene: squares, dark and light in turns, or an image.
+struct TextureLook {
   double squares = 8;  ///< along a unit of the coordinates
   std::array<Colour, 2> colours = {{{0.93, 0.90, 0.82}, {0.45, 0.58, 0.68}}};
+  std::optional<Image> image = {};  ///< TextureColours::image
 };
 
 /// What surfaces look like where they are equal.
@@ -42,7 +43,7 @@ struct ShadedPanel {
   /// In place of the first surface's colour, if there is a value for each of its vertices.
   std::optional<SurfaceValues> values = {};
   /// In its place where that surface has a texture; goes before `values`.
-  std::optional<CheckerLook> checker = {};
+  std::optional<TextureLook> texture = {};
   /// What is seen where the surface in front and another are at one place (`kEqualDepth`), fading
   /// out to `kNearDepth`. Without it, of those at one place the earliest one.
   std::optional<TieLook> ties = {};

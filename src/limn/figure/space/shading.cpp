@@ -90,19 +90,44 @@ double value_at(const std::vector<double>& values, const Meeting& met) {
   return value;
 }
 
-/// Null where there is no texture.
-const Colour* square_at(const CheckerColours& checker, const Meeting& met) {
+/// Nothing where there is no texture.
+std::optional<std::array<double, 2>> place_at(const TextureColours& look, const Meeting& met) {
   constexpr double most = 1e15;  // beyond, numbers have no squares to tell apart
-  double turns = 0;
+  std::array<double, 2> place = {0, 0};
   for (std::size_t axis = 0; axis < 2; ++axis) {
-    double coordinate = 0;
     for (std::size_t c = 0; c < 3; ++c)
-      coordinate += met.weights[c] * checker.texture[met.triangle[c]][axis];
-    coordinate *= checker.squares;
-    if (!(std::abs(coordinate) <= most)) return nullptr;
-    turns += std::floor(coordinate);
+      place[axis] += met.weights[c] * look.texture[met.triangle[c]][axis];
+    if (!(std::abs(place[axis]) <= most) || !(std::abs(place[axis] * look.squares) <= most))
+      return std::nullopt;
   }
-  return &checker.colours[std::fmod(std::abs(turns), 2) == 0 ? 0 : 1];
+  return place;
+}
+
+Colour square_at(const TextureColours& look, std::array<double, 2> place) {
+  const double turns = std::floor(place[0] * look.squares) + std::floor(place[1] * look.squares);
+  return look.colours[std::fmod(std::abs(turns), 2) == 0 ? 0 : 1];
+}
+
+/// Of an image that is repeated, over a ground.
+Colour pixel_at(const Image& image, std::array<double, 2> place, const Colour& ground) {
+  const double x = (place[0] - std::floor(place[0])) * image.width - 0.5;
+  const double y = (std::ceil(place[1]) - place[1]) * image.height - 0.5;
+  const double left = std::floor(x), top = std::floor(y);
+  std::array<double, 3> sum = {0, 0, 0};
+  const std::array<double, 3> behind = {ground.red, ground.green, ground.blue};
+  for (const int down : {0, 1})
+    for (const int right : {0, 1}) {
+      const double weight =
+          (right == 1 ? x - left : left + 1 - x) * (down == 1 ? y - top : top + 1 - y);
+      const int column = (static_cast<int>(left) + right + image.width) % image.width;
+      const int row = (static_cast<int>(top) + down + image.height) % image.height;
+      const std::uint8_t* const pixel =
+          image.rgba.data() + std::size_t{4} * static_cast<std::size_t>(row * image.width + column);
+      const double opacity = pixel[3] / 255.0;
+      for (std::size_t c = 0; c < 3; ++c)
+        sum[c] += weight * (opacity * pixel[c] / 255.0 + (1 - opacity) * behind[c]);
+    }
+  return {sum[0], sum[1], sum[2]};
 }
 
 bool alike(const Rgb& a, const Rgb& b) {
@@ -128,7 +153,7 @@ class Camera {
         grid_(grid),
         shading_(shading),
         image_(image),
-        probes_(shading.lights || shading.first || shading.tie || shading.checker ? kProbes.size()
+        probes_(shading.lights || shading.first || shading.tie || shading.texture ? kProbes.size()
                                                                                   : 2) {}
 
   void draw_row(const SampleRaster::Band& band, int row) const {
@@ -176,8 +201,11 @@ class Camera {
   }
 
   [[nodiscard]] Colour own_colour(const SampleRaster::Sight& sight, const Meeting& met) const {
-    if (sight.surface == 0 && shading_.checker)
-      if (const Colour* const square = square_at(*shading_.checker, met)) return *square;
+    if (sight.surface == 0 && shading_.texture)
+      if (const auto place = place_at(*shading_.texture, met))
+        return shading_.texture->image
+                   ? pixel_at(*shading_.texture->image, *place, shading_.colours[0])
+                   : square_at(*shading_.texture, *place);
     if (sight.surface > 0 || !shading_.first)
       return shading_.colours[static_cast<std::size_t>(sight.surface)];
     return colour_of(shading_.first->scale, value_at(shading_.first->values, met));

@@ -20,19 +20,22 @@ struct ValueColours {
   ColourScale scale = {};
 };
 
-/// The squares of a texture, dark and light in turns.
-struct CheckerColours {
+/// What a texture shows: squares, dark and light in turns, or an image.
+struct TextureColours {
   std::vector<std::array<double, 2>> texture = {};  ///< one for each of the surface's vertices
   double squares = 8;                               ///< along a unit of the coordinates
   std::array<Colour, 2> colours = {};
+  /// In place of squares: (0, 0) is its lower left corner, (1, 1) the upper right one, and it is
+  /// repeated beyond. Between pixels linearly; where it is transparent one sees the surface.
+  std::optional<Image> image = {};
 };
 
 struct Shading {
   std::vector<Colour> colours = {};  ///< one for each of the surfaces
   /// The first surface has these in place of its colour; one value for each of its vertices.
   std::optional<ValueColours> first = {};
-  /// The same, in squares; its own colour where there are no coordinates.
-  std::optional<CheckerColours> checker = {};
+  /// The same, by its texture; its own colour where there are no coordinates.
+  std::optional<TextureColours> texture = {};
   std::optional<MirroredLights> lights = {};  ///< a dark stripe half as wide as their distance
   /// Where the surface in front and another are at one place (`kEqualDepth`), fading into the
   /// colour of the one in front where they are `kNearDepth` apart. Without it, of those at one
