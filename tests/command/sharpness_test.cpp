@@ -93,6 +93,51 @@ TEST(Sharpness, ByAngleKeepsACube) {
   EXPECT_EQ(fine.tags.creases.size(), 12U * 8);
 }
 
+/// A prism.
+TEST(SmoothTriangles, AreRefinedSoByOptionOrTags) {
+  const Folder folder;
+  const std::string prism =
+      "v 0 0 0\nv 2 0 0\nv 0 2 0\nv 0 0 3\nv 2 0 3\nv 0 2 3\n"
+      "f 1 3 2\nf 4 5 6\nf 1 2 5 4\nf 2 3 6 5\nf 3 1 4 6\n";
+  folder.write("plain.obj", prism);
+  folder.write("tags.obj", prism + "t smoothtriangles 1/0/0 1\n");
+  folder.write("tags.toml", "triangles = \"smooth\"\n");
+  const auto refined = [&](const std::string& arguments) {
+    const Outcome outcome = folder.limn("refine " + arguments + " -n 1 -o fine.obj");
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    return folder.read("fine.obj");
+  };
+  const std::string scheme = " -s catmull-clark";
+  const std::string smooth = refined("plain.obj --triangles smooth" + scheme);
+  EXPECT_NE(smooth, refined("plain.obj" + scheme));
+  EXPECT_EQ(smooth, refined("tags.obj" + scheme));
+  EXPECT_EQ(smooth, refined("plain.obj --tags tags.toml" + scheme));
+  EXPECT_EQ(refined("plain.obj" + scheme), refined("tags.obj --triangles catmullClark" + scheme));
+  // the faces' centres, at heights 0 and 3/2, have 1/4 each, and with the triangle's 47/100 the
+  // mean
+  const auto has_height = [&](const std::string& arguments, double height) {
+    refined(arguments + scheme);
+    const std::vector<Point3> points = read(folder, "fine.obj").polygons.positions;
+    return std::any_of(points.begin(), points.end(),
+                       [&](const Point3& p) { return std::abs(p.z - height) < 1e-15; });
+  };
+  EXPECT_TRUE(has_height("plain.obj", 0.25 * 1.5));
+  EXPECT_TRUE(has_height("plain.obj --triangles smooth", 0.36 * 1.5));
+  EXPECT_FALSE(has_height("plain.obj --triangles smooth", 0.25 * 1.5));
+
+  const Outcome warned = folder.limn("refine tags.obj -s doo-sabin -n 1 -o fine.obj");
+  EXPECT_EQ(warned.code, 0);
+  EXPECT_NE(warned.err.find("tags.obj:12: doo-sabin has no rule for smooth triangles, which are "
+                            "refined like others"),
+            std::string::npos)
+      << warned.err;
+  expect_refused(folder.limn("refine plain.obj -s doo-sabin --triangles smooth -n 1 -o fine.obj"),
+                 "doo-sabin has no rule for smooth triangles");
+  expect_refused(
+      folder.limn("refine plain.obj -s catmull-clark --triangles round -n 1 -o fine.obj"),
+      "--triangles");
+}
+
 TEST(Sharpness, OfATagsFileCountsAsTheMeshFileDoes) {
   const Folder folder;
   folder.write("cube.obj", kCube);
