@@ -96,6 +96,26 @@ TEST(LoopWarren, HasItsWeights) {
   }
 }
 
+// The published decimals against what they were tuned for: cup and saddle at the tangent's square,
+// and the tangent at 1/2.
+TEST(LoopTuned, MeetsItsAimsToSomeDigits) {
+  for (int n = 3; n <= 12; ++n) {
+    const std::string where = "valence " + std::to_string(n);
+    const double regularity = leading("loop-tuned-regularity", n, 1);
+    EXPECT_NEAR(leading("loop-tuned-regularity", n, 0), regularity * regularity, 2.3e-3) << where;
+    const double continuity = leading("loop-tuned-continuity", n, 1);
+    EXPECT_NEAR(leading("loop-tuned-continuity", n, 0), continuity * continuity, 1e-3) << where;
+    if (n == 3) continue;  // no frequency 2, and no tangent of 1/2
+    EXPECT_NEAR(regularity, 1 / 2., 1.2e-3) << where;
+    EXPECT_NEAR(leading("loop-tuned-continuity", n, 2), continuity * continuity, 2e-3) << where;
+    const double excess = leading("loop-tuned-regularity", n, 2) - regularity * regularity;
+    if (n < 10)
+      EXPECT_LT(std::abs(excess), 5e-4) << where;
+    else
+      EXPECT_GT(excess, 0.04) << where;
+  }
+}
+
 TEST(Sqrt3, HasEigenvaluesThatThePaperIsSilentOn) {
   const double outer = (1 + std::sqrt(7)) / 18;
   expect_printed(outer, .20254, 5);

@@ -23,7 +23,7 @@ struct TriangleRules {
   /// Edges with a special end: its weight, and that of its neighbours counted from the edge.
   struct Ends {
     std::function<bool(int n)> special;
-    double self;
+    std::function<double(int n)> self;
     std::function<double(int n, int k)> spoke;
   };
   std::optional<Ends> ends;
@@ -49,7 +49,8 @@ double zorin_weight(int n, int k) {
 }
 
 /// As in the modified butterfly.
-const TriangleRules::Ends kZorin{[](int n) { return n != 6; }, 3 / 4., zorin_weight};
+const TriangleRules::Ends kZorin{[](int n) { return n != 6; }, [](int) { return 3 / 4.; },
+                                 zorin_weight};
 
 /// [BGSK Fig. 1] Loop with other eigenvalues at valence 7: the cup's, and those of frequencies 1,
 /// 2, 3.
@@ -68,7 +69,49 @@ TriangleRules at_seven(double cup, const std::array<double, 3>& eigenvalues) {
           0,
           0,
           {},
-          TriangleRules::Ends{[](int n) { return n == 7; }, 3 / 8., spoke}};
+          TriangleRules::Ends{[](int n) { return n == 7; }, [](int) { return 3 / 8.; }, spoke}};
+}
+
+/// [Barthe, Kobbelt 2004] a row for each valence: the vertex's own weight; on its edges that of the
+/// vertex and a wing's. The far end has the rest; elsewhere all is Loop's.
+struct TunedWeights {
+  double vertex, end, wing;
+};
+using TunedTable = std::map<int, TunedWeights>;
+
+TriangleRules tuned(const TunedTable& table) {
+  const auto beta = [table](int n) {
+    const auto row = table.find(n);
+    return row == table.end() ? loop_beta(n) : (1 - row->second.vertex) / n;
+  };
+  const auto spoke = [table](int n, int k) {
+    const TunedWeights& row = table.at(n);
+    if (k == 0) return 1 - row.end - 2 * row.wing;
+    return k == 1 || k == n - 1 ? row.wing : 0.;
+  };
+  return {beta,
+          3 / 8.,
+          1 / 8.,
+          0,
+          0,
+          {},
+          TriangleRules::Ends{[table](int n) { return table.count(n) > 0; },
+                              [table](int n) { return table.at(n).end; }, spoke}};
+}
+
+TunedTable regularity_table() {
+  return {{3, {.32517, .15658, .14427}},  {4, {.49954, .25029, .12524}},
+          {5, {.59549, .34547, .11182}},  {7, {.63873, .38877, .14771}},
+          {8, {.64643, .39644, .1768}},   {9, {.65127, .40132, .21092}},
+          {10, {.67358, .42198, .20354}}, {11, {.68678, .43423, .20505}},
+          {12, {.69908, .44579, .19828}}};
+}
+
+TunedTable continuity_table() {
+  return {
+      {3, {.32517, .15658, .14427}}, {4, {.50033, .26721, .12495}},  {5, {.59464, .33539, .11252}},
+      {7, {.63903, .36909, .14673}}, {8, {.67821, .25579, .16074}},  {9, {.6866, .2521, .18939}},
+      {10, {.69248, .24926, .2222}}, {11, {.69678, .24706, .25894}}, {12, {.70014, .2452, .29934}}};
 }
 
 /// [KS §3.1] a times (1, -1/n, …) added; their own a(n) where no other is given.
@@ -122,6 +165,8 @@ std::optional<TriangleRules> triangle_rules(const std::string& scheme, std::opti
       {"loop-7-bounded", at_seven(1 / 4., {1 / 2., 1 / 4., 1 / 8.})},
       {"loop-7-shrinking", at_seven(1 / 4., {1 / 4., 1 / 2., 1 / 8.})},
       {"loop-7-flat", at_seven(1 / 4., {1 / 2., 1 / 8., 1 / 4.})},
+      {"loop-tuned-regularity", tuned(regularity_table())},
+      {"loop-tuned-continuity", tuned(continuity_table())},
       {"interpolating-loop", {no_beta, 33 / 64., 6 / 64., -3 / 64., -1 / 64., 1 / 16., kZorin}},
   };
   if (const auto found = kWithoutParameter.find(scheme); found != kWithoutParameter.end())
@@ -257,7 +302,7 @@ class Reference : OldValues {
   /// Round the origin of h, counterclockwise from h.
   [[nodiscard]] double from_end(const TriangleRules& rules, Index h) const {
     const int n = mesh_.valence(mesh_.origin(h));
-    double sum = rules.ends->self * at(mesh_.origin(h));
+    double sum = rules.ends->self(n) * at(mesh_.origin(h));
     Index spoke = h;
     for (int k = 0; k < n; ++k, spoke = mesh_.rotate(spoke))
       sum += rules.ends->spoke(n, k) * at(mesh_.target(spoke));
