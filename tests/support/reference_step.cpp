@@ -159,6 +159,7 @@ std::optional<TriangleRules> triangle_rules(const std::string& scheme, std::opti
       {"loop", {loop_beta, 3 / 8., 1 / 8., 0, 0, {}, {}}},
       {"box-spline-triangle", {loop_beta, 3 / 8., 1 / 8., 0, 0, {}, {}}},
       {"loop-warren", {warren_beta, 3 / 8., 1 / 8., 0, 0, {}, {}}},
+      {"loop-piecewise-smooth", {warren_beta, 3 / 8., 1 / 8., 0, 0, {}, {}}},
       {"optimal", {optimal_beta, 1 / 3., 1 / 6., 0, 0, {}, {}}},
       {"optimal-high", {optimal_high_beta, 1 / 3., 1 / 6., 0, 0, {}, {}}},
       {"optimal-low", {optimal_low_beta, 1 / 3., 1 / 6., 0, 0, {}, {}}},
@@ -185,6 +186,12 @@ class Reference : OldValues {
   Reference(const Mesh& mesh, const Births& births, const std::vector<double>& old)
       : OldValues(mesh, old), births_(births) {}
 
+  /// Edges from a boundary vertex of k faces give their far end the weight gamma - cos(π/k)/4.
+  Reference& with_smooth_pieces(double gamma) {
+    boundary_gamma_ = gamma;
+    return *this;
+  }
+
   std::vector<double> triangle_dyadic(const TriangleRules& rules) {
     for (Index v = 0; v < births_.from_vertices; ++v) push(triangle_vertex(rules, v));
     for (Index e = 0; e < births_.from_edges; ++e)
@@ -196,6 +203,10 @@ class Reference : OldValues {
     for (Index v = 0; v < births_.from_vertices; ++v) push(catmull_clark_vertex(v));
     for (Index e = 0; e < births_.from_edges; ++e) {
       const Index h = mesh_.halfedge_of_edge(e);
+      if (const auto seen = from_boundary(h)) {
+        push(*seen);
+        continue;
+      }
       const double ends = at(mesh_.origin(h)) + at(mesh_.target(h));
       push(mesh_.is_boundary_edge(e)
                ? ends / 2
@@ -292,6 +303,7 @@ class Reference : OldValues {
     if (odd_from && odd_to) return (from_end(rules, h) + from_end(rules, mesh_.twin(h))) / 2;
     if (odd_from) return from_end(rules, h);
     if (odd_to) return from_end(rules, mesh_.twin(h));
+    if (const auto seen = from_boundary(h)) return *seen;
     return edge_side(rules, h) + edge_side(rules, mesh_.twin(h));
   }
 
@@ -307,6 +319,26 @@ class Reference : OldValues {
     for (int k = 0; k < n; ++k, spoke = mesh_.rotate(spoke))
       sum += rules.ends->spoke(n, k) * at(mesh_.target(spoke));
     return sum;
+  }
+
+  /// [Biermann, Levin, Zorin 2000] The mean of what h's ends on the boundary say of it; nothing
+  /// where there is none, on the boundary itself, and in other schemes.
+  [[nodiscard]] std::optional<double> from_boundary(Index h) const {
+    if (!boundary_gamma_ || mesh_.twin(h) == kNone) return std::nullopt;
+    double sum = 0;
+    int ends = 0;
+    for (const Index out : {h, mesh_.twin(h)}) {
+      if (!mesh_.is_boundary_vertex(mesh_.origin(out))) continue;
+      const int faces = mesh_.valence(mesh_.origin(out)) - 1;
+      const double gamma = *boundary_gamma_ - std::cos(kPi / faces) / 4;
+      double beside = 0;  // in either face next to either end: in a triangle one vertex twice
+      for (const Index side : {h, mesh_.twin(h)})
+        beside += at(mesh_.target(mesh_.next(side))) + at(mesh_.origin(mesh_.prev(side)));
+      sum += (3 / 4. - gamma) * at(mesh_.origin(out)) + gamma * at(mesh_.target(out)) + beside / 16;
+      ++ends;
+    }
+    if (ends == 0) return std::nullopt;
+    return sum / ends;
   }
 
   /// What the edge rule takes on the left of h, and at h's target end.
@@ -339,6 +371,7 @@ class Reference : OldValues {
   }
 
   const Births& births_;
+  std::optional<double> boundary_gamma_;
   std::vector<double> fresh_;
 };
 
@@ -346,9 +379,9 @@ class Reference : OldValues {
 
 bool has_reference(const std::string& scheme) {
   return triangle_rules(scheme, {}) || has_corner_reference(scheme) ||
-         has_ternary_reference(scheme) || scheme == "catmull-clark" || scheme == "doo-sabin" ||
-         scheme == "sqrt3" || scheme == "four-eight" || scheme == "midedge" ||
-         scheme == "box-spline-quad";
+         has_ternary_reference(scheme) || scheme == "catmull-clark" ||
+         scheme == "catmull-clark-piecewise-smooth" || scheme == "doo-sabin" || scheme == "sqrt3" ||
+         scheme == "four-eight" || scheme == "midedge" || scheme == "box-spline-quad";
 }
 
 std::vector<double> reference_step(const std::string& scheme, std::optional<double> parameter,
@@ -358,6 +391,9 @@ std::vector<double> reference_step(const std::string& scheme, std::optional<doub
     return corner_reference_step(scheme, parameter, mesh, births, old);
   Reference reference(mesh, births, old);
   if (scheme == "catmull-clark" || scheme == "box-spline-quad") return reference.catmull_clark();
+  if (scheme == "catmull-clark-piecewise-smooth")
+    return reference.with_smooth_pieces(3 / 8.).catmull_clark();
+  if (scheme == "loop-piecewise-smooth") reference.with_smooth_pieces(1 / 2.);
   if (scheme == "doo-sabin") return reference.doo_sabin();
   if (scheme == "sqrt3") return reference.sqrt3();
   if (scheme == "four-eight") return reference.four_eight();
