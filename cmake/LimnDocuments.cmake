@@ -1,5 +1,5 @@
-# Tests of documents: what they name is there, and what the walk-throughs say is done, to the letter;
-# and of one thing that they say of the code: all headers can be included together.
+# Tests of documents: what they name is there, the table of schemes is limn's, and what the
+# walk-throughs say is done, to the letter; and of one thing that they say of the code: all headers can be included together.
 
 find_package(Python3 COMPONENTS Interpreter)
 if(Python3_FOUND)
@@ -11,6 +11,16 @@ if(Python3_FOUND)
     COMMAND Python3::Interpreter ${PROJECT_SOURCE_DIR}/tests/tools/follow_walkthrough_test.py)
   set_tests_properties(tools:documents_name_existing_files tools:fault_table tools:follow_walkthrough
     PROPERTIES TIMEOUT 60 LABELS tools)
+  add_test(NAME tools:scheme_table
+    COMMAND Python3::Interpreter ${PROJECT_SOURCE_DIR}/tests/tools/scheme_table_test.py)
+  set_tests_properties(tools:scheme_table PROPERTIES TIMEOUT 60 LABELS tools)
+  # Sanitizers make a program that is started once a scheme too slow for this.
+  if(TARGET limn_command AND NOT LIMN_SANITIZE)
+    add_test(NAME tools:schemes_page
+      COMMAND Python3::Interpreter ${PROJECT_SOURCE_DIR}/tools/scheme_table
+              $<TARGET_FILE:limn_command> --check)
+    set_tests_properties(tools:schemes_page PROPERTIES TIMEOUT 60 LABELS tools)
+  endif()
   if(CMAKE_EXPORT_COMPILE_COMMANDS)
     add_test(NAME tools:headers_together
       COMMAND Python3::Interpreter ${PROJECT_SOURCE_DIR}/tests/tools/headers_together_test.py

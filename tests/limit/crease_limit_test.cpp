@@ -119,9 +119,11 @@ TEST_P(CreaseLimitLaws, AreThoseOfTheMeshCutThere) {
 // What fades is smooth after so many steps, of whatever mesh the limit is asked for.
 TEST_P(CreaseLimitLaws, OfWhatFadesAreThoseOfTheSmoothMeshLater) {
   if (scheme().split->boundary_rests()) GTEST_SKIP() << "takes infinite sharpness only";
-  // these are not C1 at some valences, where the normal is that of the faces some steps on
-  const bool has_planes =
-      GetParam().find("butterfly") == std::string::npos && GetParam() != "interpolating-loop";
+  // these are not C1 at some valences, or at corners, where the rule of a smooth boundary gives 1/2
+  // a third time; the normal is that of the faces some steps on there
+  const bool has_planes = GetParam().find("butterfly") == std::string::npos &&
+                          GetParam().find("piecewise-smooth") == std::string::npos &&
+                          GetParam() != "interpolating-loop";
   int compared = 0;
   for (unsigned seed = 1; seed < 60 && compared < 3; ++seed) {
     const Mesh mesh = control_mesh(scheme(), seed);

@@ -51,6 +51,15 @@ TEST(TunedScheme, SaysWhatItKeeps) {
   EXPECT_NE(file.text.value().find("(n == 4) * (4/9)"), std::string::npos) << file.text.value();
 }
 
+TEST(TunedScheme, MayKeepDecimalsOfItsBase) {
+  const std::string name = "loop-tuned-regularity";
+  const Tuned file = tuned(name, "w", "tangent = 1/2", 5, 5);
+  const Result<Scheme> back = parse_scheme(file.text.value(), "tuned.toml");
+  ASSERT_TRUE(back.ok()) << back.error().text();
+  EXPECT_NEAR(*at(*back, 5).tangent, 1 / 2., 1e-14);
+  EXPECT_NEAR(*at(*back, 7).tangent, *at(shipped(name), 7).tangent, 1e-15) << "kept elsewhere";
+}
+
 TEST(TunedScheme, WritesParametersWithTheirRange) {
   const Tuned file = tuned("butterfly", "w", "cup = tangent^2", 6, 6);
   EXPECT_NE(file.text.value().find("default = \"1/16\"\nrange   = [\"0\", \"1/8\"]"),

@@ -11,7 +11,9 @@
 #include "support/scheme_oracle.h"
 #include "support/shipped.h"
 
+#include "limn/mesh/lattice.h"
 #include "limn/number/exact.h"
+#include "limn/refine/refine_values.h"
 
 namespace limn::test {
 namespace {
@@ -96,6 +98,26 @@ TEST(LoopWarren, HasItsWeights) {
   }
 }
 
+// The published decimals against what they were tuned for: cup and saddle at the tangent's square,
+// and the tangent at 1/2.
+TEST(LoopTuned, MeetsItsAimsToSomeDigits) {
+  for (int n = 3; n <= 12; ++n) {
+    const std::string where = "valence " + std::to_string(n);
+    const double regularity = leading("loop-tuned-regularity", n, 1);
+    EXPECT_NEAR(leading("loop-tuned-regularity", n, 0), regularity * regularity, 2.3e-3) << where;
+    const double continuity = leading("loop-tuned-continuity", n, 1);
+    EXPECT_NEAR(leading("loop-tuned-continuity", n, 0), continuity * continuity, 1e-3) << where;
+    if (n == 3) continue;  // no frequency 2, and no tangent of 1/2
+    EXPECT_NEAR(regularity, 1 / 2., 1.2e-3) << where;
+    EXPECT_NEAR(leading("loop-tuned-continuity", n, 2), continuity * continuity, 2e-3) << where;
+    const double excess = leading("loop-tuned-regularity", n, 2) - regularity * regularity;
+    if (n < 10)
+      EXPECT_LT(std::abs(excess), 5e-4) << where;
+    else
+      EXPECT_GT(excess, 0.04) << where;
+  }
+}
+
 TEST(Sqrt3, HasEigenvaluesThatThePaperIsSilentOn) {
   const double outer = (1 + std::sqrt(7)) / 18;
   expect_printed(outer, .20254, 5);
@@ -111,6 +133,55 @@ TEST(Sqrt3, HasEigenvaluesThatThePaperIsSilentOn) {
 TEST(CatmullClark, HasTheTangentsOfTheTable) {
   for (const auto& [n, tangent] : {std::pair{3, .410097}, {5, .549988}, {6, .579682}, {8, .611117}})
     expect_printed(leading("catmull-clark", n, 1), tangent, 6);
+}
+
+/// What a step does to values round a boundary vertex of so many faces that are linear in each of
+/// its sectors, sin (across the boundary) or cos (along it) of s·π/faces at spoke s: how far the
+/// new points on its spokes are from half of them.
+double not_halved(const std::string& name, Index faces, bool across) {
+  const Scheme& scheme = shipped(name);
+  const Lattice lattice = scheme.split->lattice;
+  const auto spoke = [&](Index s) {
+    const double angle = kPi * s / faces;
+    return across ? std::sin(angle) : std::cos(angle);
+  };
+  std::vector<double> values{0};
+  for (Index ring = 1; ring <= 2; ++ring)
+    for (Index s = 0; s <= faces; ++s) {
+      const Index points = s == faces ? 1 : lattice == Lattice::triangle ? ring : 2 * ring;
+      for (Index i = 0; i < points; ++i) {
+        const Index x = lattice == Lattice::triangle ? ring - i : std::min(ring, 2 * ring - i);
+        values.push_back(x * spoke(s) + std::min(i, ring) * spoke(s + 1));
+      }
+    }
+  const Mesh mesh = fan(lattice, faces, 2);
+  EXPECT_EQ(values.size(), static_cast<std::size_t>(mesh.vertex_count()));
+  const Births births = scheme.split->apply(mesh, 0).births;
+  RuleTables<double> tables(scheme);
+  EXPECT_TRUE(tables.prepare(mesh, births).ok());
+  const std::vector<double> fine = refine_values(scheme, mesh, births, tables, values);
+  double worst = 0;
+  for (Index e = 0; e < mesh.edge_count(); ++e) {
+    const Index h = mesh.halfedge_of_edge(e), v = mesh.origin(h), w = mesh.target(h);
+    if (v != 0 && w != 0) continue;
+    const double half = values[static_cast<std::size_t>(v + w)] / 2;
+    worst =
+        std::max(worst, std::abs(fine[static_cast<std::size_t>(births.from_vertices + e)] - half));
+  }
+  return worst;
+}
+
+// [Biermann, Levin, Zorin 2000]: the two eigenvalues beside 1 are 1/2 at every boundary vertex.
+TEST(PiecewiseSmooth, HalvesItsTangentsAtEveryBoundaryVertex) {
+  for (Index faces = 1; faces <= 9; ++faces)
+    for (const char* name : {"loop-piecewise-smooth", "catmull-clark-piecewise-smooth"})
+      for (const bool across : {false, true})
+        EXPECT_LT(not_halved(name, faces, across), 1e-14) << name << ", faces: " << faces;
+  // with the plain rules that is so of one number of faces each
+  EXPECT_LT(not_halved("loop", 3, true), 1e-14);
+  EXPECT_GT(not_halved("loop", 4, true), 0.04);
+  EXPECT_LT(not_halved("catmull-clark", 2, true), 1e-14);
+  EXPECT_GT(not_halved("catmull-clark", 3, true), 0.1);
 }
 
 TEST(LaplacianButterfly, LosesItsTangentAtAQuarter) {

@@ -125,7 +125,8 @@ std::optional<std::string> positions(RuleKind kind, Lattice lattice, const Walk&
 
 void increase(Weight& weight, const std::string& by) {
   weight.value.expression =
-      Expression::parse("(" + weight.value.expression.text() + ") + " + by).value();
+      Expression::parse("(" + weight.value.expression.text() + ") + " + by, Decimals::admitted)
+          .value();
 }
 
 class RuleMutants {

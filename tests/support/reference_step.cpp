@@ -23,7 +23,7 @@ struct TriangleRules {
   /// Edges with a special end: its weight, and that of its neighbours counted from the edge.
   struct Ends {
     std::function<bool(int n)> special;
-    double self;
+    std::function<double(int n)> self;
     std::function<double(int n, int k)> spoke;
   };
   std::optional<Ends> ends;
@@ -49,7 +49,8 @@ double zorin_weight(int n, int k) {
 }
 
 /// As in the modified butterfly.
-const TriangleRules::Ends kZorin{[](int n) { return n != 6; }, 3 / 4., zorin_weight};
+const TriangleRules::Ends kZorin{[](int n) { return n != 6; }, [](int) { return 3 / 4.; },
+                                 zorin_weight};
 
 /// [BGSK Fig. 1] Loop with other eigenvalues at valence 7: the cup's, and those of frequencies 1,
 /// 2, 3.
@@ -68,7 +69,49 @@ TriangleRules at_seven(double cup, const std::array<double, 3>& eigenvalues) {
           0,
           0,
           {},
-          TriangleRules::Ends{[](int n) { return n == 7; }, 3 / 8., spoke}};
+          TriangleRules::Ends{[](int n) { return n == 7; }, [](int) { return 3 / 8.; }, spoke}};
+}
+
+/// [Barthe, Kobbelt 2004] a row for each valence: the vertex's own weight; on its edges that of the
+/// vertex and a wing's. The far end has the rest; elsewhere all is Loop's.
+struct TunedWeights {
+  double vertex, end, wing;
+};
+using TunedTable = std::map<int, TunedWeights>;
+
+TriangleRules tuned(const TunedTable& table) {
+  const auto beta = [table](int n) {
+    const auto row = table.find(n);
+    return row == table.end() ? loop_beta(n) : (1 - row->second.vertex) / n;
+  };
+  const auto spoke = [table](int n, int k) {
+    const TunedWeights& row = table.at(n);
+    if (k == 0) return 1 - row.end - 2 * row.wing;
+    return k == 1 || k == n - 1 ? row.wing : 0.;
+  };
+  return {beta,
+          3 / 8.,
+          1 / 8.,
+          0,
+          0,
+          {},
+          TriangleRules::Ends{[table](int n) { return table.count(n) > 0; },
+                              [table](int n) { return table.at(n).end; }, spoke}};
+}
+
+TunedTable regularity_table() {
+  return {{3, {.32517, .15658, .14427}},  {4, {.49954, .25029, .12524}},
+          {5, {.59549, .34547, .11182}},  {7, {.63873, .38877, .14771}},
+          {8, {.64643, .39644, .1768}},   {9, {.65127, .40132, .21092}},
+          {10, {.67358, .42198, .20354}}, {11, {.68678, .43423, .20505}},
+          {12, {.69908, .44579, .19828}}};
+}
+
+TunedTable continuity_table() {
+  return {
+      {3, {.32517, .15658, .14427}}, {4, {.50033, .26721, .12495}},  {5, {.59464, .33539, .11252}},
+      {7, {.63903, .36909, .14673}}, {8, {.67821, .25579, .16074}},  {9, {.6866, .2521, .18939}},
+      {10, {.69248, .24926, .2222}}, {11, {.69678, .24706, .25894}}, {12, {.70014, .2452, .29934}}};
 }
 
 /// [KS §3.1] a times (1, -1/n, …) added; their own a(n) where no other is given.
@@ -116,12 +159,15 @@ std::optional<TriangleRules> triangle_rules(const std::string& scheme, std::opti
       {"loop", {loop_beta, 3 / 8., 1 / 8., 0, 0, {}, {}}},
       {"box-spline-triangle", {loop_beta, 3 / 8., 1 / 8., 0, 0, {}, {}}},
       {"loop-warren", {warren_beta, 3 / 8., 1 / 8., 0, 0, {}, {}}},
+      {"loop-piecewise-smooth", {warren_beta, 3 / 8., 1 / 8., 0, 0, {}, {}}},
       {"optimal", {optimal_beta, 1 / 3., 1 / 6., 0, 0, {}, {}}},
       {"optimal-high", {optimal_high_beta, 1 / 3., 1 / 6., 0, 0, {}, {}}},
       {"optimal-low", {optimal_low_beta, 1 / 3., 1 / 6., 0, 0, {}, {}}},
       {"loop-7-bounded", at_seven(1 / 4., {1 / 2., 1 / 4., 1 / 8.})},
       {"loop-7-shrinking", at_seven(1 / 4., {1 / 4., 1 / 2., 1 / 8.})},
       {"loop-7-flat", at_seven(1 / 4., {1 / 2., 1 / 8., 1 / 4.})},
+      {"loop-tuned-regularity", tuned(regularity_table())},
+      {"loop-tuned-continuity", tuned(continuity_table())},
       {"interpolating-loop", {no_beta, 33 / 64., 6 / 64., -3 / 64., -1 / 64., 1 / 16., kZorin}},
   };
   if (const auto found = kWithoutParameter.find(scheme); found != kWithoutParameter.end())
@@ -140,6 +186,12 @@ class Reference : OldValues {
   Reference(const Mesh& mesh, const Births& births, const std::vector<double>& old)
       : OldValues(mesh, old), births_(births) {}
 
+  /// Edges from a boundary vertex of k faces give their far end the weight gamma - cos(π/k)/4.
+  Reference& with_smooth_pieces(double gamma) {
+    boundary_gamma_ = gamma;
+    return *this;
+  }
+
   std::vector<double> triangle_dyadic(const TriangleRules& rules) {
     for (Index v = 0; v < births_.from_vertices; ++v) push(triangle_vertex(rules, v));
     for (Index e = 0; e < births_.from_edges; ++e)
@@ -151,6 +203,10 @@ class Reference : OldValues {
     for (Index v = 0; v < births_.from_vertices; ++v) push(catmull_clark_vertex(v));
     for (Index e = 0; e < births_.from_edges; ++e) {
       const Index h = mesh_.halfedge_of_edge(e);
+      if (const auto seen = from_boundary(h)) {
+        push(*seen);
+        continue;
+      }
       const double ends = at(mesh_.origin(h)) + at(mesh_.target(h));
       push(mesh_.is_boundary_edge(e)
                ? ends / 2
@@ -247,6 +303,7 @@ class Reference : OldValues {
     if (odd_from && odd_to) return (from_end(rules, h) + from_end(rules, mesh_.twin(h))) / 2;
     if (odd_from) return from_end(rules, h);
     if (odd_to) return from_end(rules, mesh_.twin(h));
+    if (const auto seen = from_boundary(h)) return *seen;
     return edge_side(rules, h) + edge_side(rules, mesh_.twin(h));
   }
 
@@ -257,11 +314,31 @@ class Reference : OldValues {
   /// Round the origin of h, counterclockwise from h.
   [[nodiscard]] double from_end(const TriangleRules& rules, Index h) const {
     const int n = mesh_.valence(mesh_.origin(h));
-    double sum = rules.ends->self * at(mesh_.origin(h));
+    double sum = rules.ends->self(n) * at(mesh_.origin(h));
     Index spoke = h;
     for (int k = 0; k < n; ++k, spoke = mesh_.rotate(spoke))
       sum += rules.ends->spoke(n, k) * at(mesh_.target(spoke));
     return sum;
+  }
+
+  /// [Biermann, Levin, Zorin 2000] The mean of what h's ends on the boundary say of it; nothing
+  /// where there is none, on the boundary itself, and in other schemes.
+  [[nodiscard]] std::optional<double> from_boundary(Index h) const {
+    if (!boundary_gamma_ || mesh_.twin(h) == kNone) return std::nullopt;
+    double sum = 0;
+    int ends = 0;
+    for (const Index out : {h, mesh_.twin(h)}) {
+      if (!mesh_.is_boundary_vertex(mesh_.origin(out))) continue;
+      const int faces = mesh_.valence(mesh_.origin(out)) - 1;
+      const double gamma = *boundary_gamma_ - std::cos(kPi / faces) / 4;
+      double beside = 0;  // in either face next to either end: in a triangle one vertex twice
+      for (const Index side : {h, mesh_.twin(h)})
+        beside += at(mesh_.target(mesh_.next(side))) + at(mesh_.origin(mesh_.prev(side)));
+      sum += (3 / 4. - gamma) * at(mesh_.origin(out)) + gamma * at(mesh_.target(out)) + beside / 16;
+      ++ends;
+    }
+    if (ends == 0) return std::nullopt;
+    return sum / ends;
   }
 
   /// What the edge rule takes on the left of h, and at h's target end.
@@ -294,6 +371,7 @@ class Reference : OldValues {
   }
 
   const Births& births_;
+  std::optional<double> boundary_gamma_;
   std::vector<double> fresh_;
 };
 
@@ -301,9 +379,9 @@ class Reference : OldValues {
 
 bool has_reference(const std::string& scheme) {
   return triangle_rules(scheme, {}) || has_corner_reference(scheme) ||
-         has_ternary_reference(scheme) || scheme == "catmull-clark" || scheme == "doo-sabin" ||
-         scheme == "sqrt3" || scheme == "four-eight" || scheme == "midedge" ||
-         scheme == "box-spline-quad";
+         has_ternary_reference(scheme) || scheme == "catmull-clark" ||
+         scheme == "catmull-clark-piecewise-smooth" || scheme == "doo-sabin" || scheme == "sqrt3" ||
+         scheme == "four-eight" || scheme == "midedge" || scheme == "box-spline-quad";
 }
 
 std::vector<double> reference_step(const std::string& scheme, std::optional<double> parameter,
@@ -313,6 +391,9 @@ std::vector<double> reference_step(const std::string& scheme, std::optional<doub
     return corner_reference_step(scheme, parameter, mesh, births, old);
   Reference reference(mesh, births, old);
   if (scheme == "catmull-clark" || scheme == "box-spline-quad") return reference.catmull_clark();
+  if (scheme == "catmull-clark-piecewise-smooth")
+    return reference.with_smooth_pieces(3 / 8.).catmull_clark();
+  if (scheme == "loop-piecewise-smooth") reference.with_smooth_pieces(1 / 2.);
   if (scheme == "doo-sabin") return reference.doo_sabin();
   if (scheme == "sqrt3") return reference.sqrt3();
   if (scheme == "four-eight") return reference.four_eight();

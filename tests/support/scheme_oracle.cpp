@@ -64,15 +64,20 @@ Mesh octahedron() {
       6, {{0, 1, 2}, {0, 2, 3}, {0, 3, 4}, {0, 4, 1}, {5, 2, 1}, {5, 3, 2}, {5, 4, 3}, {5, 1, 4}});
 }
 
-std::vector<std::pair<std::string, Mesh>> deck(const Split& split, bool tori_only) {
+std::vector<std::pair<std::string, Mesh>> deck(const Scheme& scheme) {
+  const Split& split = *scheme.split;
   const bool triangles = split.lattice == Lattice::triangle;
   std::vector<std::pair<std::string, Mesh>> meshes;
   meshes.emplace_back("a torus", torus(split.lattice, 5, 6));
-  if (tori_only) return meshes;
+  if (is_mask_only(scheme.name)) return meshes;
   for (Index n = 3; n <= 12; ++n) {
     meshes.emplace_back("a star of valence " + std::to_string(n), star(split.lattice, n, 2));
     if (!triangles) meshes.emplace_back("a face of degree " + std::to_string(n), face_star(n, 2));
   }
+  if (scheme.rule(RuleKind::boundary_spoke))  // others look at a boundary vertex's curve alone
+    for (Index faces = 1; faces <= 8; ++faces)
+      meshes.emplace_back("a fan of " + std::to_string(faces) + " faces",
+                          fan(split.lattice, faces, 2));
   meshes.emplace_back("a large star", star(split.lattice, 5, 4));
   for (const Mesh& solid : {tetrahedron(), octahedron(), icosahedron()})
     meshes.emplace_back("a platonic solid", solid);
@@ -99,7 +104,7 @@ Trial make_trial(const Scheme& scheme, std::optional<double> parameter, const st
 
 std::vector<Trial> make_trials(const Scheme& scheme, std::optional<double> parameter) {
   std::vector<Trial> trials;
-  for (const auto& [what, mesh] : deck(*scheme.split, is_mask_only(scheme.name))) {
+  for (const auto& [what, mesh] : deck(scheme)) {
     trials.push_back(make_trial(scheme, parameter, what, mesh, 0));
     if (!scheme.split->boundary_rests() || !mesh.has_boundary()) continue;
     const Mesh finer = trials.back().refined.mesh;

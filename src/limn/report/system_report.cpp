@@ -205,7 +205,7 @@ Result<std::string> tuned_system_text(const FreedNames& names,
       "title   = {}\nextends = {}\nnotes   = {}\n", toml_string(derived_title(scheme, "tuned")),
       toml_string(extends),
       toml_string(fmt::format("{} such that {}", list, joined_requirements(requirements))));
-  return text + definitions_toml(scheme, definitions);
+  return text + weights_toml(scheme) + definitions_toml(scheme, definitions);
 }
 
 }  // namespace limn

@@ -85,7 +85,7 @@ Result<std::string> tuned_scheme_text(const FreedScheme& freed, const Requiremen
   text += fmt::format("title   = {}\nextends = {}\nnotes   = {}\n",
                       toml_string(derived_title(scheme, "tuned")), toml_string(extends),
                       toml_string(task));
-  return text + definitions_toml(scheme, {{freed.name(), definition.text}});
+  return text + weights_toml(scheme) + definitions_toml(scheme, {{freed.name(), definition.text}});
 }
 
 }  // namespace limn

@@ -115,7 +115,7 @@ std::string point_text(const Study& study, const Point& point, const std::string
   std::vector<std::pair<std::string, std::string>> definitions;
   for (const std::string& name : freed_names(study))
     definitions.emplace_back(name, new_definition(study, point, name));
-  return text + definitions_toml(study.scheme, definitions);
+  return text + weights_toml(study.scheme) + definitions_toml(study.scheme, definitions);
 }
 
 Outcome evaluate_point(const Study& study, const Point& point) {

@@ -63,9 +63,10 @@ Result<FreedNames::Instance*> FreedNames::at(int n) {
     Formula& formula = *find_definition(made->scheme, each_[j].name());
     const std::string& x = made->variables[j];
     Result<Expression> expression = Expression::parse(
-        each_[j].everywhere(n) ? x
-                               : fmt::format("(n == {0}) * {1} + (n != {0}) * ({2})", n, x,
-                                             formula.expression.text()));
+        each_[j].everywhere(n)
+            ? x
+            : fmt::format("(n == {0}) * {1} + (n != {0}) * ({2})", n, x, formula.expression.text()),
+        Decimals::admitted);  // the file's own text may have some
     if (!expression) return expression.error();
     formula.expression = *std::move(expression);
     made->scheme.lets.emplace_back(x, Formula{Expression::constant(0), {}});

@@ -166,7 +166,8 @@ Result<std::unique_ptr<FreedScheme::Instance>> FreedScheme::build(int n) const {
   std::string text = x;
   if (!everywhere(n))
     text = fmt::format("(n == {0}) * {1} + (n != {0}) * ({2})", n, x, formula.expression.text());
-  Result<Expression> expression = Expression::parse(text);
+  // the file's own text, which may have decimals
+  Result<Expression> expression = Expression::parse(text, Decimals::admitted);
   if (!expression) return expression.error();
   formula.expression = std::move(*expression);
   scheme.lets.emplace_back(x, Formula{Expression::constant(0), {}});

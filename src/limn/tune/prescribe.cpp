@@ -119,6 +119,7 @@ Result<std::string> prescribed_scheme(const Scheme& base, const std::string& bas
   const int n = prescription.valence;
   std::string text = fmt::format("name    = \"{}\"\nsplit   = \"{}\"\nextends = {}\n", name,
                                  base.split->name, toml_string(base_name));
+  text += weights_toml(base);
   text += fmt::format(
       "source  = \"first-ring weights by the inverse DFT of a prescribed spectrum at valence {}\"\n"
       "\n[[vertex]]\nwhen = \"n == {}\"\nself = \"{} + ({})\"\nring = \"(1 - ({}) - ({}))/n\"\n",

@@ -67,6 +67,10 @@ std::string definition_by_valence(const std::vector<std::pair<int, Rational>>& n
   return fmt::format("{}{}({})", sum, guards, elsewhere.text());
 }
 
+std::string weights_toml(const Scheme& scheme) {
+  return scheme.has_decimals ? "weights = \"decimal\"\n" : "";
+}
+
 std::string definitions_toml(const Scheme& scheme,
                              const std::vector<std::pair<std::string, std::string>>& definitions) {
   std::string parameters, lets;

@@ -33,6 +33,10 @@ namespace limn {
 [[nodiscard]] std::string definition_by_valence(
     const std::vector<std::pair<int, Rational>>& numbers, const Expression& elsewhere);
 
+/// The line at the head of a file that repeats text of the scheme: `weights` where it has decimals,
+/// else nothing.
+[[nodiscard]] std::string weights_toml(const Scheme& scheme);
+
 /// What a file that extends the scheme says of parameters and lets: the new definitions of those
 /// named, and of the other parameters that an option set the values that they have (the file would
 /// else have their defaults).
