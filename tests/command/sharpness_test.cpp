@@ -100,7 +100,7 @@ TEST(SmoothTriangles, AreRefinedSoByOptionOrTags) {
       "v 0 0 0\nv 2 0 0\nv 0 2 0\nv 0 0 3\nv 2 0 3\nv 0 2 3\n"
       "f 1 3 2\nf 4 5 6\nf 1 2 5 4\nf 2 3 6 5\nf 3 1 4 6\n";
   folder.write("plain.obj", prism);
-  folder.write("tags.obj", prism + "t smoothtriangles 1/0/0 1\n");
+  folder.write("tags.obj", prism + "t smoothtriangles 0/0/1 smooth\n");
   folder.write("tags.toml", "triangles = \"smooth\"\n");
   const auto refined = [&](const std::string& arguments) {
     const Outcome outcome = folder.limn("refine " + arguments + " -n 1 -o fine.obj");
