@@ -79,8 +79,10 @@ Result<MarkedOptions> wanted_of(const DrawOptions& options, Scheme& scheme, Cont
   wanted.texture = &texture;
   wanted.rule = options.attributes.rules().texture;
   if (wanted.textured)
-    if (Status takes = check_takes_texture(scheme, control.mesh, texture, wanted.rule); !takes)
+    if (Status takes = check_takes_texture(scheme, control.mesh, texture, wanted.rule); !takes) {
+      takes.error().hint = "leave out --texture, or take a scheme with a dyadic split";
       return takes.error();
+    }
   return wanted;
 }
 

@@ -97,6 +97,10 @@ TEST(DrawCommand, ShowsCreasesSeamsAndTexture) {
     EXPECT_EQ(outcome.code, 0) << outcome.err;
     EXPECT_NE(folder.read("c.png"), folder.read("a.png")) << more;
   }
+  folder.write("tip.toml", "[[corner]]\nvertices = [1]\nsharpness = \"infinite\"\n");
+  const Outcome tip = folder.limn("draw " + kQuads + " -s catmull-clark --tags tip.toml -o f.png");
+  EXPECT_EQ(tip.code, 0);
+  EXPECT_EQ(tip.err, "");
   EXPECT_EQ(folder.limn(knob + "d.svg --marks --texture").code, 0);
   EXPECT_NE(folder.read("d.svg").find("<image"), std::string::npos);
   expect_refused(folder.limn("draw " + kQuads + " -s catmull-clark --texture -o e.png"),
@@ -104,9 +108,9 @@ TEST(DrawCommand, ShowsCreasesSeamsAndTexture) {
   expect_refused(folder.limn("draw " LIMN_EXAMPLES "/knob.obj -s doo-sabin -o e.png"),
                  "doo-sabin takes no sharp edges");
   expect_refused(folder.limn(knob + "e.png --texture=0"), "--texture");
-  const Outcome image = folder.limn(knob + "f.png --texture-image a.png");
+  const Outcome image = folder.limn(knob + "g.png --texture-image a.png");
   EXPECT_EQ(image.code, 0) << image.err;
-  EXPECT_NE(folder.read("f.png"), folder.read("a.png"));
+  EXPECT_NE(folder.read("g.png"), folder.read("a.png"));
   expect_refused(folder.limn(knob + "e.png --texture-image " + kQuads), "no PNG image");
   expect_refused(folder.limn(knob + "e.png --texture-image a.png --texture"), "--texture");
 }

@@ -337,7 +337,7 @@ TEST_F(Pictures, ShowMarksWhereNothingHidesThem) {
   marks.curves.emplace_back();
   for (int i = 0; i <= 360; ++i) {
     const double angle = i * std::numbers::pi / 180;
-    marks.curves[0].push_back({0.999 * std::cos(angle), 0.999 * std::sin(angle), 0});
+    marks.curves[0].push_back({1.0001 * std::cos(angle), 1.0001 * std::sin(angle), 0});
   }
   marks.curves.push_back({{1e300, 0, 0}, {0, 0, 0}});
   scene.marks = {marks, {.points = {{1, 0, 0}, {-1, 0, 0}}, .stroke = {0.5, {}}, .name = "dots"}};

@@ -165,6 +165,7 @@ class Work {
     if (needs_heritage()) heritage_ = heritage_of(*scheme_.split, control_, options_.steps);
     MarkedSurface result;
     result.surface = sampled(*surface);
+    if (options_.sharpness.any()) surface->gaps.normals.clear();
     if (options_.marks) {
       add_marks(surface->limit, result.marks);
       if (!keeps_old_edges(*scheme_.split)) add_lasting(*surface, result.marks);
@@ -212,30 +213,51 @@ class Work {
     const TextureCoordinates& texture = surface.attributes.texture;
     const bool textured = !texture.empty();
     std::vector<std::vector<std::array<Index, 3>>> sides(mesh.positions.size());
+    SpaceVector face_normal{};
     const auto vertex_of = [&](Index c) {
       const Index v = mesh.corners[at(c)];
+      const auto add = [&](const SpaceVector& normal) {
+        sampled.vertices.push_back(vector_of(surface.limit[at(v)]));
+        sampled.normals.push_back(normal);
+        if (textured) sampled.texture.push_back(coordinates(texture, c));
+        return static_cast<Index>(sampled.vertices.size()) - 1;
+      };
       const Index point = textured ? texture.of_corner[at(c)] : kNone;
       const Index side = surface.sides.empty() ? kNone : surface.sides.of_corner[at(c)];
+      const Point3& normal =
+          side == kNone ? surface.normals[at(v)] : surface.sides.normals[at(side)];
+      if (normal == Point3{} && options_.sharpness.any()) return add(face_normal);  // a tip
       for (const auto& [known_point, known_side, number] : sides[at(v)])
         if (known_point == point && known_side == side) return number;
-      const auto number = static_cast<Index>(sampled.vertices.size());
-      sides[at(v)].push_back({point, side, number});
-      sampled.vertices.push_back(vector_of(surface.limit[at(v)]));
-      sampled.normals.push_back(
-          vector_of(side == kNone ? surface.normals[at(v)] : surface.sides.normals[at(side)]));
-      if (textured) sampled.texture.push_back(coordinates(texture, c));
-      return number;
+      sides[at(v)].push_back({point, side, add(vector_of(normal))});
+      return sides[at(v)].back()[2];
     };
     std::vector<int> corners;
     for (Index f = 0; f < mesh.face_count(); ++f) {
       if (is_hole(f)) continue;
       corners.clear();
+      face_normal = normal_of(surface, f);
       for (Index c = mesh.face_begin[at(f)]; c < mesh.face_begin[at(f) + 1]; ++c)
         corners.push_back(vertex_of(c));
       for (std::size_t i = 1; i + 1 < corners.size(); ++i)
         sampled.triangles.push_back({corners[0], corners[i], corners[i + 1]});
     }
     return sampled;
+  }
+
+  /// By area, of a face with its corners on the limit surface; none where no sharp tip needs it.
+  [[nodiscard]] SpaceVector normal_of(const RefinedSurface& surface, Index f) const {
+    SpaceVector normal{};
+    if (!options_.sharpness.any()) return normal;
+    const Polygons& mesh = surface.polygons;
+    const Index first = mesh.face_begin[at(f)], end = mesh.face_begin[at(f) + 1];
+    const auto from_first = [&](Index c) {
+      return sum(vector_of(surface.limit[at(mesh.corners[at(c)])]),
+                 vector_of(surface.limit[at(mesh.corners[at(first)])]), -1);
+    };
+    for (Index c = first + 1; c + 1 < end; ++c)
+      normal = sum(normal, cross(from_first(c), from_first(c + 1)), 1);
+    return normal;
   }
 
   /// The faces of the control mesh, each with a normal of its own.

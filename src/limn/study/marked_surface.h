@@ -32,7 +32,8 @@ struct MarkedSurface {
 };
 
 /// The limit surface, sampled after so many steps, with a normal for each side of a crease and a
-/// texture point for each side of a seam. Faces of holes are left out. Vertices without a limit
+/// texture point for each side of a seam; where sharpness leaves no normal, at a tip, faces have
+/// their own. Faces of holes are left out. Vertices without a limit
 /// point stay where the steps have put them. Fails as `refine_surface` does, and before the work
 /// where it and a picture of it need more memory than there is. Seams are marked only where the
 /// split keeps old edges.
