@@ -66,7 +66,10 @@ TEST(PeersCatmullClark, AChangedWeightIsNoticed) {
   const std::vector<Edit> edits{
       {"edge rule",
        {{"end  = \"1/4\"", "end  = \"1/4 + 1/10^9\""},
-        {"face = \"1/4\"", "face = \"1/4 - 1/10^9\""}},
+        {"face = \"1/4\"", "face = \"1/4 - 1/10^9\""},
+        {"[smooth-triangles]\nedge-side = [ { when = \"n == 3\", end = \"3/100\", face = "
+         "\"47/100\" }, { end = \"1/4\", face = \"1/4\" } ]\n",
+         ""}},  // it says of quads what the edge rule says
        ""},
       {"vertex rule",
        {{"face = \"1/n^2\"", "face = \"(1 + 1/10^9)/n^2\""},
