@@ -14,7 +14,8 @@ namespace limn::test {
 /// Whether there is a reference for a scheme of this name.
 [[nodiscard]] bool has_reference(const std::string& scheme);
 
-/// Values at the vertices of the refined mesh. `parameter` is the value of the scheme's own
+/// Values at the vertices of the refined mesh; a scheme that has smooth triangles has two
+/// references, "NAME" and "NAME, smooth triangles". `parameter` is the value of the scheme's own
 /// parameter (w, b or a), where it has one; without it, what the papers take. Schemes that are
 /// given by a mask alone have a reference on regular tori only; a modified-butterfly kind has none
 /// round an interior vertex of valence 2.

@@ -262,6 +262,11 @@ std::optional<std::string> failed_reference(const Scheme& scheme) {
   if (!has_reference(scheme.name)) return "no reference for a scheme named " + scheme.name;
   if (auto failure = failed_trial(scheme, std::nullopt)) return failure;
   if (scheme.name.starts_with("box-spline")) return failed_box_splines(scheme);
+  if (Scheme smooth = scheme; use_smooth_triangles(smooth)) {
+    smooth.name += ", smooth triangles";
+    if (has_reference(smooth.name))  // else its rule is that of the scheme it extends
+      if (auto failure = failed_trial(smooth, std::nullopt)) return smooth.name + ": " + *failure;
+  }
   const std::optional<Setting> setting = other_setting(scheme.name);
   if (!setting) return std::nullopt;
   Scheme other = scheme;
