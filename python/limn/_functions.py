@@ -8,9 +8,10 @@ from typing import Any, Iterable, Mapping, Optional, Sequence, Union
 import numpy.typing as npt
 
 from . import _limn
+from ._analyses import seconds_of, valences_of
 from ._errors import Error, MeshError
 from ._results import Certificate, Comparison, Fairness, Tuning
-from ._scheme import Scheme, _seconds, _valences
+from ._scheme import Scheme
 from ._surface import Surface
 
 SchemeLike = Union[Scheme, str, "os.PathLike[str]"]
@@ -61,7 +62,7 @@ def compare(
     labelled = _labelled(schemes)
     if len(labelled) < 2:
         raise Error("one scheme alone cannot be compared", "name two or more")
-    valences = _valences(valence)
+    valences = valences_of(valence)
     if mesh is not None and (len(mesh) < 2 or mesh[0] is None):
         raise MeshError("mesh is not (V, F)")
     vertices, faces = (mesh[0], mesh[1]) if mesh is not None else (None, None)
@@ -73,7 +74,7 @@ def compare(
             min(valences),
             max(valences),
             tolerance,
-            _seconds(seconds),
+            seconds_of(seconds),
             budget,
             levels,
         )
@@ -126,10 +127,13 @@ def papers(folder: Path, *names: str) -> str:
     one in it. Takes some seconds to minutes a paper.
     """
     path = os.fspath(folder)
+    known = _limn.paper_names()
+    if unknown := [name for name in names if name not in known]:
+        raise Error(f"there is no paper '{unknown[0]}'", f"the papers are {', '.join(known)}")
     if len(names) == 1:
         _limn.write_paper(names[0], path)
     else:
-        chosen = names or tuple(_limn.paper_names())
+        chosen = names or tuple(known)
         for name in chosen:
             _limn.write_paper(name, os.path.join(path, name))
         _limn.write_paper_list(path, chosen)
@@ -151,13 +155,14 @@ def check_certificate(certificate: Certificate | Path) -> dict[str, Any]:
     return answers
 
 
-def read_mesh(path: Path) -> Surface:
+def read_mesh(path: Path, *, tags: Optional[Path] = None) -> Surface:
     """``V, F = limn.read_mesh("mesh.obj")``: OBJ, OFF, PLY, STL, GLB, glTF.
 
-    ``.tags`` has what the file says is sharp. What of the file is left out is a LimnWarning.
+    ``.tags`` has what the file says is sharp, and then what a file of ``tags`` (.toml) says, by the
+    mesh file's numbers or names of faces. What of the file is left out is a LimnWarning.
     """
-    vertices, faces, tags = _limn.read_mesh(os.fspath(path))
-    return Surface._of({"vertices": vertices, "faces": faces, "sharp": tags})
+    made = _limn.read_mesh(os.fspath(path), "" if tags is None else os.fspath(tags))
+    return Surface._of(dict(zip(("vertices", "faces", "sharp"), made)))
 
 
 def write_mesh(
@@ -170,13 +175,25 @@ def write_mesh(
     crease_sharpness: Any = None,
     corners: Any = None,
     corner_sharpness: Any = None,
+    holes: Any = None,
+    boundary: Optional[str] = None,
+    crease_method: Optional[str] = None,
+    triangles: Optional[str] = None,
 ) -> None:
-    """Writes .obj, .off, .ply, .stl or .glb, whole or not at all. Arrays as for ``Scheme.refine``."""
+    """Writes .obj, .off, .ply, .stl or .glb, whole or not at all: ``write_mesh(path, V, F)``.
+
+    Arrays, and what is sharp, as for ``Scheme.refine``; ``normals`` (n, 3) of length 1. What the
+    format cannot hold of sharpness is left out, with a LimnWarning; .obj holds all of it.
+    """
     tags = {
         "creases": creases,
         "crease_sharpness": crease_sharpness,
         "corners": corners,
         "corner_sharpness": corner_sharpness,
+        "holes": holes,
+        "boundary": boundary,
+        "crease_method": crease_method,
+        "triangles": triangles,
     }
     _limn.write_mesh(os.fspath(path), vertices, faces, normals, tags)
 

@@ -45,7 +45,12 @@ class SchemeData:
 
 class RefinerData:
     def __init__(
-        self, scheme: SchemeData, faces: Any, levels: int, vertices: Optional[int] = None
+        self,
+        scheme: SchemeData,
+        faces: Any,
+        levels: int,
+        vertices: Optional[int],
+        tags: dict[str, Any],
     ) -> None: ...
     def evaluate(self, values: npt.ArrayLike, out: Optional[_Array] = None) -> _Array: ...
     def evaluate_limit(self, vertices: npt.ArrayLike) -> tuple[_Array, _Array]: ...
@@ -57,6 +62,10 @@ class RefinerData:
     def control_count(self) -> int: ...
     @property
     def vertex_count(self) -> int: ...
+    @property
+    def tags(self) -> dict[str, Any]: ...
+    @property
+    def control_tags(self) -> dict[str, Any]: ...
     @property
     def scheme_data(self) -> SchemeData: ...
     @property
@@ -128,14 +137,14 @@ def refine(
     plain: bool,
     tags: dict[str, Any],
     crease_angle: float,
-    boundary: str,
-    method: str,
 ) -> dict[str, Any]: ...
 def limit_points(
     scheme: SchemeData, vertices: npt.ArrayLike, faces: Any
 ) -> tuple[_Array, _Array]: ...
 def limit_stencil(scheme: SchemeData, valence: int, boundary: bool) -> dict[str, Any]: ...
-def read_mesh(path: str) -> tuple[npt.NDArray[np.float64], Any, dict[str, Any]]: ...
+def read_mesh(
+    path: str, tags: str
+) -> tuple[npt.NDArray[np.float64], Any, dict[str, Any]]: ...
 def write_mesh(
     path: str,
     vertices: npt.ArrayLike,
@@ -202,5 +211,8 @@ def draw_surface(
     azimuth: float,
     elevation: float,
     net: bool,
+    marks: bool,
+    tags: dict[str, Any],
+    crease_angle: float,
     format: str,
 ) -> bytes: ...

@@ -1,29 +1,21 @@
-"""Schemes, and all that is computed from one alone."""
+"""Schemes: what they are, meshes refined by them, weights chosen."""
 
 from __future__ import annotations
 
 import os
 from fractions import Fraction
-from typing import Any, Iterable, Mapping, Optional, Sequence, Union, overload
+from typing import Any, Iterable, Mapping, Optional, Sequence, Union
 
-import numpy as np
 import numpy.typing as npt
 
 from . import _limn
+from ._analyses import Analyses, seconds_of, valences_of
 from ._errors import Error, SchemeError
 from ._pictures import Picture, table
-from ._results import (
-    ArtifactMap,
-    Certificate,
-    CharacteristicMap,
-    Eigen,
-    Regularity,
-    Tuning,
-)
+from ._results import Tuning
 from ._surface import Array, Surface
 
 Number = Union[int, float, Fraction, str]
-LARGEST_VALENCE = 2000
 
 
 def _assignment(name: str, value: Number) -> str:
@@ -36,31 +28,32 @@ def _assignment(name: str, value: Number) -> str:
     return f"{name}={exact.numerator}/{exact.denominator}"
 
 
-def _valences(valences: int | Iterable[int], least: int = 2) -> list[int]:
-    """One or many, checked."""
-    many = valences if isinstance(valences, Iterable) else [valences]
-    checked = []
-    for valence in many:
-        number = int(valence)
-        if number != valence or not least <= number <= LARGEST_VALENCE:
-            raise Error(f"valence {valence} is not from {least} to {LARGEST_VALENCE}")
-        checked.append(number)
-    return checked
-
-
-def _seconds(seconds: Optional[float]) -> float:
-    """0 and None: without end."""
-    if seconds is not None and not seconds >= 0:
-        raise Error(f"{seconds} is no number of seconds")
-    return float(seconds) if seconds else float("inf")
-
-
 def _range_text(between: Any) -> str:
     """(low, high) as ``limn tune --between`` takes it."""
-    return ",".join(_assignment("", bound).lstrip("=") for bound in between)
+    try:
+        low, high = between
+    except (TypeError, ValueError):
+        raise Error(
+            f"{between!r} is not (low, high)", "of several names, between= is a list of such pairs"
+        ) from None
+    return ",".join(_assignment("", bound).lstrip("=") for bound in (low, high))
 
 
-class Scheme:
+def _degrees(crease_angle: Optional[float]) -> float:
+    """Below 0: none."""
+    if crease_angle is None:
+        return -1.0
+    if not 0 <= crease_angle <= 180:
+        raise Error(f"crease_angle {crease_angle} is not from 0 to 180 degrees")
+    return float(crease_angle)
+
+
+_TAGS = frozenset(
+    "creases crease_sharpness corners corner_sharpness holes boundary crease_method triangles".split()
+)
+
+
+class Scheme(Analyses):
     """A subdivision scheme.
 
     ``source`` is a shipped name (``limn.schemes()``), the path of a scheme file, or, as it has a
@@ -68,8 +61,6 @@ class Scheme:
     ``{"a": "1/16"}``; floats are taken as the fractions that they are. Raises SchemeError with
     file, line and column. Two schemes are equal if their texts and parameters are.
     """
-
-    _data: _limn.SchemeData
 
     def __init__(
         self,
@@ -176,6 +167,7 @@ class Scheme:
         crease_angle: Optional[float] = None,
         boundary: Optional[str] = None,
         crease_method: Optional[str] = None,
+        triangles: Optional[str] = None,
     ) -> Surface:
         """The mesh after so many steps: ``V, F = scheme.refine(V, F, 3)``.
 
@@ -195,20 +187,23 @@ class Scheme:
         as without it, for ever); ``corners`` (c) vertices and ``corner_sharpness`` alike; ``holes``
         (h) faces that are left out; ``crease_angle`` in degrees between normals; ``boundary``
         "none", "edgeOnly" or "edgeAndCorner"; ``crease_method`` "uniform" or "chaikin".
+        ``triangles`` "catmullClark" or "smooth": amid other faces they are refined more evenly,
+        where the scheme has a rule for that (else SchemeError).
 
         Raises MeshError for a mesh that is no surface, Error where the scheme cannot refine it.
         Other Python threads run meanwhile; Ctrl-C ends it.
         """
         if engine not in ("quick", "plain"):
             raise Error(f"engine {engine!r} is neither 'quick' nor 'plain'")
-        if crease_angle is not None and not 0 <= crease_angle <= 180:
-            raise Error(f"crease_angle {crease_angle} is not from 0 to 180 degrees")
         tags = {
             "creases": creases,
             "crease_sharpness": crease_sharpness,
             "corners": corners,
             "corner_sharpness": corner_sharpness,
             "holes": holes,
+            "boundary": boundary,
+            "crease_method": crease_method,
+            "triangles": triangles,
         }
         made = _limn.refine(
             self._data,
@@ -220,9 +215,7 @@ class Scheme:
             curvatures,
             engine == "plain",
             tags,
-            -1.0 if crease_angle is None else float(crease_angle),
-            boundary or "",
-            crease_method or "",
+            _degrees(crease_angle),
         )
         return Surface._of(made)
 
@@ -232,18 +225,6 @@ class Scheme:
         Arrays as for ``refine``. A vertex without a limit stays where it is, with a LimnWarning.
         """
         return _limn.limit_points(self._data, vertices, faces)
-
-    def limit_stencil(self, valence: int, *, boundary: bool = False) -> dict[str, Any]:
-        """The limit point and tangents at a vertex as weights of the points round it.
-
-        ``valence``: edges at an interior vertex (dual schemes: corners of a face); with
-        ``boundary``, faces at a vertex of the boundary, 1 or more. A dict of ``rings``,
-        ``position`` (weights that sum to 1, of the points of a star or fan in the order of
-        ``docs/coordinates.md``), ``first_tangent``, ``second_tangent`` (empty where there is no
-        tangent plane) and ``has_plane``.
-        """
-        (number,) = _valences([valence], 1 if boundary else 2)
-        return _limn.limit_stencil(self._data, number, boundary)
 
     def draw(
         self,
@@ -256,90 +237,46 @@ class Scheme:
         azimuth: float = -50.0,
         elevation: float = 30.0,
         net: bool = False,
+        marks: bool = False,
+        crease_angle: Optional[float] = None,
+        **tags: Any,
     ) -> Picture:
         """A picture of the limit surface: ``limn draw``. Needs a limn with cairo and Embree.
 
         ``kind``: "shaded", "stripes" (a mirror of ``lights`` parallel lights) or "lines"
         (reflection lines as curves); ``azimuth`` and ``elevation`` of the viewer in degrees;
-        ``net``: the control net, too.
+        ``net``: the control net, too; ``marks``: sharp edges and vertices, the sharper the darker.
+        What is sharp (``crease_angle`` and ``tags``) is stated as for ``refine``.
         """
         if kind not in ("shaded", "stripes", "lines"):
             raise Error(f"kind {kind!r} is none of 'shaded', 'stripes' and 'lines'")
         if not 1 <= lights <= 10000:
             raise Error(f"lights {lights} is not from 1 to 10000")
 
+        for name in tags.keys() - _TAGS:
+            raise TypeError(f"draw() got an unexpected keyword argument '{name}'")
+        degrees = _degrees(crease_angle)
+
         def drawn(format: str) -> bytes:
             return _limn.draw_surface(
-                self._data, vertices, faces, levels, kind, lights, azimuth, elevation, net, format
+                self._data,
+                vertices,
+                faces,
+                levels,
+                kind,
+                lights,
+                azimuth,
+                elevation,
+                net,
+                marks,
+                tags,
+                degrees,
+                format,
             )
 
         return Picture(drawn, f"surface of {self.name}", vector=False)
 
-    # Extraordinary vertices.
-
-    @overload
-    def eigen(self, valence: int, *, rings: int = 0, vectors: bool = False) -> Eigen: ...
-    @overload
-    def eigen(
-        self, valence: Iterable[int], *, rings: int = 0, vectors: bool = False
-    ) -> list[Eigen]: ...
-
-    def eigen(
-        self, valence: int | Iterable[int], *, rings: int = 0, vectors: bool = False
-    ) -> Eigen | list[Eigen]:
-        """Frequency blocks, eigenvalues, labelled components and verdicts at a valence.
-
-        A dict as the entries of ``valences`` of ``limn eigen --json``; for several valences, as
-        ``range(3, 13)``, a list of them. ``rings``: how many are analysed; 0: as many as control the
-        surface. ``vectors``: also the eigenvectors and the stencils of limit point and tangents.
-        """
-        if not 0 <= rings <= 6:
-            raise Error(f"rings {rings} is not from 0 to 6")
-        many = _valences(valence)
-        found = [Eigen(one) for one in _limn.eigen(self._data, many, rings, vectors)]
-        return found if isinstance(valence, Iterable) else found[0]
-
-    def eigen_formulas(
-        self, evaluated: Optional[Iterable[str]] = None, *, rings: int = 0
-    ) -> dict[str, Any]:
-        """Eigenvalues in closed form, for all valences: ``limn eigen --formulas --json``.
-
-        Parameters stay names but for those ``evaluated``; None: those that were set.
-        """
-        if evaluated is None:
-            evaluated = [a.partition("=")[0] for a in self._data.set_parameters]
-        formulas: dict[str, Any] = _limn.eigen_formulas(self._data, set(evaluated), rings)
-        return formulas
-
-    def characteristic_map(self, valence: int, *, steps: int = 4) -> CharacteristicMap:
-        """The characteristic map at a valence from 3 on, after so many steps."""
-        if not 0 <= steps <= 8:
-            raise Error(f"steps {steps} is not from 0 to 8")
-        (number,) = _valences([valence], 3)
-        found = _limn.characteristic_map(self._data, number, steps)
-        return CharacteristicMap(scheme=self, steps=steps, **found)
-
-    def certify(
-        self,
-        valence: int | Iterable[int] = (),
-        *,
-        all: bool = False,
-        bits: int = 128,
-        seconds: Optional[float] = 600,
-    ) -> Certificate:
-        """Proves or refutes, in ball arithmetic, that surfaces are C1 at vertices of these valences.
-
-        A dict as ``limn certify --json``. ``all``: also at every valence from 3 on. What is left
-        when the ``seconds`` end (None: never) is "undecided".
-        """
-        valences = sorted(set(_valences(valence, 3)))
-        if not valences and not all:
-            raise Error("no valence to certify", "give one, or several, or all=True")
-        if not 64 <= bits <= 4096:
-            raise Error(f"bits {bits} is not from 64 to 4096")
-        return Certificate(
-            *_limn.certify(self._data, valences, bits, all, _seconds(seconds))
-        )
+    # Chosen weights.
 
     def tune(
         self,
@@ -370,10 +307,10 @@ class Scheme:
                 self._data,
                 free,
                 require,
-                _valences(valence, 3),
+                valences_of(valence, 3),
                 "" if between is None else _range_text(between),
                 everywhere,
-                _seconds(seconds),
+                seconds_of(seconds),
                 self._base(),
             )
         )
@@ -392,10 +329,10 @@ class Scheme:
                 self._data,
                 [free] if isinstance(free, str) else list(free),
                 [require] if isinstance(require, str) else list(require),
-                _valences(valence, 3),
+                valences_of(valence, 3),
                 [] if between is None else [_range_text(one) for one in between],
                 everywhere,
-                _seconds(seconds),
+                seconds_of(seconds),
                 self._base(),
             )
         )
@@ -421,73 +358,6 @@ class Scheme:
         if self.name in _limn.shipped_schemes() and self.text == Scheme(self.name).text:
             return self.name
         return os.path.abspath(self.file) if os.path.isfile(self.file) else ""
-
-    # The regular lattice.
-
-    def regularity(
-        self, *, budget: int = 7000, tolerance: float = 4e-3, seconds: Optional[float] = 10
-    ) -> Regularity:
-        """How smooth surfaces are on the regular lattice, with proof: ``limn regularity --json``.
-
-        ``budget``: so many vertices of a polytope at most; ``tolerance``: the width of the bracket
-        of the Hölder exponent below which little more is sought; ``seconds``: how long to look
-        (None: without end); what was reached is proved all the same.
-        """
-        if not 1 <= budget <= 1_000_000 or not 1e-6 <= tolerance <= 1:
-            raise Error("budget is not from 1 to 1000000, or tolerance not from 1e-6 to 1")
-        return Regularity(_limn.regularity(self._data, budget, tolerance, _seconds(seconds)))
-
-    def regular_part(self) -> dict[str, str]:
-        """Whether the regular lattice lets curvature be bounded: "bounded" and "reason"."""
-        part: dict[str, str] = _limn.regular_part(self._data)
-        return part
-
-    def artifacts(
-        self,
-        frequency: Sequence[float],
-        *,
-        steps: Optional[int] = None,
-        stages: Optional[int] = None,
-    ) -> dict[str, Any]:
-        """Signal and artifacts of one wave: ``limn artifacts --frequency --json``.
-
-        ``frequency``: (fx, fy) in cycles per control edge. In the limit, or after so many ``steps``,
-        or after one refinement and so many smoothing ``stages``.
-        """
-        fx, fy = (float(f) for f in frequency)
-        if not np.hypot(fx, fy) <= 1000:
-            raise Error(f"frequency ({fx}, {fy}) is not within 1000 cycles per control edge")
-        if steps is not None and stages is not None:
-            raise Error("steps and stages exclude each other")
-        if steps is not None and not 1 <= steps <= 30:
-            raise Error(f"steps {steps} is not from 1 to 30")
-        if stages is not None and not 0 <= stages <= 64:
-            raise Error(f"stages {stages} is not from 0 to 64")
-        kind = "steps" if steps is not None else "stages" if stages is not None else "limit"
-        found: dict[str, Any] = _limn.artifacts(
-            self._data, (fx, fy), kind, steps or stages or 0
-        )
-        return found
-
-    def artifact_map(self, size: int | tuple[int, int] = 512) -> ArtifactMap:
-        """Signal and artifacts of all waves, in the limit.
-
-        ``size``: so many frequencies along each side of the box round the Nyquist region, or
-        (width, height).
-        """
-        width, height = (size, size) if isinstance(size, int) else size
-        found = _limn.artifact_map(self._data, width, height)
-        found["artifacts"] = np.stack(found["artifacts"])
-        return ArtifactMap(scheme=self, **found)
-
-    def sampling_density(self, tolerance: float = 1.0) -> dict[str, Any]:
-        """Control edges per wavelength that keep artifacts below ``tolerance`` percent of the signal.
-
-        ``limn artifacts --tolerance --json``: under "sampling", by "total_energy" (all artifacts of
-        the limit surface) and "mean_energy", the "worst" and the "best" direction.
-        """
-        density: dict[str, Any] = _limn.sampling_density(self._data, float(tolerance))
-        return density
 
     # Python.
 

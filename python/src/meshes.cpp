@@ -13,18 +13,60 @@
 #include "limn/mesh/polygon/triangulate.h"
 #include "limn/mesh/repair/repair.h"
 #include "limn/report/mesh_check_report.h"
+#include "limn/surface/tags_file.h"
 #include "module.h"
 #include "tags.h"
 
 namespace limn::python {
 namespace {
 
-/// (V, F, tags).
-py::tuple read(const std::string& path) {
+/// What names of faces say, as tags.
+SharpnessTags tags_of_labels(const std::string& path, const Mesh& mesh, const LabelTags& labels) {
+  if (labels.statements.empty()) return {};
+  const MeshFile file = value_of(
+      without_gil([&] { return read_mesh_file(path, {.attributes = true}); }), Fault::mesh);
+  Sharpness sharpness;
+  check(apply_label_tags(mesh, file.attributes, labels, sharpness), Fault::mesh);
+  SharpnessTags tags = limn::tags_of(mesh, sharpness);
+  // those along the boundary count where that makes holes
+  for (Index e = 0; e < static_cast<Index>(sharpness.edges.size()); ++e) {
+    const double sharp = sharpness.edges[static_cast<std::size_t>(e)];
+    const Index h = mesh.halfedge_of_edge(e);
+    if (sharp > 0 && mesh.is_boundary_edge(e))
+      tags.creases.push_back({{mesh.origin(h), mesh.target(h)}, {sharp}, 0});
+  }
+  return tags;
+}
+
+/// Those of a mesh file, then those of a file of tags, which count more.
+SharpnessTags with_tags_file(const MeshFile& file, const std::string& mesh_path,
+                             const std::string& path) {
+  LabelTags labels;
+  const SharpnessTags stated =
+      value_of(read_tags_file(path, file.source.first, &labels), Fault::mesh);
+  const Mesh mesh = value_of(without_gil([&] { return Mesh::build(file.polygons); }), Fault::mesh);
+  SharpnessTags all = file.tags;
+  for (const SharpnessTags& more : {tags_of_labels(mesh_path, mesh, labels), stated}) {
+    all.creases.insert(all.creases.end(), more.creases.begin(), more.creases.end());
+    all.corners.insert(all.corners.end(), more.corners.begin(), more.corners.end());
+    all.holes.insert(all.holes.end(), more.holes.begin(), more.holes.end());
+  }
+  if (stated.boundary) all.boundary = stated.boundary;
+  if (stated.method) all.method = stated.method;
+  if (stated.smooth_triangles) all.smooth_triangles = stated.smooth_triangles;
+  Sharpness tried;  // so that a fault is told with its line
+  check(apply_tags(mesh, file.source, file.tags, tried), Fault::mesh);
+  check(apply_tags(mesh, file.source, stated, tried), Fault::mesh);
+  return all;
+}
+
+/// (V, F, tags). `tags`: the path of a file of them, or empty.
+py::tuple read(const std::string& path, const std::string& tags_path) {
   MeshFile file = value_of(without_gil([&] { return read_mesh_file(path); }), Fault::mesh);
   warn(file.warnings);
   warn(file.notes());
-  const py::dict tags = tags_dict(file.tags);
+  const py::dict tags =
+      tags_dict(tags_path.empty() ? file.tags : with_tags_file(file, path, tags_path));
   Polygons& mesh = file.polygons;
   return py::make_tuple(points_array(std::move(mesh.positions)),
                         faces_object(std::move(mesh.face_begin), std::move(mesh.corners)), tags);
@@ -104,7 +146,7 @@ py::tuple mend(const py::object& vertices, const py::object& faces, const Repair
 }  // namespace
 
 void bind_meshes(py::module_& module) {
-  module.def("read_mesh", &read, py::arg("path"));
+  module.def("read_mesh", &read, py::arg("path"), py::arg("tags"));
   module.def("write_mesh", &write, py::arg("path"), py::arg("vertices"), py::arg("faces"),
              py::arg("normals"), py::arg("tags"));
   module.def("check_mesh_file", &check_file, py::arg("path"));

@@ -13,8 +13,10 @@
 #include "limn/report/eigen/eigen_figures.h"
 #include "limn/report/lattice/artifact_figures.h"
 #include "limn/report/stencil_report.h"
+#include "limn/study/marked_surface.h"
 #include "limn/study/surface_scenes.h"
 #include "module.h"
+#include "tags.h"
 
 namespace limn::python {
 namespace {
@@ -72,39 +74,52 @@ struct Look {
   std::string kind;  ///< "shaded", "stripes" or "lines"
   int lights = 32;
   double azimuth = -50, elevation = 30;
-  bool net = false;
+  bool net = false, marks = false;
 };
 
-py::bytes draw_surface(const Scheme& scheme, const py::object& vertices, const py::object& faces,
-                       int levels, const Look& look, const std::string& format) {
+Result<Figure> surface_figure(const Scheme& scheme, const Mesh& mesh,
+                              const std::vector<Point3>& points, const MarkedOptions& options,
+                              const Look& look) {
+  if (Status status = check_drawable(scheme, mesh, options.steps); !status) return status.error();
+  Result<MarkedSurface> surface = marked_surface(scheme, mesh, points, options);
+  if (!surface) return surface.error();
+  SurfaceScene scene;
+  scene.surfaces.push_back(std::move(surface->surface));
+  scene.marks = std::move(surface->marks);
+  scene.azimuth = look.azimuth;
+  scene.elevation = look.elevation;
+  if (look.net) scene.net = control_net(mesh, points);
+  scale_to_draw(scene);
+  const LightLines lights{.count = look.lights};
+  if (look.kind != "shaded")
+    if (Status status = check_lights(scene, lights, kWidth); !status) return status.error();
+  Figure figure(1, kWidth);
+  if (look.kind == "lines")
+    figure.add(ReflectionLinePanel{.scene = scene, .lights = lights});
+  else if (look.kind == "stripes")
+    figure.add(ShadedPanel{.scene = scene, .stripes = lights});
+  else
+    figure.add(ShadedPanel{.scene = scene});
+  return figure;
+}
+
+/// `crease_angle` in degrees; below 0: none.
+py::bytes draw_surface(const Scheme& given, const py::object& vertices, const py::object& faces,
+                       int levels, const Look& look, const py::dict& tags_given,
+                       double crease_angle, const std::string& format) {
   const Positions positions(vertices);
   positions.check_finite();
   Polygons polygons = faces_of(faces);
   polygons.positions = positions.points();
-  return drawn(format, "", [&]() -> Result<Figure> {
-    const Result<Mesh> mesh = Mesh::build(polygons);
-    if (!mesh) return mesh.error();
-    if (Status status = check_drawable(scheme, *mesh, levels); !status) return status.error();
-    LimitGaps gaps;
-    Result<SmoothSurface> surface = limit_surface(scheme, *mesh, polygons.positions, levels, &gaps);
-    if (!surface) return surface.error();
-    SurfaceScene scene;
-    scene.surfaces.push_back(*std::move(surface));
-    scene.azimuth = look.azimuth;
-    scene.elevation = look.elevation;
-    if (look.net) scene.net = control_net(*mesh, polygons.positions);
-    scale_to_draw(scene);
-    const LightLines lights{.count = look.lights};
-    if (look.kind != "shaded")
-      if (Status status = check_lights(scene, lights, kWidth); !status) return status.error();
-    Figure figure(1, kWidth);
-    if (look.kind == "lines")
-      figure.add(ReflectionLinePanel{.scene = scene, .lights = lights});
-    else if (look.kind == "stripes")
-      figure.add(ShadedPanel{.scene = scene, .stripes = lights});
-    else
-      figure.add(ShadedPanel{.scene = scene});
-    return figure;
+  const Mesh mesh = value_of(without_gil([&] { return Mesh::build(polygons); }), Fault::mesh);
+  const SharpnessTags tags = tags_of(tags_given);
+  std::optional<CreaseAngle> angle;
+  if (crease_angle >= 0) angle.emplace(CreaseAngle{crease_angle, polygons.positions});
+  const MarkedOptions options{
+      .steps = levels, .sharpness = sharpness_of(mesh, tags, angle), .marks = look.marks};
+  const std::optional<Scheme> smooth = smoothed(given, tags);
+  return drawn(format, "", [&] {
+    return surface_figure(smooth ? *smooth : given, mesh, polygons.positions, options, look);
   });
 }
 
@@ -120,13 +135,14 @@ void bind_pictures(py::module_& module) {
       "draw_surface",
       [](const Scheme& scheme, const py::object& vertices, const py::object& faces, int levels,
          const std::string& kind, int lights, double azimuth, double elevation, bool net,
-         const std::string& format) {
+         bool marks, const py::dict& tags, double crease_angle, const std::string& format) {
         return draw_surface(scheme, vertices, faces, levels,
-                            {kind, lights, azimuth, elevation, net}, format);
+                            {kind, lights, azimuth, elevation, net, marks}, tags, crease_angle,
+                            format);
       },
       py::arg("scheme"), py::arg("vertices"), py::arg("faces"), py::arg("levels"), py::arg("kind"),
-      py::arg("lights"), py::arg("azimuth"), py::arg("elevation"), py::arg("net"),
-      py::arg("format"));
+      py::arg("lights"), py::arg("azimuth"), py::arg("elevation"), py::arg("net"), py::arg("marks"),
+      py::arg("tags"), py::arg("crease_angle"), py::arg("format"));
 }
 
 }  // namespace limn::python

@@ -13,16 +13,19 @@
 #include "limn/base/memory.h"
 #include "limn/fast/fast_limit.h"
 #include "limn/fast/fast_refiner.h"
+#include "limn/refine/crease_step.h"
 #include "limn/surface/refine_surface.h"
 #include "module.h"
+#include "tags.h"
 
 namespace limn::python {
 namespace {
 
 class Refiner {
  public:
+  /// `tags`: as tags_of (tags.h) takes them.
   Refiner(std::shared_ptr<Scheme> scheme, const py::object& faces, int levels,
-          std::optional<Index> vertices);
+          std::optional<Index> vertices, const py::dict& tags);
 
   /// The refined points, in `out` or an array of their own.
   py::object evaluate(const py::object& values, const py::object& out);
@@ -37,6 +40,8 @@ class Refiner {
   [[nodiscard]] int levels() const { return levels_; }
   [[nodiscard]] bool is_fast() const { return fast_.has_value(); }
   [[nodiscard]] std::size_t bytes() const { return fast_ ? fast_->bytes() : 0; }
+  [[nodiscard]] py::dict tags() const { return tags_dict(tags_); }
+  [[nodiscard]] py::dict control_tags() const { return tags_dict(control_tags_); }
 
  private:
   template <class Real>
@@ -64,6 +69,19 @@ class Refiner {
     use(own);
   }
 
+  void take_tags(const Mesh& mesh, const SharpnessTags& tags);
+  void make_fast(Mesh mesh);
+  void take_surface();
+
+  /// make(points), points of the fast engine; of them `fine` gets those that are no hole's.
+  template <class Real, class Make>
+  void without_holes_of(std::span<Real> fine, Make make) const {
+    if (!sharpness_.has_holes()) return make(fine);
+    HugeArray<Real> all(3 * static_cast<std::size_t>(fast_->vertex_count()));
+    make(std::span<Real>(all));
+    for (std::size_t i = 0; i < kept_.size(); ++i)
+      std::copy_n(all.data() + 3 * static_cast<std::size_t>(kept_[i]), 3, fine.data() + 3 * i);
+  }
   template <class Real>
   void sum(std::span<const Real> control, std::span<Real> fine);
   template <class Real>
@@ -75,8 +93,12 @@ class Refiner {
   void check_count(py::ssize_t count) const;
 
   std::shared_ptr<Scheme> scheme_;
-  Polygons control_;  // positions: all 0
+  std::shared_ptr<const Scheme> rules_;  // with those for smooth triangles, where asked for
+  Polygons control_;                     // positions: all 0
   int levels_;
+  Sharpness sharpness_;
+  SharpnessTags control_tags_, tags_;  // of the control mesh, and what is still sharp
+  std::vector<Index> kept_;  // where there are holes: the vertices of fast_ that are no hole's
   std::optional<FastRefiner> fast_;  // nothing where the split has no fast engine
   std::mutex making_limit_;
   bool limit_known_ = false;
@@ -98,8 +120,8 @@ py::object read_only(py::object faces) {
 }
 
 Refiner::Refiner(std::shared_ptr<Scheme> scheme, const py::object& faces, int levels,
-                 std::optional<Index> vertices)
-    : scheme_(std::move(scheme)), control_(faces_of(faces)), levels_(levels) {
+                 std::optional<Index> vertices, const py::dict& tags)
+    : scheme_(std::move(scheme)), rules_(scheme_), control_(faces_of(faces)), levels_(levels) {
   if (levels < 0 || levels > 64) raise({"levels is not from 0 to 64"}, Fault::other);
   const Index least = least_vertex_count(control_);
   if (vertices && *vertices < least)
@@ -108,41 +130,74 @@ Refiner::Refiner(std::shared_ptr<Scheme> scheme, const py::object& faces, int le
           Fault::mesh);
   control_.positions.resize(static_cast<std::size_t>(vertices.value_or(least)));
   Mesh mesh = value_of(without_gil([&] { return Mesh::build(control_); }), Fault::mesh);
-  if (has_fast_layout(*scheme_->split)) {
-    const RefineEstimate needed = FastRefiner::estimate(*scheme_->split, mesh, levels);
-    check(check_memory(needed, levels, available_memory()), Fault::mesh);
-    fast_.emplace(
-        value_of(without_gil([&] { return FastRefiner::make(*scheme_, std::move(mesh), levels); }),
-                 Fault::other));
-    vertices_ = fast_->vertex_count();
-    std::vector<Index> corners(static_cast<std::size_t>(fast_->corner_count()));
-    std::vector<Index> begin(static_cast<std::size_t>(fast_->face_count()) + 1);
-    without_gil([&] {
-      fast_->write_faces(corners);
-      fast_->write_face_begin(begin);
-    });
-    faces_ = read_only(faces_object(std::move(begin), std::move(corners)));
-    return;
+  take_tags(mesh, tags_of(tags));
+  if (has_fast_layout(*rules_->split)) make_fast(std::move(mesh));
+  if (!fast_ || sharpness_.has_holes()) take_surface();
+}
+
+/// What is sharp; raises where only the plain engine refines it.
+void Refiner::take_tags(const Mesh& mesh, const SharpnessTags& tags) {
+  if (std::optional<Scheme> smooth = smoothed(*scheme_, tags))
+    rules_ = std::make_shared<const Scheme>(*std::move(smooth));
+  sharpness_ = sharpness_of(mesh, tags);
+  check(check_takes_sharpness(*rules_, sharpness_), Fault::other);
+  if (const auto why = why_no_fast_sharpness(*rules_, mesh, sharpness_))
+    raise({"a Refiner cannot evaluate this mesh by " + rules_->name + ": " + *why,
+           "Scheme.refine refines it, by the plain engine"},
+          Fault::other);
+  control_tags_ = limn::tags_of(mesh, sharpness_);
+  if (tags.smooth_triangles.value_or(false)) control_tags_.smooth_triangles = true;
+}
+
+void Refiner::make_fast(Mesh mesh) {
+  const RefineEstimate needed = FastRefiner::estimate(*rules_->split, mesh, levels_);
+  check(check_memory(needed, levels_, available_memory()), Fault::mesh);
+  fast_.emplace(value_of(
+      without_gil([&] { return FastRefiner::make(*rules_, std::move(mesh), levels_, sharpness_); }),
+      Fault::other));
+  vertices_ = fast_->vertex_count();
+  tags_ = fast_->sharp_tags();
+  std::vector<Index> corners(static_cast<std::size_t>(fast_->corner_count()));
+  std::vector<Index> begin(static_cast<std::size_t>(fast_->face_count()) + 1);
+  without_gil([&] {
+    fast_->write_faces(corners);
+    fast_->write_face_begin(begin);
+  });
+  faces_ = read_only(faces_object(std::move(begin), std::move(corners)));
+}
+
+/// Faces and tags as `refine` gives them: without holes, or where there is no fast engine.
+void Refiner::take_surface() {
+  if (fast_) {
+    std::vector<Index> face_of(static_cast<std::size_t>(fast_->face_count()));
+    fast_->write_parents(face_of);
+    std::vector<bool> holes;
+    for (const Index f : face_of) holes.push_back(sharpness_.holes[static_cast<std::size_t>(f)]);
+    const auto all = static_cast<std::size_t>(fast_->vertex_count());
+    static_cast<void>(
+        without_holes(refined_polygons(*fast_, std::vector<Point3>(all)), holes, kept_));
   }
   RefinedSurface made = surface(control_.positions, false);
   vertices_ = made.polygons.vertex_count();
+  tags_ = std::move(made.sharp);
   faces_ = read_only(
       faces_object(std::move(made.polygons.face_begin), std::move(made.polygons.corners)));
 }
 
-/// By the plain engine: the whole work.
+/// The whole work anew, as `refine` does it.
 RefinedSurface Refiner::surface(std::vector<Point3> points, bool limit) const {
   const SurfaceOptions options{
       .levels = levels_,
       .limit = limit,
       .normals = limit,
       .partial = true,
+      .sharpness = sharpness_,
       .engine = fast_ ? SurfaceOptions::Engine::quick : SurfaceOptions::Engine::plain,
       .progress = on_progress};
   return value_of(without_gil([&]() -> Result<RefinedSurface> {
                     Result<Mesh> mesh = Mesh::build(control_);
                     if (!mesh) return mesh.error();
-                    return refine_surface(*scheme_, *std::move(mesh), std::move(points), options);
+                    return refine_surface(*rules_, *std::move(mesh), std::move(points), options);
                   }),
                   Fault::other);
 }
@@ -158,7 +213,10 @@ template <class Real>
 void Refiner::sum(std::span<const Real> control, std::span<Real> fine) {
   if (fast_) {
     without_gil([&] {
-      with_scratch<Real>([&](auto& scratch) { fast_->evaluate<Real>(control, fine, scratch); });
+      with_scratch<Real>([&](auto& scratch) {
+        without_holes_of(
+            fine, [&](const std::span<Real> all) { fast_->evaluate<Real>(control, all, scratch); });
+      });
     });
     return;
   }
@@ -240,7 +298,7 @@ const FastRefiner::Limit* Refiner::fast_limit() {
   const py::gil_scoped_release release;
   const std::lock_guard<std::mutex> lock(making_limit_);
   if (!limit_known_ && fast_) {
-    Result<std::optional<FastRefiner::Limit>> made = approx_fast_limit(*scheme_, *fast_);
+    Result<std::optional<FastRefiner::Limit>> made = approx_fast_limit(*rules_, *fast_);
     if (made) limit_ = *std::move(made);
     limit_known_ = true;
   }
@@ -266,7 +324,11 @@ py::tuple Refiner::evaluate_limit(const py::object& vertices) {
   HugeArray<double> points(size), normals(size);
   without_gil([&] {
     with_scratch<double>([&](auto& scratch) {
-      fast_->evaluate_limit<double>(*limit, control, points, normals, scratch);
+      without_holes_of<double>(points, [&](const std::span<double> all_points) {
+        without_holes_of<double>(normals, [&](const std::span<double> all_normals) {
+          fast_->evaluate_limit<double>(*limit, control, all_points, all_normals, scratch);
+        });
+      });
     });
   });
   return py::make_tuple(array_of(std::move(points), {vertices_, 3}),
@@ -277,8 +339,10 @@ py::tuple Refiner::evaluate_limit(const py::object& vertices) {
 
 void bind_refiner(py::module_& module) {
   py::class_<Refiner>(module, "RefinerData")
-      .def(py::init<std::shared_ptr<Scheme>, const py::object&, int, std::optional<Index>>(),
-           py::arg("scheme"), py::arg("faces"), py::arg("levels"), py::arg("vertices") = py::none())
+      .def(py::init<std::shared_ptr<Scheme>, const py::object&, int, std::optional<Index>,
+                    const py::dict&>(),
+           py::arg("scheme"), py::arg("faces"), py::arg("levels"), py::arg("vertices"),
+           py::arg("tags"))
       .def("evaluate", &Refiner::evaluate, py::arg("values"), py::arg("out") = py::none(),
            R"(The refined values from those of the control vertices.
 
@@ -286,7 +350,10 @@ values: (n, 3) positions; or (n, k) or (n,) of whatever is to be refined by the 
 gives float32, all else float64. out: a contiguous (vertex_count, 3) array of the same type that
 takes the result and is returned. NaN passes through.)")
       .def("evaluate_limit", &Refiner::evaluate_limit, py::arg("vertices"),
-           "(P, N): the refined vertices on the limit surface and its unit normals, of float64.")
+           R"((P, N): the refined vertices on the limit surface and its unit normals, of float64.
+
+vertices: (n, 3) positions. P and N are (vertex_count, 3). A normal is zero where the surface has
+none, and at vertices on creases, which have one on each side: Scheme.refine gives these.)")
       .def_property_readonly(
           "faces", &Refiner::faces,
           "The refined faces, as Scheme.refine gives them; they cannot be written.")
@@ -296,6 +363,10 @@ takes the result and is returned. NaN passes through.)")
                              "The number of control vertices.")
       .def_property_readonly("vertex_count", &Refiner::vertex_count,
                              "The number of refined vertices.")
+      .def_property_readonly("tags", &Refiner::tags,
+                             "What is still sharp of the refined mesh, as Scheme.refine takes it.")
+      .def_property_readonly("control_tags", &Refiner::control_tags,
+                             "What is sharp of the control mesh, as Scheme.refine takes it.")
       .def_property_readonly("scheme_data", &Refiner::scheme)
       .def_property_readonly("levels", &Refiner::levels, "The number of steps.")
       .def_property_readonly("is_fast", &Refiner::is_fast,

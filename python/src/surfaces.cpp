@@ -29,7 +29,7 @@ struct Wanted {
   bool limit = false, normals = false, curvatures = false;
   bool plain = false;
   py::dict tags;
-  SharpnessRules rules;
+  double crease_angle = -1;  ///< degrees; below 0: none
 };
 
 /// Connectivity of faces and so many vertices.
@@ -128,7 +128,19 @@ py::dict surface_dict(RefinedSurface surface, const Wanted& wanted, bool is_floa
   return result;
 }
 
-py::dict refine(const Scheme& scheme, const py::object& vertices, const py::object& faces,
+/// Those of the limit surface, of sharpness, and points made by the plain engine: all but what
+/// refine_in_place makes.
+py::dict refine_copy(const Scheme& scheme, Mesh mesh, std::vector<Point3> points, bool is_float,
+                     const SurfaceOptions& options, const Wanted& wanted) {
+  RefinedSurface surface =
+      value_of(without_gil([&] {
+                 return refine_surface(scheme, std::move(mesh), std::move(points), options);
+               }),
+               Fault::other);
+  return surface_dict(std::move(surface), wanted, is_float);
+}
+
+py::dict refine(const Scheme& given, const py::object& vertices, const py::object& faces,
                 const Wanted& wanted) {
   if (wanted.levels < 0 || wanted.levels > 64) raise({"levels is not from 0 to 64"}, Fault::other);
   const Positions positions(vertices);
@@ -144,25 +156,24 @@ py::dict refine(const Scheme& scheme, const py::object& vertices, const py::obje
   if (wanted.plain) options.engine = SurfaceOptions::Engine::plain;
   std::vector<Point3> points;
   const SharpnessTags tags = tags_of(wanted.tags);
-  const SharpnessRules& rules = wanted.rules;
-  if (!tags.empty() || rules.crease_angle >= 0 || !rules.boundary.empty() ||
-      !rules.method.empty()) {
+  if (wanted.crease_angle >= 0) {
     points = positions.points();
-    options.sharpness = sharpness_of(mesh, points, tags, rules);
+    options.sharpness = sharpness_of(mesh, tags, CreaseAngle{wanted.crease_angle, points});
+  } else if (!tags.empty()) {
+    options.sharpness = sharpness_of(mesh, tags);
   }
+  const std::optional<Scheme> smooth = smoothed(given, tags);
+  const Scheme& scheme = smooth ? *smooth : given;
   const bool quick = is_quick(scheme, mesh, options);
   check_memory_for(scheme, mesh, wanted, quick);
-  if (quick && !of_limit && !options.has_sharpness())
-    return positions.is_float
-               ? refine_in_place<float>(scheme, std::move(mesh), positions, wanted.levels)
-               : refine_in_place<double>(scheme, std::move(mesh), positions, wanted.levels);
-  if (points.empty()) points = positions.points();
-  RefinedSurface surface =
-      value_of(without_gil([&] {
-                 return refine_surface(scheme, std::move(mesh), std::move(points), options);
-               }),
-               Fault::other);
-  return surface_dict(std::move(surface), wanted, positions.is_float);
+  if (!quick || of_limit || options.has_sharpness()) {
+    if (points.empty()) points = positions.points();
+    return refine_copy(scheme, std::move(mesh), std::move(points), positions.is_float, options,
+                       wanted);
+  }
+  return positions.is_float
+             ? refine_in_place<float>(scheme, std::move(mesh), positions, wanted.levels)
+             : refine_in_place<double>(scheme, std::move(mesh), positions, wanted.levels);
 }
 
 /// (P, N) at the vertices of the mesh itself.
@@ -192,14 +203,13 @@ void bind_surfaces(py::module_& module) {
       "refine",
       [](const Scheme& scheme, const py::object& vertices, const py::object& faces, int levels,
          bool limit, bool normals, bool curvatures, bool plain, const py::dict& tags,
-         double crease_angle, const std::string& boundary, const std::string& method) {
+         double crease_angle) {
         return refine(scheme, vertices, faces,
-                      {levels, limit, normals, curvatures, plain, tags,
-                       SharpnessRules{crease_angle, boundary, method}});
+                      {levels, limit, normals, curvatures, plain, tags, crease_angle});
       },
       py::arg("scheme"), py::arg("vertices"), py::arg("faces"), py::arg("levels"), py::arg("limit"),
       py::arg("normals"), py::arg("curvatures"), py::arg("plain"), py::arg("tags"),
-      py::arg("crease_angle"), py::arg("boundary"), py::arg("method"));
+      py::arg("crease_angle"));
   module.def("limit_points", &limit_points, py::arg("scheme"), py::arg("vertices"),
              py::arg("faces"));
 }

@@ -24,16 +24,33 @@ std::vector<double> sharpness_for(const py::dict& dict, const char* key, std::si
   return numbers;
 }
 
+using Triangles = std::vector<std::pair<std::string, bool>>;
+
+const Triangles& triangle_words() {
+  static const Triangles words{{"catmullClark", false}, {"smooth", true}};
+  return words;
+}
+
+/// What the word of `key` means; nothing where none is given.
 template <class Value>
-Value named(const std::string& name, const std::vector<std::pair<std::string, Value>>& known,
-            Value otherwise) {
-  if (name.empty()) return otherwise;
+std::optional<Value> named(const py::dict& dict, const char* key,
+                           const std::vector<std::pair<std::string, Value>>& known) {
+  const py::object given = entry(dict, key);
+  if (given.is_none()) return std::nullopt;
+  const std::string name = py::str(given);
   std::string all;
   for (const auto& [word, value] : known) {
     if (word == name) return value;
     all += (all.empty() ? "" : ", ") + word;
   }
-  raise({"'" + name + "' is none of " + all}, Fault::mesh);
+  raise({std::string(key) + " '" + name + "' is none of " + all}, Fault::mesh);
+}
+
+template <class Value>
+void add_word(py::dict& dict, const char* key, const std::optional<Value>& stated,
+              const std::vector<std::pair<std::string, Value>>& known) {
+  for (const auto& [word, value] : known)
+    if (stated == value) dict[key] = word;
 }
 
 }  // namespace
@@ -54,6 +71,9 @@ SharpnessTags tags_of(const py::dict& dict) {
   }
   if (const py::object given = entry(dict, "holes"); !given.is_none())
     for (const Index face : indices_of(given, 0, "holes")) tags.holes.push_back({face});
+  tags.boundary = named(dict, "boundary", boundary_modes());
+  tags.method = named(dict, "crease_method", crease_methods());
+  tags.smooth_triangles = named(dict, "triangles", triangle_words());
   return tags;
 }
 
@@ -80,19 +100,29 @@ py::dict tags_dict(const SharpnessTags& tags) {
     dict["corner_sharpness"] = array_of(std::move(points));
   }
   if (!holes.empty()) dict["holes"] = array_of(std::move(holes));
+  add_word(dict, "boundary", tags.boundary, boundary_modes());
+  add_word(dict, "crease_method", tags.method, crease_methods());
+  add_word(dict, "triangles", tags.smooth_triangles, triangle_words());
   return dict;
 }
 
-Sharpness sharpness_of(const Mesh& mesh, const std::vector<Point3>& points,
-                       const SharpnessTags& tags, const SharpnessRules& rules) {
+Sharpness sharpness_of(const Mesh& mesh, const SharpnessTags& tags,
+                       const std::optional<CreaseAngle>& angle) {
   Sharpness sharpness;
   check(apply_tags(mesh, {}, tags, sharpness), Fault::mesh);
-  if (rules.crease_angle >= 0)
-    static_cast<void>(sharpen_by_angle(mesh, points, rules.crease_angle, sharpness));
-  sharpness.method = named(rules.method, crease_methods(), CreaseMethod::uniform);
-  apply_boundary_mode(mesh, named(rules.boundary, boundary_modes(), BoundaryMode::edge_only),
-                      sharpness);
+  if (angle) static_cast<void>(sharpen_by_angle(mesh, angle->points, angle->degrees, sharpness));
+  apply_boundary_mode(mesh, tags.boundary.value_or(BoundaryMode::edge_only), sharpness);
   return sharpness;
+}
+
+std::optional<Scheme> smoothed(const Scheme& scheme, const SharpnessTags& tags) {
+  if (!tags.smooth_triangles.value_or(false)) return std::nullopt;
+  Scheme smooth = scheme;
+  if (!use_smooth_triangles(smooth))
+    raise({scheme.name + " has no rule for smooth triangles",
+           "leave out triangles=, or state [smooth-triangles] in a scheme file", scheme.file},
+          Fault::scheme);
+  return smooth;
 }
 
 }  // namespace limn::python
