@@ -3,11 +3,13 @@
     ./dev build && PYTHONPATH=build/release/python /usr/bin/python3 bench/python.py
 
 Rows: refinement by `Scheme.refine` and by `Refiner.evaluate` against the seconds that `limn refine
---json` states of the same mesh, scheme and levels; and a call that evaluates next to nothing. Times
-are the least of several runs.
+--json` states of the same mesh, scheme and levels, with edges that turn by more than an angle sharp
+where one is named; and a call that evaluates next to nothing. Times are the least of several runs.
+LIMN_COMMAND names another command than that of the release build.
 """
 
 import json
+import os
 import pathlib
 import subprocess
 import tempfile
@@ -18,7 +20,7 @@ import numpy as np
 import limn
 
 ROOT = pathlib.Path(__file__).resolve().parents[1]
-COMMAND = ROOT / "build" / "release" / "bin" / "limn"
+COMMAND = os.environ.get("LIMN_COMMAND", ROOT / "build" / "release" / "bin" / "limn")
 RUNS = 7
 
 
@@ -31,38 +33,44 @@ def least(call):
     return min(times)
 
 
-def seconds_of_command(mesh, scheme, levels, folder):
+def seconds_of_command(mesh, scheme, levels, angle, folder):
     # OBJ is written once the mesh is made, so that the seconds are those of refinement alone
     words = [COMMAND, "refine", mesh, "-s", scheme, "-n", str(levels), "--json"]
     words += ["-o", folder / "fine.glb"]
+    if angle is not None:
+        words += ["--crease-angle", str(angle)]
     runs = [subprocess.run(words, capture_output=True, check=True) for _ in range(RUNS)]
     return min(json.loads(run.stdout)["seconds"] for run in runs)
 
 
 def refinement(folder):
-    print(f"{'scheme':>14} {'levels':>6} {'vertices':>9}   {'limn refine':>11} {'refine':>9}"
+    print(f"{'scheme':>18} {'levels':>6} {'vertices':>9}   {'limn refine':>11} {'refine':>9}"
           f" {'float32':>9} {'Refiner':>9}   [ms]")
-    for name, scheme, levels in (
-        ("bracket.obj", "loop", 6),
-        ("bracket.obj", "butterfly", 6),
-        ("bracket.obj", "sqrt3", 8),
-        ("bracket-quads.obj", "catmull-clark", 6),
-        ("bracket-quads.obj", "doo-sabin", 6),
+    for name, scheme, levels, angle in (
+        ("bracket.obj", "loop", 6, None),
+        ("bracket.obj", "loop", 6, 60),
+        ("bracket.obj", "butterfly", 6, None),
+        ("bracket.obj", "sqrt3", 8, None),
+        ("bracket-quads.obj", "catmull-clark", 6, None),
+        ("bracket-quads.obj", "catmull-clark", 6, 60),
+        ("bracket-quads.obj", "doo-sabin", 6, None),
     ):
         mesh = ROOT / "examples" / name
         V, F = limn.read_mesh(mesh)
         small = V.astype(np.float32)
         data = limn.Scheme(scheme)
-        refiner = limn.Refiner(data, F, levels, len(V))
+        tags = {} if angle is None else data.refine(V, F, 0, crease_angle=angle).tags
+        refiner = limn.Refiner(data, F, levels, len(V), **tags)
         out = np.empty((refiner.vertex_count, 3))
         times = [
-            seconds_of_command(mesh, scheme, levels, folder),
-            least(lambda: data.refine(V, F, levels)),
-            least(lambda: data.refine(small, F, levels)),
+            seconds_of_command(mesh, scheme, levels, angle, folder),
+            least(lambda: data.refine(V, F, levels, crease_angle=angle)),
+            least(lambda: data.refine(small, F, levels, crease_angle=angle)),
             least(lambda: refiner.evaluate(V, out)),
         ]
         row = "  ".join(f"{1000 * seconds:8.2f}" for seconds in times)
-        print(f"{scheme:>14} {levels:>6} {refiner.vertex_count:>9}      {row}")
+        label = scheme if angle is None else f"{scheme}, {angle}°"
+        print(f"{label:>18} {levels:>6} {refiner.vertex_count:>9}      {row}")
 
 
 def overhead():

@@ -33,6 +33,23 @@ def test_kinds_of_numbers():
     assert np.array_equal(scheme.refine(whole, F, 2)[0], scheme.refine(3 * V, F, 2)[0])
 
 
+def test_kinds_of_numbers_of_what_comes_back():
+    V, F = tetrahedron()
+    scheme = limn.Scheme("loop")
+    for kind in (np.float32, np.float64):
+        mesh = V.astype(kind), F
+        surface = scheme.refine(*mesh, 1, limit=True, normals=True)
+        sharp = scheme.refine(*mesh, 2, normals=True, creases=[[0, 1], [1, 2], [2, 0]])
+        refiner = limn.Refiner(scheme, F, 1)
+        arrays = [surface.vertices, surface.normals, sharp.vertices, sharp.corner_normals]
+        arrays += [*scheme.limit_points(*mesh), refiner.evaluate(mesh[0])]
+        arrays += [refiner.evaluate(mesh[0][:, :2]), refiner.evaluate(mesh[0][:, 0])]
+        assert [array.dtype for array in arrays] == [kind] * len(arrays)
+        whole = [*refiner.evaluate_limit(mesh[0]), *limn.repair_mesh(*mesh)[:1]]
+        assert {array.dtype for array in whole} == {np.dtype(float)}
+        assert np.allclose(arrays[0], whole[0], atol=1e-6)
+
+
 def test_mixed_faces():
     V, F = cube()
     mixed = [[0, 2, 3], [0, 3, 1], *F[1:].tolist()]

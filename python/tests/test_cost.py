@@ -2,6 +2,7 @@
 
 import gc
 import pathlib
+import pickle
 import sys
 import time
 
@@ -24,6 +25,8 @@ def calls():
     loop = limn.Scheme("loop")
     refiner = limn.Refiner("loop", F, 3)
     quads = cube()
+    edges = {"creases": [[0, 1], [1, 3]], "crease_sharpness": 1.5, "holes": [4]}
+    sharp = limn.Refiner(QUAD, quads[1], 3, **edges)
     wrong = 'split = "triangle-dyadic"\nvertex = { self = "2" }\n'
 
     def refused():
@@ -47,6 +50,13 @@ def calls():
         "new refiner": (2_000, lambda: limn.Refiner(loop, F, 2).faces),
         "limit": (300, lambda: loop.refine(V, F, 1, limit=True, normals=True)),
         "mixed": (2_000, lambda: limn.Scheme.refine(QUAD, quads[0], quads[1].tolist(), 0)),
+        "sharp refiner": (10_000, lambda: sharp.evaluate(quads[0])),
+        "new sharp refiner": (500, lambda: limn.Refiner(QUAD, quads[1], 2, **edges).tags),
+        "limit points": (300, lambda: loop.limit_points(V, F)),
+        "mended": (1_000, lambda: limn.repair_mesh(V, F)),
+        "looked at": (1_000, lambda: limn.check_mesh(V, F)),
+        "artifact map": (200, lambda: loop.artifact_map(32)),
+        "pickled": (200, lambda: pickle.loads(pickle.dumps(refiner))),
         "sharp": (1_000, lambda: QUAD.refine(*quads, 1, creases=[[0, 1]], corners=[3])),
         "eigen": (150, lambda: loop.eigen(5)),
         "artifacts": (200, lambda: loop.artifacts((0.1, 0.1))),

@@ -2,6 +2,7 @@
 
 import copy
 import pickle
+import re
 
 import numpy as np
 import pytest
@@ -66,6 +67,53 @@ def test_representations():
     assert found._repr_png_().startswith(b"\x89PNG") and "16 × 16" in repr(found)
     assert "4 → 34" in repr(limn.Refiner("loop", tetrahedron()[1], 2))
     assert repr(loop.refine(*tetrahedron(), 1)) == "<limn.Surface: 10 vertices, 16 faces>"
+
+
+def cells(page):
+    """The rows of all tables of a page, as lists of what stands in the cells."""
+    rows = re.findall(r"<tr>(.*?)</tr>", page)
+    return [re.findall(r"<t[hd]>(.*?)</t[hd]>", row) for row in rows]
+
+
+def test_tables_have_the_numbers():
+    loop = limn.Scheme("loop")
+    found = loop.eigen(7)
+    rows = cells(found._repr_html_())
+    assert rows[0] == ["frequency", "eigenvalue", "ring", "Jordan block"]
+    count = sum(len(block["eigenvalues"]) for block in found["blocks"])
+    assert len(rows) == 1 + count and ["1", f"{found['components']['tangent']:.6g}", "1", "1"] in rows
+    mask = [row for row in cells(loop._repr_html_()) if row[-1] == "5/8"]
+    assert mask == [["(0, 0)", "5/8"]]
+    proof = cells(loop.certify(range(3, 6))._repr_html_())
+    assert [row[:2] for row in proof[1:]] == [[str(n), "proved"] for n in (3, 4, 5)]
+    smooth = dict(row[:2] for row in cells(loop.regularity()._repr_html_()))
+    assert smooth["c2"] == "yes"
+    energies = limn.fairness(*tetrahedron(), ["loop", "sqrt3"], levels=1)
+    rows = cells(energies._repr_html_())
+    assert rows[1][0] == "loop" and rows[1][3] == f"{energies['schemes'][0]['thin_plate']:.6g}"
+
+
+def test_tables_of_what_was_tuned():
+    scheme = limn.Scheme("sqrt3")
+    found = scheme.tune("alpha", "cup = tangent^2", 5)
+    rows = cells(found._repr_html_())
+    assert rows[1][:2] == ["5", f"{found['valences'][0]['solutions'][0]['value']:.6g}"]
+    ends = cells(scheme.tune("alpha", "c1", 5)._repr_html_())[1][1:3]
+    assert float(ends[0]) < float(ends[1])
+    both = limn.tune("loop-type", ["b", "beta"], ["tangent = 11/20", "cup = 1/4"], 7)
+    rows = cells(both._repr_html_())
+    assert rows[0] == ["valence", "b", "beta", "holds"] and rows[1][0] == "7"
+
+
+def test_a_comparison_is_shown_as_its_table():
+    found = limn.compare("loop", "sqrt3", valence=[5], budget=50)
+
+    class Printer:
+        text = staticmethod(lambda text: shown.append(text))
+
+    shown = []
+    found._repr_pretty_(Printer, False)
+    assert shown == [str(found)] and "sqrt3" in shown[0]
 
 
 @pytest.mark.parametrize("name", SHIPPED)
