@@ -226,11 +226,11 @@ def test_a_file_of_tags(command, tmp_path):
     alone = limn.read_mesh(mesh)
     other = limn.Scheme("catmull-clark").refine(*alone, 2, **alone.tags)
     assert "holes" not in alone.tags and len(other.vertices) > len(fine.vertices)
-    for wrong, line in (("[1, 2]", 5), ("[2]", 0)):
+    for wrong in ("[1, 2]", "[2]"):
         tags.write_text(TAGS_FILE.replace(wrong, "[1, 99]"))
         with pytest.raises(limn.MeshError) as caught:
             limn.read_mesh(mesh, tags=tags)
-        assert caught.value.file == str(tags) and caught.value.line >= line
+        assert caught.value.file == str(tags) and caught.value.line > 0
         done = command.run("refine", mesh, "--tags", tags, "-s", "catmull-clark", "-o", out)
         assert done.stderr.decode().splitlines() == ["limn: " + str(caught.value)]
 
