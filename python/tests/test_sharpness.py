@@ -242,7 +242,11 @@ def test_a_file_of_tags(command, tmp_path):
         {"boundary": "edgeAndCorner"},
         {"boundary": "none", "holes": np.array([1], np.int32)},
         {"creases": [[0, 1], [1, 5]], "crease_sharpness": [1.5, 2.5], "crease_method": "chaikin"},
-        {"triangles": "smooth", "corners": np.array([6], np.int32), "corner_sharpness": [10.0]},
+        {
+            "triangles": "smooth",
+            "corners": np.array([0, 6], np.int32),
+            "corner_sharpness": [1.5, 10.0],
+        },
     ],
 )
 def test_all_that_a_file_says_goes_along(command, tmp_path, tags):
