@@ -16,6 +16,7 @@
 #include "limn/refine/crease_step.h"
 #include "limn/surface/refine_surface.h"
 #include "module.h"
+#include "refined_faces.h"
 #include "tags.h"
 
 namespace limn::python {
@@ -157,13 +158,7 @@ void Refiner::make_fast(Mesh mesh) {
       Fault::other));
   vertices_ = fast_->vertex_count();
   tags_ = fast_->sharp_tags();
-  std::vector<Index> corners(static_cast<std::size_t>(fast_->corner_count()));
-  std::vector<Index> begin(static_cast<std::size_t>(fast_->face_count()) + 1);
-  without_gil([&] {
-    fast_->write_faces(corners);
-    fast_->write_face_begin(begin);
-  });
-  faces_ = read_only(faces_object(std::move(begin), std::move(corners)));
+  faces_ = read_only(faces_of_refiner(*fast_));
 }
 
 /// Faces and tags as `refine` gives them: without holes, or where there is no fast engine.

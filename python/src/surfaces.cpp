@@ -18,6 +18,7 @@
 #include "limn/surface/refine_surface.h"
 #include "limn/surface/surface_estimate.h"
 #include "module.h"
+#include "refined_faces.h"
 #include "tags.h"
 
 namespace limn::python {
@@ -48,19 +49,6 @@ void check_memory_for(const Scheme& scheme, const Mesh& mesh, const Wanted& want
                        .written = false};
   const RefineEstimate needed = estimate_with_limit(*scheme.split, mesh, wanted.levels, work);
   check(check_memory(needed, wanted.levels, available_memory()), Fault::mesh);
-}
-
-py::object faces_of_refiner(const FastRefiner& refiner) {
-  HugeArray<Index> corners(static_cast<std::size_t>(refiner.corner_count()));
-  without_gil([&] { refiner.write_faces(corners); });
-  const py::ssize_t faces = refiner.face_count();
-  if (const Index degree = refiner.corners_per_face(); degree > 0)
-    return array_of(std::move(corners), {faces, degree});
-  HugeArray<Index> begin(static_cast<std::size_t>(faces) + 1);
-  without_gil([&] { refiner.write_face_begin(begin); });
-  const auto count = static_cast<py::ssize_t>(corners.size());
-  return py::make_tuple(array_of(std::move(corners), {count}),
-                        array_of(std::move(begin), {faces + 1}));
 }
 
 double seconds_since(std::chrono::steady_clock::time_point start) {
