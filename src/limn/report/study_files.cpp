@@ -54,6 +54,11 @@ Status write_certificate(const Study& study, const Scheme& scheme, const std::st
   certify::CertifyOptions options;
   options.most_parts = study.effort.certificate_parts;
   options.most_products = study.effort.certificate_parts;
+  options.curvature =
+      std::any_of(study.demands.begin(), study.demands.end(), [](const Demand& demand) {
+        return demand.certified && demand.at_vertices &&
+               demand.at_vertices->relation == Relation::bounded_curvature;
+      });
   const Result<certify::Certificate> certificate =
       certify::certify(scheme, study.valences, options);
   if (!certificate) return certificate.error();
