@@ -90,8 +90,10 @@ bool expect_same_pieces(const Scheme& scheme, const Mesh& control, int levels, I
 
 bool expect_same_limit_pieces(const Scheme& scheme, const Mesh& control, int levels, Index most) {
   const std::vector<Point3> points = random_points(control.vertex_count(), 3);
-  const FastRefiner refiner = FastRefiner::make(scheme, control, levels).value();
-  const auto whole = approx_fast_limit_mesh(scheme, refiner, points);
+  const Result<FastRefiner> refiner = FastRefiner::make(scheme, control, levels);
+  const Result<std::optional<FastLimitMesh>> whole =
+      refiner ? approx_fast_limit_mesh(scheme, *refiner, points)
+              : Result<std::optional<FastLimitMesh>>(refiner.error());
   bool found = false;
   for (const bool limit : {true, false}) {
     auto pieces =
