@@ -69,6 +69,11 @@ endif()
 if(NOT LIMN_FUZZ)
   # Instrumented, code of std::regex looks to GCC 12 as though it read what was never written.
   list(APPEND LIMN_SANITIZERS -Wno-maybe-uninitialized)
+  if(NOT LIMN_SANITIZE STREQUAL thread)
+    # Instrumented, Eigen would align by itself, and free what other code (not instrumented, as
+    # pagmo and the folders left out) had aligned by malloc, and the other way round.
+    list(APPEND LIMN_SANITIZERS -DEIGEN_MALLOC_ALREADY_ALIGNED=1)
+  endif()
 endif()
 
 # limn_flags(TARGET): C++20 without extensions, warnings, and the sanitizers that are on.

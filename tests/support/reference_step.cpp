@@ -361,7 +361,8 @@ class Reference : OldValues {
   }
 
   /// Q/n + 2R/n + S(n-3)/n: means of the new face points, of the edges' middles, the vertex.
-  /// 1/4; of smooth triangles 0.47, and the mean of both sides. [OpenSubdiv: catmarkScheme]
+  /// 1/4; of smooth triangles 0.47, and the mean of both sides, as in
+  /// OpenSubdiv's sdc/catmarkScheme.h.
   [[nodiscard]] double weight_of_faces(Index h) const {
     const auto seen = [&](Index f) {
       return smooth_triangles_ && mesh_.degree(f) == 3 ? 0.47 : 0.25;
