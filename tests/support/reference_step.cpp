@@ -360,7 +360,6 @@ class Reference : OldValues {
     return sum + rules.opposite * (straight_on_left(h) + straight_on_right(h)) / 2;
   }
 
-  /// Q/n + 2R/n + S(n-3)/n: means of the new face points, of the edges' middles, the vertex.
   /// 1/4; of smooth triangles 0.47, and the mean of both sides, as in
   /// OpenSubdiv's sdc/catmarkScheme.h.
   [[nodiscard]] double weight_of_faces(Index h) const {
@@ -370,6 +369,7 @@ class Reference : OldValues {
     return (seen(mesh_.face(h)) + seen(mesh_.face(mesh_.twin(h)))) / 2;
   }
 
+  /// Q/n + 2R/n + S(n-3)/n: means of the new face points, of the edges' middles, the vertex.
   [[nodiscard]] double catmull_clark_vertex(Index v) const {
     if (mesh_.is_isolated(v)) return at(v);
     if (mesh_.is_boundary_vertex(v)) return (6 * at(v) + boundary_neighbours(v)) / 8;
