@@ -108,7 +108,7 @@ Refiner::Refiner(std::shared_ptr<Scheme> scheme, const py::object& faces, int le
           Fault::mesh);
   control_.positions.resize(static_cast<std::size_t>(vertices.value_or(least)));
   Mesh mesh = value_of(without_gil([&] { return Mesh::build(control_); }), Fault::mesh);
-  if (has_fast_layout(*scheme_->split)) {
+  if (has_fast_layout(*scheme_)) {
     const RefineEstimate needed = FastRefiner::estimate(*scheme_->split, mesh, levels);
     check(check_memory(needed, levels, available_memory()), Fault::mesh);
     fast_.emplace(
