@@ -173,7 +173,7 @@ Figure study_figure(const StudyResult& result) {
 std::string study_text(const StudyResult& result, std::size_t most) {
   const Study& study = result.study;
   std::string text = fmt::format(
-      "{}: {} points of {} at most, {} of them feasible, {} evaluated now\n",
+      "{}: {} points ({} asked for, in whole generations), {} of them feasible, {} evaluated now\n",
       printable(study.title.empty() ? study.file : study.title), result.run.points.size(),
       study.method.points, feasible_count(result.run), result.run.evaluated);
   if (result.best.empty()) {
