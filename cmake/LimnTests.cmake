@@ -37,6 +37,10 @@ target_link_libraries(limn_test_support INTERFACE
   limn::limn fmt::fmt nlohmann_json::nlohmann_json
   GTest::gtest GTest::gtest_main rapidcheck rapidcheck_gtest)
 
+if(LIMN_SANITIZE)
+  target_compile_definitions(limn_test_support INTERFACE LIMN_SANITIZED)
+endif()
+
 file(GLOB_RECURSE test_sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/tests/*_test.cpp)
 set(test_folders ${test_sources})
 list(TRANSFORM test_folders REPLACE "/[^/]*$" "")

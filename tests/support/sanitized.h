@@ -6,7 +6,8 @@
 
 namespace limn::test {
 
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+// LIMN_SANITIZED: the programs that the tests start are, whether or not the tests are themselves.
+#if defined(LIMN_SANITIZED) || defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
 inline constexpr bool kSanitized = true;
 #else
 inline constexpr bool kSanitized = false;
