@@ -13,6 +13,7 @@ from ._errors import Error, MeshError
 from ._results import Certificate, Comparison, Fairness, Tuning
 from ._scheme import Scheme
 from ._surface import Surface
+from ._tags import tags_of
 
 SchemeLike = Union[Scheme, str, "os.PathLike[str]"]
 Path = Union[str, "os.PathLike[str]"]
@@ -185,16 +186,7 @@ def write_mesh(
     Arrays, and what is sharp, as for ``Scheme.refine``; ``normals`` (n, 3) of length 1. What the
     format cannot hold of sharpness is left out, with a LimnWarning; .obj holds all of it.
     """
-    tags = {
-        "creases": creases,
-        "crease_sharpness": crease_sharpness,
-        "corners": corners,
-        "corner_sharpness": corner_sharpness,
-        "holes": holes,
-        "boundary": boundary,
-        "crease_method": crease_method,
-        "triangles": triangles,
-    }
+    tags = tags_of(locals())
     _limn.write_mesh(os.fspath(path), vertices, faces, normals, tags)
 
 

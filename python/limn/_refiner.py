@@ -6,6 +6,7 @@ from typing import Any, Optional
 
 from . import _limn
 from ._scheme import Scheme
+from ._tags import tags_of
 
 
 class Refiner(_limn.RefinerData):
@@ -43,16 +44,7 @@ class Refiner(_limn.RefinerData):
         triangles: Optional[str] = None,
     ) -> None:
         self._scheme = scheme if isinstance(scheme, Scheme) else Scheme(scheme)
-        tags = {
-            "creases": creases,
-            "crease_sharpness": crease_sharpness,
-            "corners": corners,
-            "corner_sharpness": corner_sharpness,
-            "holes": holes,
-            "boundary": boundary,
-            "crease_method": crease_method,
-            "triangles": triangles,
-        }
+        tags = tags_of(locals())
         super().__init__(self._scheme._data, faces, levels, vertices, tags)
 
     @property

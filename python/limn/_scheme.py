@@ -14,6 +14,7 @@ from ._errors import Error, SchemeError
 from ._pictures import Picture, table
 from ._results import Tuning
 from ._surface import Array, Surface
+from ._tags import TAGS, tags_of
 
 Number = Union[int, float, Fraction, str]
 
@@ -46,11 +47,6 @@ def _degrees(crease_angle: Optional[float]) -> float:
     if not 0 <= crease_angle <= 180:
         raise Error(f"crease_angle {crease_angle} is not from 0 to 180 degrees")
     return float(crease_angle)
-
-
-_TAGS = frozenset(
-    "creases crease_sharpness corners corner_sharpness holes boundary crease_method triangles".split()
-)
 
 
 class Scheme(Analyses):
@@ -195,16 +191,7 @@ class Scheme(Analyses):
         """
         if engine not in ("quick", "plain"):
             raise Error(f"engine {engine!r} is neither 'quick' nor 'plain'")
-        tags = {
-            "creases": creases,
-            "crease_sharpness": crease_sharpness,
-            "corners": corners,
-            "corner_sharpness": corner_sharpness,
-            "holes": holes,
-            "boundary": boundary,
-            "crease_method": crease_method,
-            "triangles": triangles,
-        }
+        tags = tags_of(locals())
         made = _limn.refine(
             self._data,
             vertices,
@@ -253,7 +240,7 @@ class Scheme(Analyses):
         if not 1 <= lights <= 10000:
             raise Error(f"lights {lights} is not from 1 to 10000")
 
-        for name in tags.keys() - _TAGS:
+        for name in tags.keys() - set(TAGS):
             raise TypeError(f"draw() got an unexpected keyword argument '{name}'")
         degrees = _degrees(crease_angle)
 
