@@ -51,16 +51,8 @@ Status compare_again(const Study& study, const Scheme& scheme, const Evaluated& 
 }
 
 Status write_certificate(const Study& study, const Scheme& scheme, const std::string& path) {
-  certify::CertifyOptions options;
-  options.most_parts = study.effort.certificate_parts;
-  options.most_products = study.effort.certificate_parts;
-  options.curvature =
-      std::any_of(study.demands.begin(), study.demands.end(), [](const Demand& demand) {
-        return demand.certified && demand.at_vertices &&
-               demand.at_vertices->relation == Relation::bounded_curvature;
-      });
   const Result<certify::Certificate> certificate =
-      certify::certify(scheme, study.valences, options);
+      certify::certify(scheme, study.valences, study.certify_options());
   if (!certificate) return certificate.error();
   if (Status shown = certify::check_certificate(*certificate); !shown) return shown;
   return write_file(path, certify::certificate_json(*certificate).dump(1) + "\n");

@@ -129,11 +129,11 @@ Truth truth_of(certify::CurvatureAnswer answer) {
 
 /// C1 or bounded curvature, on the lattice and at each valence.
 Answer proved(Relation relation, SchemeReading& reading) {
-  const bool curvature = relation == Relation::bounded_curvature;
-  const Result<certify::Certificate>& certificate = reading.certificate(curvature);
+  const Result<certify::Certificate>& certificate = reading.certificate();
   if (!certificate) return missed(1, certificate.error().message, Truth::undecided);
   Answer all{truth_of(certificate->regular.c1), certificate->regular.reason, 0};
   for (const certify::ValenceClaim& claim : certificate->valences) {
+    const bool curvature = relation == Relation::bounded_curvature;
     const Truth c1 = truth_of(claim.c1);
     const Truth one = curvature ? c1 && truth_of(claim.curvature.answer) : c1;
     if (one != Truth::yes && all.truth == Truth::yes)

@@ -70,7 +70,7 @@ Outcome evaluate(const Study& study, const Result<Scheme>& scheme, Failing faili
   outcome.objectives.resize(study.objectives.size());
   outcome.demands.resize(study.demands.size());
   if (scheme) {
-    SchemeReading reading(*scheme, study.valences, study.effort);
+    SchemeReading reading(*scheme, study.valences, study.effort, study.certify_options());
     check_demands(study, reading, Proofs::later, outcome);
     if (outcome.violation == 0 || failing == Failing::is_evaluated)
       evaluate_objectives(study, reading, outcome);

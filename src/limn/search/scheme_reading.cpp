@@ -20,10 +20,12 @@ Result<ArtifactAnalysis> artifacts_of(const Result<Mask>& mask) {
 
 }  // namespace
 
-SchemeReading::SchemeReading(Scheme scheme, std::vector<int> valences, const Effort& effort)
+SchemeReading::SchemeReading(Scheme scheme, std::vector<int> valences, const Effort& effort,
+                             certify::CertifyOptions proofs)
     : scheme_(std::move(scheme)),
       valences_(std::move(valences)),
       effort_(effort),
+      proofs_(std::move(proofs)),
       frequencies_(scheme_) {}
 
 const Result<Mask>& SchemeReading::mask() {
@@ -63,13 +65,10 @@ const Result<Eigencomponents>& SchemeReading::components(int n) {
       .first->second;
 }
 
-const Result<certify::Certificate>& SchemeReading::certificate(bool curvature) {
-  if (certificate_ && (has_curvature_ || !curvature)) return *certificate_;
-  certify::CertifyOptions options;
-  options.most_parts = effort_.certificate_parts;
-  options.most_products = effort_.certificate_parts;
+const Result<certify::Certificate>& SchemeReading::certificate() {
+  if (certificate_) return *certificate_;
+  certify::CertifyOptions options = proofs_;
   options.leave_out = true;
-  options.curvature = has_curvature_ = curvature;
   certificate_ = certify::certify(scheme_, valences_, options);
   return *certificate_;
 }

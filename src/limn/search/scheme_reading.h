@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "limn/certify/certificate/certificate.h"
+#include "limn/certify/certify.h"
 #include "limn/regular/artifacts.h"
 #include "limn/regular/smoothness/regularity.h"
 #include "limn/scheme/scheme.h"
@@ -31,7 +31,9 @@ struct Effort {
 class SchemeReading {
  public:
   /// `valences` are those that quantities "over valences" run over, ascending, from 3 on.
-  SchemeReading(Scheme scheme, std::vector<int> valences, const Effort& effort);
+  /// `proofs`: how the certificate is searched for.
+  SchemeReading(Scheme scheme, std::vector<int> valences, const Effort& effort,
+                certify::CertifyOptions proofs);
   SchemeReading(const SchemeReading&) = delete;
   SchemeReading& operator=(const SchemeReading&) = delete;
 
@@ -48,14 +50,14 @@ class SchemeReading {
   [[nodiscard]] const RegularPart& regular_part();
   /// approx_eigencomponents at a valence from 3 on, without what the lattice lets curvature be.
   [[nodiscard]] const Result<Eigencomponents>& components(int n);
-  /// certify at all of `valences`; what cannot be evaluated is undecided there. `curvature`:
-  /// whether what it says of curvature is wanted, which may cost far more than all else.
-  [[nodiscard]] const Result<certify::Certificate>& certificate(bool curvature);
+  /// certify at all of `valences`; what cannot be evaluated is undecided there.
+  [[nodiscard]] const Result<certify::Certificate>& certificate();
 
  private:
   Scheme scheme_;
   std::vector<int> valences_;
   Effort effort_;
+  certify::CertifyOptions proofs_;
   std::optional<Result<Mask>> mask_;
   std::optional<Result<ArtifactAnalysis>> artifacts_;
   std::optional<Result<Regularity>> regularity_;
@@ -63,7 +65,6 @@ class SchemeReading {
   FrequencyAnalysis frequencies_;
   std::map<int, Result<Eigencomponents>> components_;
   std::optional<Result<certify::Certificate>> certificate_;
-  bool has_curvature_ = false;  ///< the certificate
 };
 
 }  // namespace limn

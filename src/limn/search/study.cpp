@@ -53,6 +53,17 @@ std::string Study::identity() const {
   return all;
 }
 
+certify::CertifyOptions Study::certify_options() const {
+  certify::CertifyOptions options;
+  options.most_parts = effort.certificate_parts;
+  options.most_products = effort.certificate_parts;
+  options.curvature = std::any_of(demands.begin(), demands.end(), [](const Demand& demand) {
+    return demand.certified && demand.at_vertices &&
+           demand.at_vertices->relation == Relation::bounded_curvature;
+  });
+  return options;
+}
+
 std::vector<std::string> Study::files() const {
   std::vector<std::string> list = scheme_files(scheme);
   const auto add = [&list](const std::vector<std::string>& more) {

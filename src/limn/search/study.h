@@ -91,6 +91,9 @@ struct Study {
   /// The files beside it that it was read from, by paths as they were opened, sorted: schemes,
   /// meshes. With them it can be read on another machine.
   [[nodiscard]] std::vector<std::string> files() const;
+  /// How hard proofs are searched for, and whether of curvature: only where that is demanded, as it
+  /// may cost far more than all else.
+  [[nodiscard]] certify::CertifyOptions certify_options() const;
 };
 
 /// Reads a study. All faults at once, with line, column and remedy. `path`: for messages; schemes
