@@ -154,6 +154,7 @@ class Work {
       if (Status status = quick_attributes(fine); !status) return status.error();
       find_holes();
       SharpnessTags sharp = refiner_->sharp_tags();
+      refiner_.reset();  // its memory is for what comes now
       stop_clock();
       if (!mesh_is_needed()) {
         surface_.polygons = std::move(fine);
