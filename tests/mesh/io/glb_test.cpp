@@ -66,6 +66,15 @@ TEST(Glb, BoundsAreThoseOfTheFloats) {
   EXPECT_FALSE(gltf["meshes"][0]["primitives"][0]["attributes"].contains("NORMAL"));
 }
 
+/// Found by the fuzzer: -1e-60 is -0 in floats, so the bounds had the sign of whichever zero came
+/// first and a second trip changed the file.
+TEST(Glb, BoundsThatAreZeroHaveNoSign) {
+  Polygons mesh{{{-1e-60, 0, 0}, {0, -1e-60, 0}, {-1, -1, 1}}, {0, 3}, {0, 1, 2}};
+  const std::string once = *format_mesh("glb", mesh);
+  EXPECT_EQ(once.find("-0.0"), std::string::npos);
+  EXPECT_EQ(*format_mesh("glb", *parse_mesh(once, "glb", "again")), once);
+}
+
 TEST(Glb, RefusesAnEmptyMesh) { EXPECT_FALSE(format_mesh("glb", Polygons{}).ok()); }
 
 }  // namespace

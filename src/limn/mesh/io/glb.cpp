@@ -35,7 +35,8 @@ Point3 unit(Point3 normal) {
   return length > 0 && std::isfinite(length) ? (1 / length) * normal : Point3{0, 0, 1};
 }
 
-/// The bounds of the positions as they are written, in floats.
+/// The bounds of the positions as they are written, in floats; a zero without its sign, which would
+/// be that of whichever vertex came first.
 void add_bounds(Json& accessor, const Polygons& mesh) {
   const Point3 first = mesh.positions.front();
   Point3 low = first, high = first;
@@ -43,7 +44,7 @@ void add_bounds(Json& accessor, const Polygons& mesh) {
     low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
     high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
   }
-  const auto rounded = [](double x) { return double{static_cast<float>(x)}; };
+  const auto rounded = [](double x) { return double{static_cast<float>(x)} + 0.0; };
   accessor["min"] = {rounded(low.x), rounded(low.y), rounded(low.z)};
   accessor["max"] = {rounded(high.x), rounded(high.y), rounded(high.z)};
 }
