@@ -350,7 +350,7 @@ std::vector<Contender> full_refinement(const Race& race, const Control& control)
   if (!control.texture_of(race).of_corner.empty()) return textured_refinement(race, control);
   std::vector<Contender> all;
   add_ours<PlainTrial>(all, "limn plain", race, control);
-  if (has_fast_layout(*race.scheme.split)) {
+  if (has_fast_layout(race.scheme)) {
     add_ours<QuickTrial<double>>(all, "limn quick", race, control);
     add_ours<QuickTrial<float>>(all, "limn quick, float", race, control);
   }
@@ -375,7 +375,7 @@ std::vector<Contender> full_refinement(const Race& race, const Control& control)
 std::vector<Contender> repeated_evaluation(const Race& race, const Control& control) {
   std::vector<Contender> all;
   if (!control.texture_of(race).of_corner.empty()) return all;  // that is one more column
-  if (has_fast_layout(*race.scheme.split)) {
+  if (has_fast_layout(race.scheme)) {
     add_ours<QuickAgain<float>>(all, "limn quick, float", race, control);
     add_ours<QuickAgain<double>>(all, "limn quick", race, control);
   }

@@ -132,7 +132,7 @@ Refiner::Refiner(std::shared_ptr<Scheme> scheme, const py::object& faces, int le
   control_.positions.resize(static_cast<std::size_t>(vertices.value_or(least)));
   Mesh mesh = value_of(without_gil([&] { return Mesh::build(control_); }), Fault::mesh);
   take_tags(mesh, tags_of(tags));
-  if (has_fast_layout(*rules_->split)) make_fast(std::move(mesh));
+  if (has_fast_layout(*rules_)) make_fast(std::move(mesh));
   if (!fast_ || sharpness_.has_holes()) take_surface();
 }
 

@@ -24,7 +24,7 @@ std::ostream& operator<<(std::ostream& out, const Case& c) { return out << c.nam
 std::vector<Case> cases() {
   std::vector<Case> cases;
   for (const std::string& name : shipped_schemes())
-    if (has_fast_layout(*shipped(name).split)) cases.push_back({name, nullptr, {}});
+    if (has_fast_layout(shipped(name))) cases.push_back({name, nullptr, {}});
   const std::string boundary = kQuadBoundary;
   cases.push_back({"wide-triangles", "triangle-dyadic", kWideTriangles});
   cases.push_back({"wide-quads", "quad-dyadic", kWideQuads + boundary});

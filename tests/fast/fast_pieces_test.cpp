@@ -122,7 +122,7 @@ class FastPiecesOf : public testing::TestWithParam<std::string> {
 std::vector<std::string> fast_schemes() {
   std::vector<std::string> names;
   for (const std::string& name : shipped_schemes())
-    if (has_fast_layout(*shipped(name).split)) names.push_back(name);
+    if (has_fast_layout(shipped(name))) names.push_back(name);
   return names;
 }
 

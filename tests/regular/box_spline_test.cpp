@@ -40,6 +40,8 @@ TEST(BoxSpline, HasTheExponentThatDifferencesFindWhereShiftsAreStable) {
   EXPECT_EQ(exponent("loop-ternary", {}), 3);
   EXPECT_EQ(exponent("doo-sabin", {}), 2);
   EXPECT_EQ(exponent("catmull-clark", {}), 3);
+  for (int degree = 2; degree <= 9; ++degree)
+    EXPECT_EQ(exponent("b-spline-quad", {"degree=" + std::to_string(degree)}), degree);
   for (const char* other : {"butterfly", "sqrt3", "optimal"}) EXPECT_EQ(exponent(other, {}), -1);
   // directions that a step does not carry to one another: no box spline, whatever the kernel
   const Mask own = mask_of("four-eight");

@@ -139,10 +139,20 @@ class RuleMutants {
       const std::optional<Rule>& rule = scheme_.rule(kind_);
       for (case_ = 0; rule && case_ < rule->size(); ++case_) of_case((*rule)[case_]);
     }
+    if (scheme_.stages) of_stages();
     return std::move(mutants_);
   }
 
  private:
+  /// Two averagings more or fewer: the split is the same.
+  void of_stages() {
+    for (const int more : {-2, 2}) {
+      Scheme mutant = scheme_;
+      mutant.stages->count += more;
+      mutants_.push_back({"stages: " + std::to_string(mutant.stages->count) + " times", mutant});
+    }
+  }
+
   void of_case(const RuleCase& rule_case) {
     for (std::size_t i = 0; i < rule_case.weights.size(); ++i) {
       const Weight& weight = rule_case.weights[i];

@@ -6,6 +6,7 @@
 #include <map>
 #include <numbers>
 
+#include "support/averaging_reference.h"
 #include "support/corner_reference.h"
 #include "support/old_values.h"
 #include "support/ternary_reference.h"
@@ -398,7 +399,8 @@ bool has_reference(const std::string& scheme) {
          has_ternary_reference(scheme) || scheme == "catmull-clark" ||
          scheme == "catmull-clark, smooth triangles" ||
          scheme == "catmull-clark-piecewise-smooth" || scheme == "doo-sabin" || scheme == "sqrt3" ||
-         scheme == "four-eight" || scheme == "midedge" || scheme == "box-spline-quad";
+         scheme == "four-eight" || scheme == "midedge" || scheme == "box-spline-quad" ||
+         scheme == "b-spline-quad";
 }
 
 std::vector<double> reference_step(const std::string& scheme, std::optional<double> parameter,
@@ -406,6 +408,8 @@ std::vector<double> reference_step(const std::string& scheme, std::optional<doub
                                    const std::vector<double>& old) {
   if (has_corner_reference(scheme))
     return corner_reference_step(scheme, parameter, mesh, births, old);
+  if (scheme == "b-spline-quad")
+    return averaging_reference_step(static_cast<int>(parameter.value_or(3)), mesh, old);
   Reference reference(mesh, births, old);
   if (scheme == "catmull-clark" || scheme == "box-spline-quad") return reference.catmull_clark();
   if (scheme == "catmull-clark, smooth triangles")

@@ -48,6 +48,7 @@ std::optional<Setting> other_setting(const std::string& scheme) {
   if (scheme == "laplacian-loop-low") return Setting{"a", 1, 3};
   if (scheme == "butterfly-ternary") return Setting{"mu", 1, 9};
   if (scheme == "loop-type") return Setting{"b", 2, 5};
+  if (scheme == "b-spline-quad") return Setting{"degree", 5, 1};
   return std::nullopt;
 }
 
@@ -114,10 +115,11 @@ std::vector<Trial> make_trials(const Scheme& scheme, std::optional<double> param
   return trials;
 }
 
-/// Made once: hundreds of mutants are held against each.
+/// Made once: hundreds of mutants are held against each. A mutant of stages may have another split.
 const std::vector<Trial>& trials_of(const Scheme& scheme, std::optional<double> parameter) {
   static std::map<std::pair<std::string, std::optional<double>>, std::vector<Trial>> known;
-  const std::pair<std::string, std::optional<double>> key{scheme.name, parameter};
+  const std::pair<std::string, std::optional<double>> key{
+      scheme.name + " on " + std::string(scheme.split->name), parameter};
   const auto found = known.find(key);
   return found != known.end() ? found->second
                               : known.emplace(key, make_trials(scheme, parameter)).first->second;

@@ -92,9 +92,10 @@ void find_features(ReadText& read) {
   const auto& rules = scheme.rules;
   const bool has_rules =
       std::any_of(rules.begin(), rules.end(), [](const auto& rule) { return rule.has_value(); });
+  const bool staged = scheme.stages.has_value();
   const bool has_boundary = scheme.rule(RuleKind::boundary_vertex).has_value() ||
                             scheme.rule(RuleKind::boundary_edge).has_value() ||
-                            scheme.split->is_dual();
+                            scheme.split->is_dual() || staged;
   read.features = read.reasons = Json::object();
   const auto add = [&](const char* name, bool has, const std::string& reason) {
     read.features[name] = has;
@@ -102,11 +103,13 @@ void find_features(ReadText& read) {
   };
   const std::string none = "the scheme has no rules for meshes, only a mask";
   const bool by_rules = has_rules && !scheme.mask && !scheme.factors;
-  add("eigen", by_rules, none);
-  add("refine", has_rules, none);
+  add("eigen", by_rules || staged, none);
+  add("refine", has_rules || staged, none);
   add("boundary", has_boundary, "the scheme has no boundary rules");
-  add("sharpness", has_boundary && !scheme.split->is_dual() && !scheme.split->births.thirds,
-      "sharp edges need boundary rules, and a split that cuts edges in two");
+  add("sharpness",
+      has_boundary && !scheme.split->is_dual() && !scheme.split->births.thirds && !staged,
+      staged ? "averagings go on across sharp edges"
+             : "sharp edges need boundary rules, and a split that cuts edges in two");
 }
 
 Result<Scheme> read_text(const std::string& text) {

@@ -86,7 +86,7 @@ void make_room(LoadedPlan& plan, LoadedPlan* before) {
 /// Makes what can be made once, for the fast engine.
 Status prepare(LoadedPlan& plan, LoadedPlan* before) {
   const Scheme& scheme = plan.scheme->scheme;
-  if (!has_fast_layout(*scheme.split) || plan.sharpness.any() || plan.sharpness.has_holes() ||
+  if (!has_fast_layout(scheme) || plan.sharpness.any() || plan.sharpness.has_holes() ||
       plan.textured)
     return Done{};
   Result<FastRefiner> refiner = FastRefiner::make(scheme, plan.mesh->mesh, plan.levels);

@@ -82,7 +82,7 @@ RefineEstimate FastPieces::estimate(const Split& split, const Mesh& control, int
 Result<std::optional<FastPieces>> FastPieces::make(const Scheme& scheme, Mesh control,
                                                    std::span<const double> positions, int levels,
                                                    const Wanted& wanted) {
-  assert(has_fast_layout(*scheme.split));
+  assert(has_fast_layout(scheme));
   auto prepared = std::make_unique<FastRefiner::State>(std::move(control), levels);
   if (Status status = prepared->choose(scheme); !status) return status.error();
   if (prepared->is_plain()) return std::optional<FastPieces>();

@@ -38,7 +38,7 @@ class FastPieces {
   };
 
   /// Makes all levels that must be in memory as a whole. Precondition:
-  /// has_fast_layout(*scheme.split); `scheme` must outlive the pieces. Nothing where the plain
+  /// has_fast_layout(scheme); `scheme` must outlive the pieces. Nothing where the plain
   /// engine would make all steps, which is found out at once, or there is no quick limit
   /// (approx_fast_limit). Fails as these do; of memory, only what `estimate` tells must be there.
   [[nodiscard]] static Result<std::optional<FastPieces>> make(const Scheme& scheme, Mesh control,

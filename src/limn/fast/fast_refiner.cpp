@@ -28,6 +28,9 @@ double needed_bytes(double vertices, double faces, double corners) {
 }  // namespace
 
 bool has_fast_layout(const Split& split) { return fast::has_family(split); }
+bool has_fast_layout(const Scheme& scheme) {
+  return !scheme.stages && fast::has_family(*scheme.split);
+}
 
 std::optional<std::string> why_no_fast_sharpness(const Scheme& scheme, const Mesh& control,
                                                  const Sharpness& sharpness) {
@@ -101,7 +104,7 @@ FastRefiner::~FastRefiner() = default;
 
 Result<FastRefiner> FastRefiner::make(const Scheme& scheme, Mesh control, int levels,
                                       Sharpness sharpness) {
-  assert(has_fast_layout(*scheme.split));
+  assert(has_fast_layout(scheme));
   auto state = std::make_unique<State>(std::move(control), levels, std::move(sharpness));
   if (Status status = state->choose(scheme); !status) return status.error();
   const Mesh& mesh = state->control;

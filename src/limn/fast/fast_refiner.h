@@ -28,8 +28,11 @@ namespace fast {
 class LimitReader;  // limit/limit_forms.h
 }
 
-/// Whether there is a fast engine for schemes of this split.
+/// Whether there is a fast engine for schemes of this split, where they have rules.
 [[nodiscard]] bool has_fast_layout(const Split& split);
+/// Whether there is one for the scheme. Not where its step is a sequence of averagings
+/// (Scheme::stages): how far a place must lie from what is irregular is read from rules' walks.
+[[nodiscard]] bool has_fast_layout(const Scheme& scheme);
 
 /// Why the fast engine does not take a mesh with this sharpness, though the scheme can
 /// (check_takes_sharpness, refine/crease_step.h): "its split … ". Nothing where it does. Cost
@@ -41,7 +44,7 @@ class LimitReader;  // limit/limit_forms.h
 /// A control mesh's topology, worked out for a scheme and a number of steps.
 class FastRefiner {
  public:
-  /// Precondition: has_fast_layout(*scheme.split); `scheme` must outlive the refiner. Fails as
+  /// Precondition: has_fast_layout(scheme); `scheme` must outlive the refiner. Fails as
   /// `refine` (refine.h) does, with the same errors but for the memory that it says is needed, and
   /// where there is a reason why_no_fast_sharpness. Faces that are holes are refined as others.
   /// Cost: reading the tables, some 0.1 ms for each valence that is in the mesh and for each kind

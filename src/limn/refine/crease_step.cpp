@@ -42,6 +42,11 @@ Status check_takes_sharpness(const Scheme& scheme, const Sharpness& sharpness) {
                              scheme.name, split.name),
                  "leave the tags out, or take a scheme with a dyadic split"};
   if (!sharp) return Done{};
+  if (scheme.stages)
+    return Error{fmt::format("{} takes no {}: its step is a sequence of averagings, which go on "
+                             "across creases",
+                             scheme.name, what),
+                 "leave the tags out, or take a scheme of rules, as catmull-clark"};
   std::vector<RuleKind> needed{RuleKind::boundary_vertex};
   if (split.odd_step_cut == 3)
     needed.push_back(RuleKind::boundary_edge_end);

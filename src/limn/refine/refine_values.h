@@ -5,20 +5,11 @@
 #include <vector>
 
 #include "limn/base/parallel.h"
+#include "limn/refine/add_scaled.h"
+#include "limn/refine/staged_step.h"
 #include "limn/refine/step_stencils.h"
 
 namespace limn {
-
-/// sum += weight · value. Overload it for a value type that has a quicker way.
-template <class Number, class Value>
-void add_scaled(Value& sum, const Number& weight, const Value& value) {
-  sum += weight * value;
-}
-inline void add_scaled(Point3& sum, double weight, const Point3& value) {
-  sum.x += weight * value.x;
-  sum.y += weight * value.y;
-  sum.z += weight * value.z;
-}
 
 namespace detail {
 
@@ -104,23 +95,27 @@ class ValueStep {
 /// summed by one thread in a fixed order, so one thread and many give the same bits.
 /// Value needs a default (zero) and `add_scaled`. Cost O(size of the refined mesh) for points, but
 /// for a factor log n where n values are summed round something (big_rings.h says how this rounds);
-/// of other values there n².
+/// of other values there n². Of a scheme of stages that times their number.
 template <class Number, class Value>
 [[nodiscard]] std::vector<Value> refine_values(const Scheme& scheme, const Mesh& mesh,
                                                const Births& births,
                                                const RuleTables<Number>& tables,
                                                const std::vector<Value>& old) {
+  if (scheme.stages)
+    return detail::StagedStep<Number, Value>(scheme, mesh, births, tables, old).run();
   return detail::ValueStep<Number, Value>(scheme, mesh, births, tables, old).run();
 }
 
 /// The same at the new vertices of a list alone, on this thread. Cost O(length of the list), and of
-/// all faces where these have rules.
+/// all faces where these have rules; of a scheme of stages see staged_step.h.
 template <class Number, class Value>
 [[nodiscard]] std::vector<Value> refine_values_at(const Scheme& scheme, const Mesh& mesh,
                                                   const Births& births,
                                                   const RuleTables<Number>& tables,
                                                   const std::vector<Value>& old,
                                                   const std::vector<Index>& wanted) {
+  if (scheme.stages)
+    return detail::StagedStep<Number, Value>(scheme, mesh, births, tables, old).run_at(wanted);
   return detail::ValueStep<Number, Value>(scheme, mesh, births, tables, old).run_at(wanted);
 }
 

@@ -151,8 +151,25 @@ Program compile(const RuleCase& rule_case, RuleKind kind, Lattice lattice) {
   return program;
 }
 
+namespace {
+
+/// The weight of each in a mean of n; the other kinds of rules a scheme of stages has none of.
+template <class Number>
+Result<Row<Number>> mean_row(const Scheme& scheme, RuleKind kind, int n) {
+  Row<Number> row;
+  if (kind != RuleKind::face) return row;
+  Scope<Number> scope(scheme, n, std::nullopt);
+  Result<Number> value = scope(scheme.stages->mean.value);
+  if (!value) return value.error();
+  row.weights.push_back(std::move(*value));
+  return row;
+}
+
+}  // namespace
+
 template <class Number>
 Result<Row<Number>> tabulate_row(const Scheme& scheme, RuleKind kind, int n) {
+  if (scheme.stages) return mean_row<Number>(scheme, kind, n);
   const Result<const RuleCase*> rule_case = applicable_case(scheme, kind, n);
   if (!rule_case) return rule_case.error();
   Row<Number> row;
@@ -272,7 +289,18 @@ Status RuleTables<Number>::prepare_edges(const Mesh& mesh, const Births& births)
 }
 
 template <class Number>
+Status RuleTables<Number>::prepare_means(const Mesh& mesh) {
+  if (Status status = prepare_faces(mesh, RuleKind::face); !status) return status;
+  for (Index v = 0; v < mesh.vertex_count(); ++v) {
+    if (mesh.is_isolated(v) || mesh.is_boundary_vertex(v)) continue;
+    if (Status status = add(RuleKind::face, mesh.valence(v), v); !status) return status;
+  }
+  return Done{};
+}
+
+template <class Number>
 Status RuleTables<Number>::prepare(const Mesh& mesh, const Births& births) {
+  if (scheme_->stages) return prepare_means(mesh);
   const Split& split = *scheme_->split;
   const bool boundary_refined = !split.boundary_rests() || births.from_edges > 0;
   if (split.births.vertices)

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <type_traits>
 #include <vector>
 
@@ -18,7 +19,8 @@ namespace limn {
 template <class Number>
 class StepStencils {
  public:
-  /// All must outlive the stencils; `tables` has been prepared for `mesh` and `births`.
+  /// All must outlive the stencils; `tables` has been prepared for `mesh` and `births`. Not for a
+  /// scheme of stages, which has no rules: staged_step.h has its step.
   StepStencils(const Scheme& scheme, const Mesh& mesh, const Births& births,
                const RuleTables<Number>& tables)
       : split_(*scheme.split),
@@ -34,6 +36,7 @@ class StepStencils {
         faces_at_(births.from_vertices + births.from_edges),
         corners_at_(faces_at_ + births.from_faces),
         isolated_at_(corners_at_ + births.from_corners) {
+    assert(!scheme.stages);
     for (std::size_t count = 1; count < shares_.size(); ++count)
       shares_[count] = Arithmetic<Number>::from(Rational(1, static_cast<int>(count)));
   }

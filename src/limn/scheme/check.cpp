@@ -214,6 +214,12 @@ Status check_case(const Scheme& scheme, RuleKind kind, int n) {
 /// Whether so much was spent that no arithmetic is left: what it says then is no fault.
 bool is_exhausted() { return !Exact::multiply(Exact(1), Exact(1)).ok(); }
 
+/// Whether parameters have values where this rule has its weights. Stages have theirs where the
+/// rules without n would.
+bool has_values(const Scheme& scheme, RuleKind kind) {
+  return scheme.rule(kind) || (scheme.stages && !rule_has_valence(kind));
+}
+
 /// The valences at which a rule is checked.
 std::pair<int, int> checked_valences(const Scheme& scheme, RuleKind kind) {
   if (!rule_has_valence(kind)) return {3, 3};
@@ -269,6 +275,10 @@ Error missing_rule(const Scheme& scheme, RuleKind kind, int n) {
   if (scheme.rule(kind)) hint = "add a case whose guard holds there, or one without a guard";
   if (by_mask)
     hint = "the scheme is given by its regular mask alone; write its rules to refine such a mesh";
+  if (scheme.stages)
+    hint =
+        "its step is a sequence of averagings, which has no rules; what asks for one cannot be "
+        "had of it";
   const std::string where = scheme.rule(kind) || by_mask ? at_valence(kind, n) : std::string();
   const Place place = place_without(scheme, kind);
   return {fmt::format("scheme '{}' has no {} rule{}", scheme.name, rule_name(kind), where), hint,
@@ -302,7 +312,7 @@ Status check_ranges(const Scheme& scheme) {
   for (const Parameter& parameter : scheme.parameters) left.insert(&parameter);
   for (int i = 0; i < kRuleKinds; ++i) {
     const auto kind = static_cast<RuleKind>(i);
-    if (!scheme.rule(kind)) continue;
+    if (!has_values(scheme, kind)) continue;
     const auto [first, last] = checked_valences(scheme, kind);
     for (int n = first; n <= last; ++n)
       for (const Parameter& parameter : scheme.parameters) {

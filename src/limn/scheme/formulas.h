@@ -17,8 +17,8 @@ template <class MaybeConstScheme>
   return static_cast<decltype(&scheme.lets.front().second)>(nullptr);
 }
 
-/// Calls visit(formula) for parameters, rules, facts and equivalences, in this order: for all that
-/// uses lets, but for masks and factors.
+/// Calls visit(formula) for parameters, rules, stages, facts and equivalences, in this order: for
+/// all that uses lets, but for masks and factors.
 template <class Visit>
 void each_rule_formula(const Scheme& scheme, Visit&& visit) {
   for (const Parameter& parameter : scheme.parameters) {
@@ -33,6 +33,7 @@ void each_rule_formula(const Scheme& scheme, Visit&& visit) {
       for (const Weight& weight : rule_case.weights) visit(weight.value);
     }
   }
+  if (scheme.stages) visit(scheme.stages->times);
   for (const Fact& fact : scheme.facts)
     for (const auto& value : fact.values) visit(value.second);
   for (const Equivalence& same : scheme.equivalences)

@@ -124,7 +124,7 @@ Error in_assignments(const std::vector<std::string>& assignments, Error fault) {
 }
 
 std::optional<int> degree_of_weights(const Scheme& scheme, const std::string& parameter) {
-  if (scheme.mask || scheme.factors || scheme.has_decimals) return std::nullopt;
+  if (scheme.mask || scheme.factors || scheme.stages || scheme.has_decimals) return std::nullopt;
   Scope<Degree> scope(scheme, std::nullopt, std::nullopt);
   scope.give(parameter, {1, {}});
   scope.give("n", {});

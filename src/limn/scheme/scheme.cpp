@@ -21,6 +21,7 @@
 #include "limn/scheme/scheme_size.h"
 #include "limn/scheme/scope.h"
 #include "limn/scheme/shipped_scheme.h"
+#include "limn/scheme/stages.h"
 
 namespace limn {
 namespace {
@@ -152,12 +153,22 @@ void check_smooth_triangles(const Scheme& scheme, const std::set<std::string>& v
   }
 }
 
+/// A scheme of stages has no rules; from its parameters follows its split. Where something is wrong
+/// already it may be what these depend on.
+void check_stages(Scheme& scheme, Faults& faults) {
+  if (!faults.none()) return;
+  Status status = check_ranges(scheme);
+  if (status) status = settle_stages(scheme);
+  if (!status) faults.add(status.error());
+}
+
 /// All that can be judged of what was read. `base`: the split of the scheme that it extends, if
 /// any.
 void check_scheme(Scheme& scheme, const Unread& unread, const Split* base, Faults& faults,
                   Weights weights = Weights::checked) {
   const ExactBudget budget(kExactWork);
   check_names(scheme, unread, faults);
+  if (scheme.stages) return check_stages(scheme, faults);
   if (scheme.split == nullptr) return;
   const std::set<std::string> valueless = valueless_names(scheme, unread);
   if (scheme.mask || scheme.factors) {

@@ -93,6 +93,21 @@ struct Factors {
   Place place;                 ///< of the table
 };
 
+/// A step as a sequence of averagings [Zorin, Schröder 2001]. The mesh is cut by quad-dyadic; old
+/// vertices stay, edges give their middles, faces the means of their corners. Then each averaging
+/// gives every face the mean of its corners or every vertex the mean of its faces, in turn, the
+/// former first (refine/staged_step.h has the boundary). After an even number of them the values
+/// lie at vertices, and the split is quad-dyadic; after an odd one at faces, and it is quad-dual.
+/// On quads it is the tensor product B-spline of degree `count` + 1.
+struct Stages {
+  Formula times;  ///< how many averagings: an integer in 0 … kMostAveragings, in the parameters
+  int count = 0;  ///< what that is at the scheme's present parameters
+  Weight mean;    ///< of each of the n that a mean is of: "1/n"
+  Place place;    ///< of the table
+};
+/// So that what controls the surface round a vertex lies within the stars that are analysed.
+inline constexpr int kMostAveragings = 8;
+
 /// A file that a scheme was read from, as it was read.
 struct SourceText {
   std::string name;  ///< what it is called in the file that extends it; of the first its path
@@ -120,6 +135,7 @@ struct Scheme {
   std::optional<Rows> stated_mask;        ///< facts: the regular mask as the literature prints it
   std::optional<Rows> mask;               ///< the scheme is given by its mask alone …
   std::optional<Factors> factors;         ///< … or by factors alone
+  std::optional<Stages> stages;           ///< … or by stages alone: then it has no rules
   /// weights = "decimal": the file's decimals are rounded values of what they stand for, so that
   /// its rules may sum to 1 to rounding alone (decimals.h).
   bool has_decimals = false;

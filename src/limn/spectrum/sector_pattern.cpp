@@ -13,13 +13,11 @@
 #include "limn/refine/linear_form.h"
 #include "limn/refine/refine_values.h"
 #include "limn/refine/star_step.h"
+#include "limn/spectrum/sector_names.h"
 
 namespace limn {
 namespace {
 
-/// Sectors of the star that is refined: no regular valence, and wide enough that stencils at the
-/// centre's neighbours do not meet round it.
-constexpr int kSectors = 13;
 constexpr int kMostRings = 7;   // that control the surface, and one more
 constexpr int kSeenBeyond = 4;  // rings of the star's margin
 
@@ -66,73 +64,6 @@ class OrbitPositions {
   std::vector<int> first_orbit_;  // of each ring
 };
 
-/// Names given to the weights at the centre, and which of them a repeated role's positions are.
-class Namer {
- public:
-  std::vector<NamedWeight> names;
-  struct Position {
-    int name;
-    int k;  // -1: not of a repeated role
-  };
-  std::vector<Position> positions;  // by WeightForm's index
-
-  Row<WeightForm> row(const RuleCase* rule_case, RuleKind kind, Lattice lattice) {
-    Row<WeightForm> row;
-    if (rule_case == nullptr) return row;
-    const auto program = std::make_shared<Program>(compile(*rule_case, kind, lattice));
-    for (const Step& step : *program) {
-      const bool repeated = step.walk.repeated;
-      const int name = static_cast<int>(names.size());
-      names.push_back({kind, step.weight, step.share, repeated, step.per_sector});
-      for (int k = 0; k < (repeated ? kSectors : 1); ++k) {
-        row.weights.push_back(WeightForm::name(static_cast<int>(positions.size())));
-        positions.push_back({name, repeated ? k : -1});
-      }
-    }
-    row.program = program;
-    return row;
-  }
-
-  /// A row of a regular rule.
-  Result<Row<WeightForm>> regular_row(const Scheme& scheme, RuleKind kind, int n,
-                                      const RegularNames& named) {
-    const Result<const RuleCase*> rule_case = applicable_case(scheme, kind, n);
-    if (!rule_case) return rule_case.error();
-    Row<WeightForm> row;
-    if (*rule_case == nullptr) {
-      if (stands_in_for(kind, *scheme.split)) return row;
-      return missing_rule(scheme, kind, n);
-    }
-    const auto program =
-        std::make_shared<Program>(compile(**rule_case, kind, scheme.split->lattice));
-    for (const Step& step : *program)
-      for (int k = 0; k < (step.walk.repeated ? n : 1); ++k) {
-        NamedWeight name{kind, step.weight, step.share, false, false, n, std::nullopt};
-        if (step.walk.repeated) name.k = k;
-        row.weights.push_back(named(name) ? form_of(name) : WeightForm());
-      }
-    row.program = program;
-    return row;
-  }
-
- private:
-  WeightForm form_of(const NamedWeight& name) {
-    const auto same = std::find_if(names.begin(), names.end(), [&](const NamedWeight& other) {
-      return other.weight == name.weight && other.share == name.share &&
-             other.regular == name.regular && other.k == name.k;
-    });
-    if (same == names.end()) {
-      names.push_back(name);
-      positions.push_back({static_cast<int>(names.size()) - 1, -1});
-      return WeightForm::name(static_cast<int>(positions.size()) - 1);
-    }
-    const int number = static_cast<int>(same - names.begin());
-    const auto position = std::find_if(positions.begin(), positions.end(),
-                                       [&](const Position& p) { return p.name == number; });
-    return WeightForm::name(static_cast<int>(position - positions.begin()));
-  }
-};
-
 Result<Row<WeightForm>> constant_row(const Scheme& scheme, RuleKind kind, int n) {
   Result<Row<double>> numbers = tabulate_row<double>(scheme, kind, n);
   if (!numbers) return numbers.error();
@@ -156,8 +87,17 @@ class RowTerms {
       if (coefficient == 0) continue;
       Key key{place.orbit, {}, -1, coefficient};
       int k = -1;
+      bool mean = false;
       for (const int index : indices) {
         const Namer::Position& position = namer_.positions[static_cast<std::size_t>(index)];
+        if (namer_.names[static_cast<std::size_t>(position.name)].mean) {
+          // Of means of means, all but the last are of what is the same in all sectors: n times the
+          // weight, or 1. Of the centre the last is so, too.
+          if (mean || key.column == kCenter) key.coefficient /= kSectors;
+          if (!mean && key.column != kCenter) key.names.push_back(position.name);
+          mean = true;
+          continue;
+        }
         if (position.k < 0) {
           key.names.push_back(position.name);
           continue;
@@ -190,8 +130,8 @@ class RowTerms {
           term.angle = key.column == kCenter ? 0 : sector + to - from;
           terms.push_back(term);
         }
-      } else if (row_ == kCenter && key.column != kCenter) {
-        // rotation leaves the centre, so all sectors come alike
+      } else if ((row_ == kCenter || has_mean(key.names)) && key.column != kCenter) {
+        // rotation leaves the centre and what means over the sectors are of, so all come alike
         if (positions.size() % kSectors != 0) return false;
         term.every_sector = true;
         const std::size_t per_sector_count = positions.size() / kSectors;
@@ -227,6 +167,10 @@ class RowTerms {
     int sector, k;
   };
 
+  [[nodiscard]] bool has_mean(const std::vector<int>& names) const {
+    return std::any_of(names.begin(), names.end(),
+                       [&](int name) { return namer_.names[static_cast<std::size_t>(name)].mean; });
+  }
   [[nodiscard]] bool per_sector(const std::vector<int>& names) const {
     return std::any_of(names.begin(), names.end(), [&](int name) {
       return namer_.names[static_cast<std::size_t>(name)].per_sector;
@@ -270,7 +214,7 @@ class RowTerms {
 struct StarForms {
   StarStep step;
   Namer namer;
-  std::vector<LinearForm<WeightForm>> forms;  // by vertex of step.fine
+  std::vector<LinearForm<WeightForm>> forms;  // of step.images
 };
 
 Result<StarForms> refined_star(const Scheme& scheme, const CenterCases& cases, int rings,
@@ -280,6 +224,9 @@ Result<StarForms> refined_star(const Scheme& scheme, const CenterCases& cases, i
   StarForms star{star_step(split, kSectors, rings), {}, {}};
   RuleTables<WeightForm> tables(
       scheme, Boundary::left_out, [&](RuleKind kind, int n) -> Result<Row<WeightForm>> {
+        if (scheme.stages)
+          return n == kSectors ? star.namer.mean_row(*scheme.stages)
+                               : constant_row(scheme, kind, n);
         const auto at = std::find(kinds.begin(), kinds.end(), kind);
         if (n != kSectors || at == kinds.end())
           return named ? star.namer.regular_row(scheme, kind, n, named)
@@ -289,8 +236,8 @@ Result<StarForms> refined_star(const Scheme& scheme, const CenterCases& cases, i
       });
   const StarStep& step = star.step;
   if (Status status = tables.prepare(step.coarse, step.fine.births); !status) return status.error();
-  star.forms = refine_values(scheme, step.coarse, step.fine.births, tables,
-                             unit_forms<WeightForm>(step.coarse.vertex_count()));
+  star.forms = refine_values_at(scheme, step.coarse, step.fine.births, tables,
+                                unit_forms<WeightForm>(step.coarse.vertex_count()), step.images);
   return star;
 }
 
@@ -307,6 +254,7 @@ std::vector<RuleKind> center_rules(const Split& split) {
 
 Result<CenterCases> center_cases(const Scheme& scheme, int n) {
   CenterCases cases;
+  if (scheme.stages) return cases;
   for (const RuleKind kind : center_rules(*scheme.split)) {
     const Result<const RuleCase*> found = applicable_case(scheme, kind, n);
     if (!found) return found.error();
@@ -330,7 +278,7 @@ Result<int> control_rings(const Scheme& scheme, const CenterCases& cases,
   for (Index v = 0; v < star->step.size; ++v) {
     const int orbit = places.of(v).orbit;
     controls.insert(orbit);
-    for (const auto& [vertex, form] : star->forms[star->step.images[v]].terms)
+    for (const auto& [vertex, form] : star->forms[static_cast<std::size_t>(v)].terms)
       sees[orbit].insert(places.of(vertex).orbit);
   }
   // What controls the faces round the centre at every level: the orbits that others depend on, of
@@ -377,7 +325,7 @@ Result<SectorPattern> sector_pattern(const Scheme& scheme, const CenterCases& ca
                              ? 0
                              : places.orbits()[static_cast<std::size_t>(place.orbit)].angle + turn;
     RowTerms terms(star->namer, places, place.orbit, angle);
-    for (const auto& [vertex, form] : star->forms[star->step.images[v]].terms)
+    for (const auto& [vertex, form] : star->forms[static_cast<std::size_t>(v)].terms)
       if (vertex >= star->step.size || !terms.add(vertex, form))
         return not_invariant(scheme, rings);
     if (!terms.append_to(pattern.terms)) return not_invariant(scheme, rings);

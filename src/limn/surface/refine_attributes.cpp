@@ -40,6 +40,11 @@ Status check_takes_texture(const Scheme& scheme, const Mesh& mesh,
                              scheme.name, split.name),
                  "leave them out by --attributes none, or take a scheme with a dyadic split"};
   if (rule == TextureRule::all) return Done{};
+  if (scheme.stages)
+    return Error{fmt::format("{} cannot refine texture coordinates that have seams: its step is a "
+                             "sequence of averagings, which go on across seams",
+                             scheme.name),
+                 "refine them linearly by --uv all, or leave them out by --attributes none"};
   const RuleKind edge = split.births.thirds ? RuleKind::boundary_edge_end : RuleKind::boundary_edge;
   for (const RuleKind kind : {RuleKind::boundary_vertex, edge}) {
     if (scheme.rule(kind)) continue;

@@ -331,7 +331,7 @@ class Work {
 
 bool is_quick(const Scheme& scheme, const Mesh& control, const SurfaceOptions& options) {
   const Split& split = *scheme.split;
-  if (options.engine != SurfaceOptions::Engine::quick || !has_fast_layout(split)) return false;
+  if (options.engine != SurfaceOptions::Engine::quick || !has_fast_layout(scheme)) return false;
   if (!check_takes_sharpness(scheme, options.sharpness) ||
       why_no_fast_sharpness(scheme, control, options.sharpness))
     return false;

@@ -185,7 +185,7 @@ class PieceWriter {
 
 bool may_write_refined(const Scheme& scheme, const SurfaceOptions& options, const std::string& path,
                        const std::string& extension) {
-  return options.engine == SurfaceOptions::Engine::quick && has_fast_layout(*scheme.split) &&
+  return options.engine == SurfaceOptions::Engine::quick && has_fast_layout(scheme) &&
          !options.curvatures && !options.connectivity && !options.has_sharpness() &&
          (options.attributes == nullptr || options.attributes->empty()) &&
          takes_mesh_pieces(path, extension);

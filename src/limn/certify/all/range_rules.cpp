@@ -107,6 +107,7 @@ Status RangeRules::choose_cases() {
   const ValenceRange range(Ball::hull(Ball(0), Ball(Rational(Integer(1), Integer(from_ + 1)))));
   const Result<CenterCases> cases = center_cases(*scheme_, from_);
   if (!cases) return cases.error();
+  if (scheme_->stages) return Error{"the scheme's step is a sequence of averagings"};
   const std::vector<RuleKind> kinds = center_rules(*scheme_->split);
   for (std::size_t i = 0; i < kinds.size(); ++i) {
     const Result<const RuleCase*> chosen = case_of_range(*scheme_, kinds[i]);

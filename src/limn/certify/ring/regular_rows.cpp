@@ -198,6 +198,8 @@ Result<SectorPattern> star_pattern(const Scheme& scheme, int rings) {
 }  // namespace
 
 Status check_regular_rows(const Scheme& scheme, const CellMatrices& cells) {
+  if (scheme.stages)
+    return Error{"proofs here read rules, and the scheme's step is a sequence of averagings"};
   const Result<int> reach = Reach(scheme).find();
   if (!reach) return reach.error();
   const Result<SectorPattern> pattern = star_pattern(scheme, rings_to_compare(cells, *reach));

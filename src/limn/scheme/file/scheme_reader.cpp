@@ -47,6 +47,13 @@ class SchemeFileReader {
     std::vector<std::string> known;
     for (const Split& split : splits()) known.emplace_back(split.name);
     const std::string hint = fmt::format("expected one of {}", fmt::join(known, ", "));
+    if (root.get("stages") != nullptr) {
+      roles_.use_split(nullptr, true);  // nor are there any
+      if (node != nullptr)
+        in_.fail(*node, "a scheme of stages names no split",
+                 "leave it out: it is quad-dyadic where times is even, quad-dual where it is odd");
+      return;
+    }
     if (node == nullptr) {
       if (root.get("extends") != nullptr) return;               // it comes from there
       if (const toml::node* misspelt = misspelt_split(root)) {  // which is told as an unknown key
@@ -122,6 +129,10 @@ class SchemeFileReader {
     } else if (name == "factors") {
       const std::size_t before = in_.faults();
       scheme_.factors = read_factors(in_, node);
+      if (!in_.unharmed_since(before)) unread_.everything = true;
+    } else if (name == "stages") {
+      const std::size_t before = in_.faults();
+      scheme_.stages = read_stages(in_, node);
       if (!in_.unharmed_since(before)) unread_.everything = true;
     } else if (name != "split" && name != "weights" && name != "boundary" &&
                name != "smooth-triangles" && (!find_rule(name) || name.starts_with(kBoundary))) {
@@ -322,6 +333,7 @@ class SchemeFileReader {
                        scheme_.split->name));
       return;
     }
+    if (!scheme_.stages) scheme_.stages = std::move(base->stages);
     scheme_.split = base->split;
     scheme_.has_decimals = scheme_.has_decimals || base->has_decimals;
     if (!scheme_.smooth_triangles && !scheme_.rule(RuleKind::edge))  // it belongs to that one
@@ -335,20 +347,32 @@ class SchemeFileReader {
         scheme_.parameters.push_back(std::move(parameter));
   }
 
-  /// Rules follow from a mask or from factors, so stating them too would say them twice.
+  /// Rules follow from a mask or from factors, and stages are in place of them, so stating them too
+  /// would say them twice.
   void check_given_once() {
-    if (!scheme_.mask && !scheme_.factors) return;
+    if (!scheme_.mask && !scheme_.factors && !scheme_.stages) return;
     const std::size_t before = in_.faults();
-    const Place place = scheme_.mask ? scheme_.mask->place : scheme_.factors->place;
-    const std::string_view given = scheme_.mask ? "its mask" : "factors";
+    const bool extends_stages = scheme_.stages && scheme_.stages->place.file != in_.file();
+    const Place place = scheme_.mask      ? scheme_.mask->place
+                        : scheme_.factors ? scheme_.factors->place
+                        : extends_stages  ? extends_place_
+                                          : scheme_.stages->place;
+    const std::string_view given = scheme_.mask      ? "its mask"
+                                   : scheme_.factors ? "factors"
+                                   : extends_stages  ? "the stages that it extends"
+                                                     : "stages";
     const auto twice = [&](std::string_view also) {
       in_.fail(Error{fmt::format("the scheme is given by {} and by {} too", given, also),
-                     "keep the rules, the mask or the factors", place.file, place.line,
-                     place.column});
+                     scheme_.stages ? "keep the stages, or leave them out"
+                                    : "keep the rules, the mask or the factors",
+                     place.file, place.line, place.column});
     };
     if (scheme_.mask && scheme_.factors) twice("factors");
+    if (scheme_.stages && (scheme_.mask || scheme_.factors))
+      twice(extends_stages ? "the stages that it extends" : "stages");
+    if (scheme_.stages && scheme_.smooth_triangles) twice("smooth-triangles");
     for (const auto& rule : scheme_.rules)
-      if (rule) twice(extends_ ? "the rules that it extends" : "rules");
+      if (rule) twice(extends_ && !extends_stages ? "the rules that it extends" : "rules");
     if (!in_.unharmed_since(before)) unread_.everything = true;
   }
 

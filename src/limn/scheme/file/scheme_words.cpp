@@ -14,7 +14,7 @@ std::vector<std::string> known_keys() {
   for (int i = 0; i < kRuleKinds; ++i)
     if (const std::string name(rule_name(static_cast<RuleKind>(i))); !name.starts_with(kBoundary))
       keys.push_back(name);
-  keys.insert(keys.end(), {"boundary", "mask", "factors", "facts", "smooth-triangles"});
+  keys.insert(keys.end(), {"boundary", "mask", "factors", "stages", "facts", "smooth-triangles"});
   return keys;
 }
 

@@ -6,6 +6,7 @@
 
 #include "limn/base/near_word.h"
 #include "limn/scheme/check.h"
+#include "limn/scheme/stages.h"
 
 namespace limn {
 namespace {
@@ -115,6 +116,39 @@ Factors read_factors(TomlReader& in, const toml::node& node) {
     }
   });
   return factors;
+}
+
+Stages read_stages(TomlReader& in, const toml::node& node) {
+  Stages stages;
+  stages.place = in.place(node);
+  stages.mean = {"mean", {}, {Expression::parse("1/n").value(), stages.place}};
+  bool has_first = false, has_then = false, has_times = false;
+  const auto read_word = [&](const toml::node& v, std::string_view key, std::string_view known) {
+    const std::string word = in.text(v, key);
+    if (v.is_string() && word != known)
+      in.fail(v, fmt::format("{} = '{}' is no stage that is known", key, word),
+              did_you_mean(word, {std::string(known)}, fmt::format("expected \"{}\"", known)));
+  };
+  const std::size_t before = in.faults();
+  in.each(node, "stages", [&](const toml::key& key, const toml::node& v) {
+    if (key.str() == "first") {
+      read_word(v, "first", kBilinear);
+      has_first = true;
+    } else if (key.str() == "then") {
+      read_word(v, "then", kAverage);
+      has_then = true;
+    } else if (key.str() == "times") {
+      stages.times = in.formula(v, "times");
+      has_times = true;
+    } else {
+      in.unknown_key(key, "stages", {"first", "then", "times"});
+    }
+  });
+  if (in.unharmed_since(before) && !(has_first && has_then && has_times))
+    in.fail(node, "stages needs first, then and times",
+            fmt::format("as {{ first = \"{}\", then = \"{}\", times = \"degree - 1\" }}", kBilinear,
+                        kAverage));
+  return stages;
 }
 
 void read_fact(TomlReader& in, const toml::node& node, Scheme& scheme) {

@@ -1,5 +1,5 @@
 #pragma once
-/// The parts of a scheme file that are data rather than rules: masks, factors, facts.
+/// The parts of a scheme file that are data rather than rules: masks, factors, stages, facts.
 
 #include "limn/scheme/file/toml_reader.h"
 
@@ -9,6 +9,8 @@ namespace limn {
 Rows read_rows(TomlReader& in, const toml::node& node, std::string_view what);
 /// { stages = …, directions = [{ step = [1, 0], count = … }, …], kernel = ROWS }
 Factors read_factors(TomlReader& in, const toml::node& node);
+/// { first = "bilinear", then = "average", times = … }, not yet counted
+Stages read_stages(TomlReader& in, const toml::node& node);
 /// One entry of [[facts]]: into scheme.facts, scheme.equivalences or scheme.stated_mask.
 void read_fact(TomlReader& in, const toml::node& node, Scheme& scheme);
 

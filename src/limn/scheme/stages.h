@@ -1,0 +1,16 @@
+#pragma once
+/// Schemes whose step is a sequence of averagings; private to scheme/.
+
+#include "limn/scheme/scheme.h"
+
+namespace limn {
+
+/// The words of [stages] in scheme files: what is done first, and what then.
+inline constexpr std::string_view kBilinear = "bilinear", kAverage = "average";
+
+/// Counts the averagings at the scheme's present parameters, and sets the split that follows.
+/// Fails, at the formula, where it has no value or is no integer in 0 … kMostAveragings.
+/// Precondition: scheme.stages.
+[[nodiscard]] Status settle_stages(Scheme& scheme);
+
+}  // namespace limn
