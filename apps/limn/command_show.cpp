@@ -25,7 +25,8 @@ Status draw_stencils(const ShowOptions& options, const Scheme& scheme,
                      const std::vector<RulePicture>& pictures) {
   if (pictures.empty())
     return Error{"scheme '" + scheme.name + "' has no rules to draw",
-                 "its mask lacks the lattice's symmetry"};
+                 scheme.stages ? "its step is a sequence of averagings"
+                               : "its mask lacks the lattice's symmetry"};
   const Figure figure = stencils_figure(printable(scheme.name), pictures);
   if (Status status = figure.check(); !status) return status;
   return options.figure.write(figure);

@@ -181,11 +181,11 @@ TEST(StagedStep, FollowsItsParameter) {
   EXPECT_EQ(scheme.split->name, "quad-dual");
   EXPECT_EQ(scheme.stages->count, 3);
   for (const auto& [assignment, fault] :
-       {std::pair{"degree=5/2", "times = degree - 1 is 3/2"},
+       {std::pair{"degree=5/2", "times = degree - 1, which is 3/2, is no number of averagings"},
         {"degree=10", "degree = 10 is above its range [2, 9]"},
         {"degree=1", "degree = 1 is below its range [2, 9]"},
         {"degree=n", "n has no value here"},
-        {"degree=sqrt(5)", "times = degree - 1 is about 1.23607"}}) {
+        {"degree=sqrt(5)", "times = degree - 1, which is about 1.23607, is no number"}}) {
     const Status status = set_parameter(scheme, assignment);
     ASSERT_FALSE(status.ok()) << assignment;
     EXPECT_NE(status.error().message.find(fault), std::string::npos) << status.error().text();

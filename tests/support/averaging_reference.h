@@ -9,7 +9,7 @@
 namespace limn::test {
 
 /// One step of degree `degree` ≥ 1: the mesh is cut by quads, its values bilinearly, and then
-/// averaged degree - 1 times [Zorin, Schröder 2001]. Odd degrees: values at old vertices, then
+/// averaged degree - 1 times [ZorinSchroeder2001]. Odd degrees: values at old vertices, then
 /// edges, then faces; even ones: at the corners (half-edges), then at isolated vertices.
 [[nodiscard]] std::vector<double> averaging_reference_step(int degree, const Mesh& mesh,
                                                            const std::vector<double>& old);

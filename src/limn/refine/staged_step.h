@@ -1,7 +1,7 @@
 #pragma once
-/// One step of a scheme of stages (Scheme::stages), executed one after the other [Zorin, Schröder
-/// 2001]. They cannot be expanded to rules in n and k: a second averaging may see two extraordinary
-/// vertices.
+/// One step of a scheme of stages (Scheme::stages), executed one after the other
+/// [ZorinSchroeder2001]. They cannot be expanded to rules in n and k: a second averaging may see
+/// two extraordinary vertices.
 ///
 /// The mesh that stages live on is the control mesh cut by quad-dyadic. It is not made: it has a
 /// vertex for each old vertex, edge and face, and its face h lies at the corner h of the control

@@ -93,7 +93,7 @@ struct Factors {
   Place place;                 ///< of the table
 };
 
-/// A step as a sequence of averagings [Zorin, Schröder 2001]. The mesh is cut by quad-dyadic; old
+/// A step as a sequence of averagings [ZorinSchroeder2001]. The mesh is cut by quad-dyadic; old
 /// vertices stay, edges give their middles, faces the means of their corners. Then each averaging
 /// gives every face the mean of its corners or every vertex the mean of its faces, in turn, the
 /// former first (refine/staged_step.h has the boundary). After an even number of them the values

@@ -14,12 +14,13 @@ Status settle_stages(Scheme& scheme) {
   const bool whole = value->is_rational() && is_integer(value->rational());
   if (!whole || value->rational() < 0 || value->rational() > kMostAveragings) {
     const Place& place = stages.times.place;
-    return Error{
-        fmt::format("stages: times = {} is {}", stages.times.expression.text(),
-                    value->is_rational() ? to_string(value->rational())
-                                         : fmt::format("about {:.6g}", value->approx())),
-        fmt::format("it counts averagings: an integer from 0 to {}", kMostAveragings), place.file,
-        place.line, place.column};
+    const std::string& text = stages.times.expression.text();
+    const std::string number = value->is_rational() ? to_string(value->rational())
+                                                    : fmt::format("about {:.6g}", value->approx());
+    return Error{fmt::format("stages: times = {}{} is no number of averagings", text,
+                             text == number ? "" : ", which is " + number + ","),
+                 fmt::format("expected an integer from 0 to {}", kMostAveragings), place.file,
+                 place.line, place.column};
   }
   stages.count = numerator(value->rational()).convert_to<int>();
   scheme.split = find_split(stages.count % 2 == 0 ? "quad-dyadic" : "quad-dual");
