@@ -155,6 +155,7 @@ class LimitSearch {
                            const std::vector<Index>& vertices,
                            std::vector<LimitPoints::Refused>* refused) {
     constexpr int kMostSteps = 12;  // until a neighbourhood is regular; each halves its faces
+    constexpr int kMargin = 3;      // rings round a neighbourhood, so that a cut does not reach it
     int step = options_.steps_made;
     LimitPatch<Value> patch;
     if (dual_) {
@@ -177,7 +178,7 @@ class LimitSearch {
       if (patch.sites.empty()) return Done{};
       if (options_.progress) options_.progress(static_cast<int>(patch.sites.size()));
       Result<LimitPatch<Value>> next = refined_patch(
-          scheme_, mesh, values, patch.sites, kinds_.rings() + margin(), step++, rules_.tables());
+          scheme_, mesh, values, patch.sites, kinds_.rings() + kMargin, step++, rules_.tables());
       if (!next) return next.error();
       patch = std::move(*next);
       in_patch = true;
@@ -187,11 +188,6 @@ class LimitSearch {
 
  private:
   enum State : char { waiting, done, unknown };
-
-  /// Rings round a neighbourhood, so that cut after cut does not reach it. What a cut spoils lies
-  /// within L + 1 rings of it where a neighbourhood has L; so of L + m rings 2m - 2 are good after
-  /// a step, which are all of the next cut from m = L + 2 on.
-  [[nodiscard]] int margin() const { return std::max(3, kinds_.rings() + 2); }
 
   /// Takes the limits that can be taken on this mesh, and drops the sites that are done.
   Status visit(const Mesh& mesh, const std::vector<Value>& values, bool boundary_rests,

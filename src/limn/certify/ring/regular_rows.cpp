@@ -93,6 +93,13 @@ class Reach {
   const Scheme& scheme_;
 };
 
+/// The same of stages: the cut sees the face's corners, and two averagings one refined edge more.
+/// They turn round a vertex by one sector, fewer than the star tells apart however many they are.
+Result<int> reach_of(const Stages& stages) {
+  static_assert(kMostAveragings / 2 + 1 <= kMostCrossings);
+  return stages.count / 2 + 2;
+}
+
 /// A row: weights by column and by how many sectors on from the row's the column's point lies.
 using Column = std::pair<int, int>;
 
@@ -198,9 +205,7 @@ Result<SectorPattern> star_pattern(const Scheme& scheme, int rings) {
 }  // namespace
 
 Status check_regular_rows(const Scheme& scheme, const CellMatrices& cells) {
-  if (scheme.stages)
-    return Error{"proofs here read rules, and the scheme's step is a sequence of averagings"};
-  const Result<int> reach = Reach(scheme).find();
+  const Result<int> reach = scheme.stages ? reach_of(*scheme.stages) : Reach(scheme).find();
   if (!reach) return reach.error();
   const Result<SectorPattern> pattern = star_pattern(scheme, rings_to_compare(cells, *reach));
   if (!pattern) return pattern.error();

@@ -8,7 +8,8 @@
 /// at the one do not at the two. So the rows that the rules have there are compared with the
 /// mask's, exactly, on a star of so many sectors that walks do not meet round it: what holds on it
 /// holds at every valence, since walks on a star of n sectors are those of it with sectors counted
-/// modulo n.
+/// modulo n. Of a scheme of stages (Scheme::stages) the rows are those that the stages make, and
+/// where a mean over the sectors is in one it is not the mask's.
 
 #include "limn/certify/lattice/cell_matrices.h"
 #include "limn/scheme/scheme.h"
