@@ -14,9 +14,9 @@
 namespace limn::test {
 namespace {
 
-Scheme of_degree(int degree) {
+Scheme of_degree(int degree, const std::string& stam = "0") {
   Scheme scheme = shipped("b-spline-quad");
-  EXPECT_TRUE(set_parameter(scheme, "degree=" + std::to_string(degree)).ok());
+  EXPECT_TRUE(set_parameters(scheme, {"degree=" + std::to_string(degree), "stam=" + stam}).ok());
   return scheme;
 }
 
@@ -31,7 +31,7 @@ double trace_distance(const Eigen::MatrixXcd& one, const Eigen::MatrixXcd& other
 
 TEST(StagedBlocks, AreThoseOfTheSpatialMatrix) {
   for (int degree = 2; degree <= 7; ++degree) {
-    const Scheme scheme = of_degree(degree);
+    const Scheme scheme = of_degree(degree, degree % 2 == 0 ? "1" : "1/3");
     FrequencyAnalysis analysis(scheme);
     for (const int n : {3, 4, 5, 7, 13, 14}) {
       const Result<FrequencyBlocks> blocks = analysis.blocks(n);
@@ -44,6 +44,20 @@ TEST(StagedBlocks, AreThoseOfTheSpatialMatrix) {
         EXPECT_LT(trace_distance(blocks->blocks[static_cast<std::size_t>(omega)], spatial), 1e-12)
             << degree << ' ' << n << ' ' << omega;
       }
+    }
+  }
+}
+
+/// With Stam's weights it is Catmull and Clark's scheme.
+TEST(StagedBlocks, OfDegreeThreeAreCatmullAndClarks) {
+  const Scheme scheme = of_degree(3, "1");
+  FrequencyAnalysis one(scheme), other(shipped("catmull-clark"));
+  for (int n = 3; n <= 20; ++n) {
+    const FrequencyBlocks ours = one.blocks(n).value(), theirs = other.blocks(n).value();
+    ASSERT_EQ(ours.blocks.size(), theirs.blocks.size());
+    for (std::size_t omega = 0; omega < ours.blocks.size(); ++omega) {
+      ASSERT_EQ(ours.blocks[omega].rows(), theirs.blocks[omega].rows());
+      EXPECT_LT((ours.blocks[omega] - theirs.blocks[omega]).cwiseAbs().maxCoeff(), 1e-14) << n;
     }
   }
 }

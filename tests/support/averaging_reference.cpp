@@ -75,21 +75,34 @@ Averages to_faces(const CutMesh& mesh) {
   return averages;
 }
 
-void to_vertices(const Averages& averages, CutMesh& mesh) {
+void to_vertices(const Averages& averages, double stam, CutMesh& mesh) {
   std::vector<std::vector<double>> at(mesh.values.size());
+  std::vector<double> smooth(mesh.values.size(), 0);  // twice the neighbours, and the opposites
   for (std::size_t q = 0; q < mesh.quads.size(); ++q)
-    for (const std::size_t v : mesh.quads[q])
-      if (!mesh.on_rim.contains(v)) at[v].push_back(averages.of_quads[q]);
+    for (std::size_t k = 0; k < 4; ++k) {
+      const Quad& quad = mesh.quads[q];
+      if (mesh.on_rim.contains(quad[k])) continue;
+      at[quad[k]].push_back(averages.of_quads[q]);
+      smooth[quad[k]] += mesh.values[quad[(k + 1) % 4]] + mesh.values[quad[(k + 3) % 4]] +
+                         mesh.values[quad[(k + 2) % 4]];
+    }
   for (std::size_t r = 0; r < mesh.rim.size(); ++r)
     for (const std::size_t v : {mesh.rim[r].first, mesh.rim[r].second})
       at[v].push_back(averages.of_rim[r]);
-  for (std::size_t v = 0; v < at.size(); ++v)
-    if (!at[v].empty()) mesh.values[v] = mean(at[v]);
+  std::vector<double> fresh = mesh.values;
+  for (std::size_t v = 0; v < at.size(); ++v) {
+    if (at[v].empty()) continue;
+    fresh[v] = mean(at[v]);
+    if (mesh.on_rim.contains(v)) continue;
+    const auto n = static_cast<double>(at[v].size());
+    fresh[v] += stam * ((n - 3) / n * mesh.values[v] + smooth[v] / (n * n) - fresh[v]);
+  }
+  mesh.values = fresh;
 }
 
 }  // namespace
 
-std::vector<double> averaging_reference_step(int degree, const Mesh& mesh,
+std::vector<double> averaging_reference_step(int degree, double stam, const Mesh& mesh,
                                              const std::vector<double>& old) {
   CutMesh made = cut(mesh, old);
   Averages averages;
@@ -97,7 +110,7 @@ std::vector<double> averaging_reference_step(int degree, const Mesh& mesh,
     if (k % 2 != 0)
       averages = to_faces(made);
     else
-      to_vertices(averages, made);
+      to_vertices(averages, stam, made);
   }
   if (degree % 2 != 0) return made.values;
   std::vector<double> values = averages.of_quads;

@@ -409,7 +409,7 @@ std::vector<double> reference_step(const std::string& scheme, std::optional<doub
   if (has_corner_reference(scheme))
     return corner_reference_step(scheme, parameter, mesh, births, old);
   if (scheme == "b-spline-quad")
-    return averaging_reference_step(static_cast<int>(parameter.value_or(3)), mesh, old);
+    return averaging_reference_step(3, parameter.value_or(0), mesh, old);
   Reference reference(mesh, births, old);
   if (scheme == "catmull-clark" || scheme == "box-spline-quad") return reference.catmull_clark();
   if (scheme == "catmull-clark, smooth triangles")

@@ -48,7 +48,7 @@ std::optional<Setting> other_setting(const std::string& scheme) {
   if (scheme == "laplacian-loop-low") return Setting{"a", 1, 3};
   if (scheme == "butterfly-ternary") return Setting{"mu", 1, 9};
   if (scheme == "loop-type") return Setting{"b", 2, 5};
-  if (scheme == "b-spline-quad") return Setting{"degree", 5, 1};
+  if (scheme == "b-spline-quad") return Setting{"stam", 1, 2};
   return std::nullopt;
 }
 

@@ -153,15 +153,34 @@ Program compile(const RuleCase& rule_case, RuleKind kind, Lattice lattice) {
 
 namespace {
 
-/// The weight of each in a mean of n; the other kinds of rules a scheme of stages has none of.
+/// Those that were not decided when the file was read.
+Status check_late(const Scheme& scheme, RuleKind kind, int n) {
+  const bool checked_on_reading = n >= kSmallestValence && n <= kLargestCheckedValence;
+  if (checked_on_reading || n > kLargestExactValence) return Done{};
+  return check_rule(scheme, kind, n);
+}
+
+/// A row of a scheme of stages.
 template <class Number>
-Result<Row<Number>> mean_row(const Scheme& scheme, RuleKind kind, int n) {
+Result<Row<Number>> stage_row(const Scheme& scheme, RuleKind kind, int n) {
   Row<Number> row;
-  if (kind != RuleKind::face) return row;
   Scope<Number> scope(scheme, n, std::nullopt);
-  Result<Number> value = scope(scheme.stages->mean.value);
-  if (!value) return value.error();
-  row.weights.push_back(std::move(*value));
+  if (kind == RuleKind::face) {
+    Result<Number> value = scope(scheme.stages->corner.value);
+    if (!value) return value.error();
+    row.weights.push_back(std::move(*value));
+  }
+  if (kind != RuleKind::vertex) return row;  // it has no others
+  const Result<const RuleCase*> pair = applicable_case(scheme, kind, n);
+  if (!pair) return pair.error();
+  if (*pair == nullptr) return missing_rule(scheme, kind, n);
+  if (Status status = check_late(scheme, kind, n); !status) return status.error();
+  row.weights.assign(kPairRoles.size(), Number(0));
+  for (const Weight& weight : (*pair)->weights) {
+    Result<Number> value = scope(weight.value);
+    if (!value) return value.error();
+    row.weights[static_cast<std::size_t>(pair_role(weight))] = std::move(*value);
+  }
   return row;
 }
 
@@ -169,7 +188,7 @@ Result<Row<Number>> mean_row(const Scheme& scheme, RuleKind kind, int n) {
 
 template <class Number>
 Result<Row<Number>> tabulate_row(const Scheme& scheme, RuleKind kind, int n) {
-  if (scheme.stages) return mean_row<Number>(scheme, kind, n);
+  if (scheme.stages) return stage_row<Number>(scheme, kind, n);
   const Result<const RuleCase*> rule_case = applicable_case(scheme, kind, n);
   if (!rule_case) return rule_case.error();
   Row<Number> row;
@@ -177,9 +196,7 @@ Result<Row<Number>> tabulate_row(const Scheme& scheme, RuleKind kind, int n) {
     if (stands_in_for(kind, *scheme.split)) return row;
     return missing_rule(scheme, kind, n);
   }
-  const bool checked_on_reading = n >= kSmallestValence && n <= kLargestCheckedValence;
-  if (!checked_on_reading && n <= kLargestExactValence)
-    if (Status status = check_rule(scheme, kind, n); !status) return status.error();
+  if (Status status = check_late(scheme, kind, n); !status) return status.error();
   auto program = std::make_shared<Program>(compile(**rule_case, kind, scheme.split->lattice));
   std::optional<long long> valence;
   if (rule_has_valence(kind)) valence = n;
@@ -289,18 +306,21 @@ Status RuleTables<Number>::prepare_edges(const Mesh& mesh, const Births& births)
 }
 
 template <class Number>
-Status RuleTables<Number>::prepare_means(const Mesh& mesh) {
+Status RuleTables<Number>::prepare_stages(const Mesh& mesh) {
   if (Status status = prepare_faces(mesh, RuleKind::face); !status) return status;
+  if (scheme_->stages->count < 2) return Done{};
+  if (Status status = prepare_faces(mesh, RuleKind::vertex); !status) return status;  // middles
+  if (Status status = add(RuleKind::vertex, 4, 0); !status) return status;            // of edges
   for (Index v = 0; v < mesh.vertex_count(); ++v) {
     if (mesh.is_isolated(v) || mesh.is_boundary_vertex(v)) continue;
-    if (Status status = add(RuleKind::face, mesh.valence(v), v); !status) return status;
+    if (Status status = add(RuleKind::vertex, mesh.valence(v), v); !status) return status;
   }
   return Done{};
 }
 
 template <class Number>
 Status RuleTables<Number>::prepare(const Mesh& mesh, const Births& births) {
-  if (scheme_->stages) return prepare_means(mesh);
+  if (scheme_->stages) return prepare_stages(mesh);
   const Split& split = *scheme_->split;
   const bool boundary_refined = !split.boundary_rests() || births.from_edges > 0;
   if (split.births.vertices)

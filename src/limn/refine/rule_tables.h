@@ -50,8 +50,9 @@ inline constexpr std::size_t kSharedSteps = 16;  ///< ends that a program may ke
 
 /// The weights of a rule at one valence: `weights` in the order of the program's steps, a
 /// repeated step having n of them. `program` is null where no case applies (of rules that
-/// stand in for another, or at a boundary that is left out), and in a scheme of stages, whose
-/// means of n have one weight, in the row of the face rule.
+/// stand in for another, or at a boundary that is left out), and in a scheme of stages. There the
+/// face rule's row has the one weight of a corner in the middle of a face of n, and the vertex
+/// rule's those of a pair of averagings, one for each PairRole.
 template <class Number>
 struct Row {
   std::shared_ptr<const Program> program;
@@ -110,8 +111,8 @@ class RuleTables {
   Status prepare_vertices(const Mesh& mesh, bool boundary_refined);
   Status prepare_faces(const Mesh& mesh, RuleKind kind);
   Status prepare_edges(const Mesh& mesh, const Births& births);
-  /// The means that stages take: of faces' corners, and of the faces at vertices.
-  Status prepare_means(const Mesh& mesh);
+  /// What stages weigh: at all faces, and at the vertices of the mesh that they cut.
+  Status prepare_stages(const Mesh& mesh);
 
   const Scheme* scheme_;
   Boundary boundary_;

@@ -5,13 +5,12 @@
 ///
 /// The mesh that stages live on is the control mesh cut by quad-dyadic. It is not made: it has a
 /// vertex for each old vertex, edge and face, and its face h lies at the corner h of the control
-/// mesh, so the averagings are index arithmetic on the control mesh. At the boundary of that mesh
-/// an edge counts as a face of two corners, and a boundary vertex is the mean of its two boundary
-/// edges alone: two averagings together are (1, 2, 1)/4 along the boundary. So it is as if the
-/// mesh went on beyond its boundary, reflected through it, and where values end at vertices the
-/// boundary is the uniform B-spline curve of its own polygon.
+/// mesh, so the averagings are index arithmetic on the control mesh. Two of them are made as one,
+/// from vertices to vertices (Stages::pair). Along the boundary that is (1, 2, 1)/4, as if edges
+/// there were faces of two corners: the mesh goes on beyond its boundary, reflected through it, and
+/// where values end at vertices the boundary is the uniform B-spline curve of its own polygon.
 
-#include <cassert>
+#include <array>
 #include <vector>
 
 #include "limn/base/parallel.h"
@@ -35,7 +34,8 @@ class StagedStep {
         faces_at_(mesh.vertex_count() + mesh.edge_count()),
         vertex_count_(faces_at_ + mesh.face_count()),
         half_(Arithmetic<Number>::from(Rational(1, 2))),
-        quarter_(Arithmetic<Number>::from(Rational(1, 4))) {}
+        quarter_(Arithmetic<Number>::from(Rational(1, 4))),
+        one_(Arithmetic<Number>::from(Rational(1))) {}
 
   /// The values at the new vertices, in the order of the births. Cost O(averagings · mesh).
   std::vector<Value> run() {
@@ -63,64 +63,57 @@ class StagedStep {
   }
 
  private:
-  /// Of each stage, the bilinear first, a mark for each element that is needed; empty: all are.
+  /// Of the cut, of each pair of averagings, and of a last one, a mark for each element that is
+  /// needed; empty: all are.
   using Marks = std::vector<std::vector<char>>;
 
   static std::size_t at(Index i) { return static_cast<std::size_t>(i); }
   [[nodiscard]] bool ends_at_faces() const { return averagings_ % 2 != 0; }
-  [[nodiscard]] const Number& mean_of(Index n) const {
-    return tables_.row(RuleKind::face, n).weights.front();
-  }
+  [[nodiscard]] std::size_t pairs() const { return static_cast<std::size_t>(averagings_) / 2; }
 
   /// Calls visit(i) for what is needed of a stage, on all threads.
   template <class Visit>
-  void for_needed(const Marks& marks, int stage, Index count, Visit&& visit) const {
+  void for_needed(const Marks& marks, std::size_t stage, Index count, Visit&& visit) const {
     parallel_for(Index{0}, count, [&](Index first, Index last) {
       for (Index i = first; i < last; ++i)
-        if (marks.empty() || marks[static_cast<std::size_t>(stage)][at(i)] != 0) visit(i);
+        if (marks.empty() || marks[stage][at(i)] != 0) visit(i);
     });
   }
 
   void average_all(const Marks& marks) {
     vertices_.resize(at(vertex_count_));
     for_needed(marks, 0, vertex_count_, [&](Index i) { vertices_[at(i)] = bilinear(i); });
-    for (int stage = 1; stage <= averagings_; ++stage) {
-      if (stage % 2 != 0) {
-        std::vector<Value> fresh(at(mesh_.halfedge_count()));
-        for_needed(marks, stage, mesh_.halfedge_count(), [&](Index h) {
-          each_corner(h, [&](Index v) { add_scaled(fresh[at(h)], quarter_, vertices_[at(v)]); });
+    for (std::size_t pair = 1; pair <= pairs(); ++pair) {
+      std::vector<Value> fresh(at(vertex_count_));
+      for_needed(marks, pair, vertex_count_, [&](Index i) {
+        visit_pair(i, [&](Index v, const Number& weight) {
+          add_scaled(fresh[at(i)], weight, vertices_[at(v)]);
         });
-        faces_ = std::move(fresh);
-      } else {
-        std::vector<Value> fresh(at(vertex_count_));
-        for_needed(marks, stage, vertex_count_, [&](Index i) { average_at(i, fresh[at(i)]); });
-        vertices_ = std::move(fresh);
-      }
+      });
+      vertices_ = std::move(fresh);
     }
+    if (!ends_at_faces()) return;
+    faces_.resize(at(mesh_.halfedge_count()));
+    for_needed(marks, pairs() + 1, mesh_.halfedge_count(), [&](Index h) {
+      for (const Index v : corners(h)) add_scaled(faces_[at(h)], quarter_, vertices_[at(v)]);
+    });
   }
 
   /// What each stage needs of the one before, from the marks of the last.
   [[nodiscard]] Marks dependence(std::vector<char> last) const {
-    Marks marks(static_cast<std::size_t>(averagings_) + 1);
-    marks.back() = std::move(last);
-    for (int stage = averagings_; stage > 0; --stage) {
-      const std::vector<char>& needed = marks[static_cast<std::size_t>(stage)];
-      std::vector<char>& before = marks[static_cast<std::size_t>(stage) - 1];
-      if (before.empty())
-        before.resize(at(stage % 2 != 0 ? vertex_count_ : mesh_.halfedge_count()), 0);
-      for (Index i = 0; i < static_cast<Index>(needed.size()); ++i) {
-        if (needed[at(i)] == 0) continue;
-        if (stage % 2 != 0) {
-          each_corner(i, [&](Index v) { before[at(v)] = 1; });
-        } else if (is_boundary(i)) {  // weighs vertices of two stages before
-          std::vector<char>& twice = marks[static_cast<std::size_t>(stage) - 2];
-          if (twice.empty()) twice.resize(at(vertex_count_), 0);
-          each_beside(i, [&](Index v, const Number&) { twice[at(v)] = 1; });
-        } else {
-          each_face(i, [&](Index h) { before[at(h)] = 1; });
-        }
-      }
+    Marks marks(pairs() + 1, std::vector<char>(at(vertex_count_), 0));
+    if (ends_at_faces()) {
+      for (Index h = 0; h < mesh_.halfedge_count(); ++h)
+        if (last[at(h)] != 0)
+          for (const Index v : corners(h)) marks.back()[at(v)] = 1;
+      marks.push_back(std::move(last));
+    } else {
+      marks.back() = std::move(last);
     }
+    for (std::size_t pair = pairs(); pair > 0; --pair)
+      for (Index i = 0; i < vertex_count_; ++i)
+        if (marks[pair][at(i)] != 0)
+          visit_pair(i, [&](Index v, const Number&) { marks[pair - 1][at(v)] = 1; });
     return marks;
   }
 
@@ -134,76 +127,81 @@ class StagedStep {
       return sum;
     }
     const Index f = i - faces_at_;
-    const Number& weight = mean_of(mesh_.degree(f));
+    const Number& weight = tables_.row(RuleKind::face, mesh_.degree(f)).weights.front();
     for (Index h = mesh_.face_begin(f); h < mesh_.face_begin(f + 1); ++h)
       add_scaled(sum, weight, old_[at(mesh_.origin(h))]);
     return sum;
   }
 
-  /// The mean of the faces at vertex i of the stages' mesh, or along its boundary.
-  void average_at(Index i, Value& sum) const {
-    if (i < mesh_.vertex_count() && mesh_.is_isolated(i)) {
-      sum = old_[at(i)];
-    } else if (is_boundary(i)) {
-      each_beside(
-          i, [&](Index v, const Number& weight) { add_scaled(sum, weight, vertices_[at(v)]); });
-    } else {
-      const Number& weight = i < mesh_.vertex_count() ? mean_of(mesh_.valence(i))
-                             : i < faces_at_          ? quarter_
-                                                      : mean_of(mesh_.degree(i - faces_at_));
-      each_face(i, [&](Index h) { add_scaled(sum, weight, faces_[at(h)]); });
-    }
-  }
-
   [[nodiscard]] Index middle(Index h) const { return mesh_.vertex_count() + mesh_.edge(h); }
+  [[nodiscard]] Index center(Index h) const { return faces_at_ + mesh_.face(h); }
 
-  /// The corners of face h of the stages' mesh.
-  template <class Visit>
-  void each_corner(Index h, Visit&& visit) const {
-    visit(mesh_.origin(h));
-    visit(middle(h));
-    visit(faces_at_ + mesh_.face(h));
-    visit(middle(mesh_.prev(h)));
+  /// Of face h of the stages' mesh.
+  [[nodiscard]] std::array<Index, 4> corners(Index h) const {
+    return {mesh_.origin(h), middle(h), center(h), middle(mesh_.prev(h))};
   }
 
-  /// The faces at an interior vertex of the stages' mesh.
-  template <class Visit>
-  void each_face(Index i, Visit&& visit) const {
-    if (i < mesh_.vertex_count()) {
-      const Index first = mesh_.halfedge_of_vertex(i);
-      for (Index h = first; h != kNone;) {
-        visit(h);
-        h = mesh_.rotate(h);
-        if (h == first) break;
-      }
-    } else if (i < faces_at_) {
-      const Index h = mesh_.halfedge_of_edge(i - mesh_.vertex_count()), t = mesh_.twin(h);
-      for (const Index side : {h, t}) {
-        visit(side);
-        visit(mesh_.next(side));
-      }
-    } else {
-      for (Index h = mesh_.face_begin(i - faces_at_); h < mesh_.face_begin(i - faces_at_ + 1); ++h)
-        visit(h);
+  /// The weights of a pair of averagings at a vertex of n edges.
+  struct Pair {
+    Pair(const RuleTables<Number>& tables, Index n)
+        : weights(tables.row(RuleKind::vertex, n).weights) {}
+    [[nodiscard]] const Number& of(PairRole role) const {
+      return weights[static_cast<std::size_t>(role)];
     }
-  }
+    const std::vector<Number>& weights;
+  };
 
-  [[nodiscard]] bool is_boundary(Index i) const {
-    if (i < mesh_.vertex_count()) return !mesh_.is_isolated(i) && mesh_.is_boundary_vertex(i);
-    return i < faces_at_ && mesh_.is_boundary_edge(i - mesh_.vertex_count());
-  }
-
-  /// What a boundary vertex of the stages' mesh weighs of two averagings before, with the weights.
+  /// Calls visit(v, weight) for the vertices of the stages' mesh that a pair of averagings weighs
+  /// at vertex i.
   template <class Visit>
-  void each_beside(Index i, Visit&& visit) const {
-    visit(i, half_);
-    if (i >= mesh_.vertex_count()) {
-      const Index h = mesh_.halfedge_of_edge(i - mesh_.vertex_count());
+  void visit_pair(Index i, Visit&& visit) const {
+    if (i >= faces_at_) return visit_center(i - faces_at_, visit);
+    if (i >= mesh_.vertex_count()) return visit_middle(i - mesh_.vertex_count(), visit);
+    if (mesh_.is_isolated(i)) return visit(i, one_);
+    if (mesh_.is_boundary_vertex(i)) return visit_boundary(i, visit);
+    const Pair pair(tables_, mesh_.valence(i));
+    visit(i, pair.of(PairRole::self));
+    const Index first = mesh_.halfedge_of_vertex(i);
+    Index h = first;
+    do {
+      visit(middle(h), pair.of(PairRole::ring));
+      visit(center(h), pair.of(PairRole::diagonal));
+      h = mesh_.rotate(h);
+    } while (h != first);
+  }
+
+  template <class Visit>
+  void visit_middle(Index e, Visit& visit) const {
+    const Index h = mesh_.halfedge_of_edge(e), t = mesh_.twin(h);
+    if (t == kNone) {
+      visit(middle(h), half_);
       visit(mesh_.origin(h), quarter_);
-      visit(mesh_.target(h), quarter_);
-      return;
+      return visit(mesh_.target(h), quarter_);
     }
-    Index last = mesh_.halfedge_of_vertex(i);
+    const Pair pair(tables_, 4);
+    visit(middle(h), pair.of(PairRole::self));
+    for (const Index side : {h, t}) {
+      visit(mesh_.origin(side), pair.of(PairRole::ring));
+      visit(center(side), pair.of(PairRole::ring));
+      visit(middle(mesh_.prev(side)), pair.of(PairRole::diagonal));
+      visit(middle(mesh_.next(side)), pair.of(PairRole::diagonal));
+    }
+  }
+
+  template <class Visit>
+  void visit_center(Index f, Visit& visit) const {
+    const Pair pair(tables_, mesh_.degree(f));
+    visit(faces_at_ + f, pair.of(PairRole::self));
+    for (Index h = mesh_.face_begin(f); h < mesh_.face_begin(f + 1); ++h) {
+      visit(middle(h), pair.of(PairRole::ring));
+      visit(mesh_.origin(h), pair.of(PairRole::diagonal));
+    }
+  }
+
+  template <class Visit>
+  void visit_boundary(Index v, Visit& visit) const {
+    visit(v, half_);
+    Index last = mesh_.halfedge_of_vertex(v);
     visit(middle(last), quarter_);
     for (Index h = mesh_.rotate(last); h != kNone; h = mesh_.rotate(h)) last = h;
     visit(middle(mesh_.prev(last)), quarter_);
@@ -215,7 +213,7 @@ class StagedStep {
   const RuleTables<Number>& tables_;
   const std::vector<Value>& old_;
   Index faces_at_, vertex_count_;  // of the stages' mesh
-  Number half_, quarter_;
+  Number half_, quarter_, one_;
   std::vector<Value> vertices_, faces_;
 };
 

@@ -12,6 +12,12 @@
 namespace limn {
 namespace {
 
+/// The rule of that kind: in a scheme of stages, what two averagings make of a vertex.
+const Rule* rule_of(const Scheme& scheme, RuleKind kind) {
+  if (scheme.stages) return kind == RuleKind::vertex ? &scheme.stages->pair : nullptr;
+  return scheme.rule(kind) ? &*scheme.rule(kind) : nullptr;
+}
+
 std::string at_valence(RuleKind kind, int n) {
   return rule_has_valence(kind) ? fmt::format(" at n = {}", n) : std::string();
 }
@@ -214,12 +220,6 @@ Status check_case(const Scheme& scheme, RuleKind kind, int n) {
 /// Whether so much was spent that no arithmetic is left: what it says then is no fault.
 bool is_exhausted() { return !Exact::multiply(Exact(1), Exact(1)).ok(); }
 
-/// Whether parameters have values where this rule has its weights. Stages have theirs where the
-/// rules without n would.
-bool has_values(const Scheme& scheme, RuleKind kind) {
-  return scheme.rule(kind) || (scheme.stages && !rule_has_valence(kind));
-}
-
 /// The valences at which a rule is checked.
 std::pair<int, int> checked_valences(const Scheme& scheme, RuleKind kind) {
   if (!rule_has_valence(kind)) return {3, 3};
@@ -253,7 +253,7 @@ bool uses_any(const Rule& rule, const std::set<std::string>& names) {
 
 /// Where a rule or a case is missing: at the last case, or where the file says what it has.
 Place place_without(const Scheme& scheme, RuleKind kind) {
-  if (const std::optional<Rule>& rule = scheme.rule(kind); rule && !rule->empty())
+  if (const Rule* rule = rule_of(scheme, kind); rule != nullptr && !rule->empty())
     return rule->back().place;
   if (scheme.mask) return scheme.mask->place;
   if (scheme.factors) return scheme.factors->place;
@@ -275,19 +275,19 @@ Error missing_rule(const Scheme& scheme, RuleKind kind, int n) {
   if (scheme.rule(kind)) hint = "add a case whose guard holds there, or one without a guard";
   if (by_mask)
     hint = "the scheme is given by its regular mask alone; write its rules to refine such a mesh";
-  if (scheme.stages)
-    hint =
-        "its step is a sequence of averagings, which has no rules; what asks for one cannot be "
-        "had of it";
-  const std::string where = scheme.rule(kind) || by_mask ? at_valence(kind, n) : std::string();
+  if (scheme.stages && kind != RuleKind::vertex)
+    hint = "its step is a sequence of averagings; what asks for such a rule cannot be had of it";
+  const bool has_cases = rule_of(scheme, kind) != nullptr;
+  if (scheme.stages && has_cases) hint = "add a case to stages.pair whose guard holds there";
+  const std::string where = has_cases || by_mask ? at_valence(kind, n) : std::string();
   const Place place = place_without(scheme, kind);
   return {fmt::format("scheme '{}' has no {} rule{}", scheme.name, rule_name(kind), where), hint,
           place.file, place.line, place.column};
 }
 
 Result<const RuleCase*> applicable_case(const Scheme& scheme, RuleKind kind, int n) {
-  const std::optional<Rule>& rule = scheme.rule(kind);
-  if (!rule) return nullptr;
+  const Rule* rule = rule_of(scheme, kind);
+  if (rule == nullptr) return nullptr;
   const ExactBudget budget(kExactWork);
   Scope<Exact> scope(scheme, valence_of(kind, n), std::nullopt);
   for (const RuleCase& rule_case : *rule) {
@@ -312,7 +312,7 @@ Status check_ranges(const Scheme& scheme) {
   for (const Parameter& parameter : scheme.parameters) left.insert(&parameter);
   for (int i = 0; i < kRuleKinds; ++i) {
     const auto kind = static_cast<RuleKind>(i);
-    if (!has_values(scheme, kind)) continue;
+    if (rule_of(scheme, kind) == nullptr) continue;
     const auto [first, last] = checked_valences(scheme, kind);
     for (int n = first; n <= last; ++n)
       for (const Parameter& parameter : scheme.parameters) {
@@ -335,8 +335,9 @@ void check_rules(const Scheme& scheme, const std::set<std::string>& valueless,
   };
   for (int i = 0; i < kRuleKinds; ++i) {
     const auto kind = static_cast<RuleKind>(i);
-    if (!scheme.rule(kind)) continue;
-    bool left_out = is_left_out(kind) || uses_any(*scheme.rule(kind), valueless);
+    const Rule* rule = rule_of(scheme, kind);
+    if (rule == nullptr) continue;
+    bool left_out = is_left_out(kind) || uses_any(*rule, valueless);
     const auto [first, last] = checked_valences(scheme, kind);
     for (int n = first; n <= last; ++n) {
       for (const Parameter& parameter : scheme.parameters)
@@ -346,7 +347,7 @@ void check_rules(const Scheme& scheme, const std::set<std::string>& valueless,
       const Status status = check_case(scheme, kind, n);
       if (!note(status)) return;
       // what fails within a weight may fail at another place of it at the next valence
-      left_out = !status && !is_of_case(*scheme.rule(kind), status.error());
+      left_out = !status && !is_of_case(*rule, status.error());
     }
   }
 }

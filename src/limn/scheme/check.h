@@ -32,7 +32,8 @@ void check_rules(const Scheme& scheme, const std::set<std::string>& valueless,
 [[nodiscard]] Status check_rule(const Scheme& scheme, RuleKind kind, int n);
 
 /// The case of `rule` that applies at valence n: nullptr where none does. Guards are decided in
-/// exact arithmetic, so every number type takes the same case.
+/// exact arithmetic, so every number type takes the same case. In a scheme of stages the vertex
+/// rule is what two averagings make of a vertex, and there are no others.
 [[nodiscard]] Result<const RuleCase*> applicable_case(const Scheme& scheme, RuleKind kind, int n);
 
 /// The error that names a missing rule or case; `what` as "the vertex rule at valence 5".

@@ -26,14 +26,18 @@ void each_rule_formula(const Scheme& scheme, Visit&& visit) {
     if (parameter.low) visit(*parameter.low);
     if (parameter.high) visit(*parameter.high);
   }
-  for (const std::optional<Rule>& rule : scheme.rules) {
-    if (!rule) continue;
-    for (const RuleCase& rule_case : *rule) {
+  const auto visit_rule = [&](const Rule& rule) {
+    for (const RuleCase& rule_case : rule) {
       if (rule_case.when) visit(*rule_case.when);
       for (const Weight& weight : rule_case.weights) visit(weight.value);
     }
+  };
+  for (const std::optional<Rule>& rule : scheme.rules)
+    if (rule) visit_rule(*rule);
+  if (scheme.stages) {
+    visit(scheme.stages->times);
+    visit_rule(scheme.stages->pair);
   }
-  if (scheme.stages) visit(scheme.stages->times);
   for (const Fact& fact : scheme.facts)
     for (const auto& value : fact.values) visit(value.second);
   for (const Equivalence& same : scheme.equivalences)

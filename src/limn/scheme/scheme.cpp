@@ -153,13 +153,17 @@ void check_smooth_triangles(const Scheme& scheme, const std::set<std::string>& v
   }
 }
 
-/// A scheme of stages has no rules; from its parameters follows its split. Where something is wrong
-/// already it may be what these depend on.
-void check_stages(Scheme& scheme, Faults& faults) {
+/// From the parameters of a scheme of stages follows its split. Where something is wrong already it
+/// may be what these depend on.
+void check_stages(Scheme& scheme, Faults& faults, Weights weights) {
   if (!faults.none()) return;
+  if (scheme.split == nullptr) scheme.split = find_split("quad-dyadic");  // of the same lattice
   Status status = check_ranges(scheme);
   if (status) status = settle_stages(scheme);
-  if (!status) faults.add(status.error());
+  if (!status) return faults.add(status.error());
+  if (weights == Weights::checked)
+    check_rules(
+        scheme, {}, [](RuleKind) { return false; }, faults);
 }
 
 /// All that can be judged of what was read. `base`: the split of the scheme that it extends, if
@@ -168,7 +172,7 @@ void check_scheme(Scheme& scheme, const Unread& unread, const Split* base, Fault
                   Weights weights = Weights::checked) {
   const ExactBudget budget(kExactWork);
   check_names(scheme, unread, faults);
-  if (scheme.stages) return check_stages(scheme, faults);
+  if (scheme.stages) return check_stages(scheme, faults, weights);
   if (scheme.split == nullptr) return;
   const std::set<std::string> valueless = valueless_names(scheme, unread);
   if (scheme.mask || scheme.factors) {

@@ -93,18 +93,32 @@ struct Factors {
   Place place;                 ///< of the table
 };
 
-/// A step as a sequence of averagings [ZorinSchroeder2001]. The mesh is cut by quad-dyadic; old
-/// vertices stay, edges give their middles, faces the means of their corners. Then each averaging
-/// gives every face the mean of its corners or every vertex the mean of its faces, in turn, the
-/// former first (refine/staged_step.h has the boundary). After an even number of them the values
-/// lie at vertices, and the split is quad-dyadic; after an odd one at faces, and it is quad-dual.
-/// On quads it is the tensor product B-spline of degree `count` + 1.
+/// A step as a sequence of averagings [ZorinSchroeder2001; Stam2001]. The mesh is cut by
+/// quad-dyadic: old vertices stay, edges give their middles, faces the means of their corners. Then
+/// values are averaged, from vertices to faces and from faces to vertices in turn. Two averagings
+/// together give each vertex what `pair` says, a last one each face the mean of its corners
+/// (refine/staged_step.h has the boundary). After an even number the split is quad-dyadic, after an
+/// odd one quad-dual. Where `pair` is the mean of means on quads, they are the tensor product
+/// B-spline of degree `count` + 1 there.
 struct Stages {
   Formula times;  ///< how many averagings: an integer in 0 … kMostAveragings, in the parameters
   int count = 0;  ///< what that is at the scheme's present parameters
-  Weight mean;    ///< of each of the n that a mean is of: "1/n"
+  /// A vertex rule on the mesh that was cut, of the roles of PairRole alone; what the file leaves
+  /// out is the mean of means: self 1/4, ring 1/(2n), diagonal 1/(4n).
+  Rule pair;
+  Weight corner;  ///< "1/n", of each corner in the middle of a face of n
   Place place;    ///< of the table
 };
+/// The weights of Stages::pair: of the vertex, of each neighbour, of the corner opposite in each
+/// face at it.
+enum class PairRole : unsigned char { self, ring, diagonal };
+inline constexpr std::array<std::string_view, 3> kPairRoles{"self", "ring", "diagonal"};
+/// Of a weight of such a rule.
+[[nodiscard]] inline PairRole pair_role(const Weight& weight) {
+  return weight.role == "self"   ? PairRole::self
+         : weight.role == "ring" ? PairRole::ring
+                                 : PairRole::diagonal;
+}
 /// So that what controls the surface round a vertex lies within the stars that are analysed.
 inline constexpr int kMostAveragings = 8;
 

@@ -1,11 +1,20 @@
 #include "limn/scheme/stages.h"
 
+#include <cassert>
+
 #include <fmt/core.h>
 
 #include "limn/number/exact.h"
 #include "limn/scheme/scope.h"
 
 namespace limn {
+
+Walk pair_walk(std::string_view role) {
+  for (const NamedRole& named : named_roles(RuleKind::vertex, Lattice::quad))
+    if (named.name == role) return parse_walk(named.walk).value();
+  assert(false);
+  return {};
+}
 
 Status settle_stages(Scheme& scheme) {
   Stages& stages = *scheme.stages;

@@ -8,6 +8,9 @@ namespace limn {
 /// The words of [stages] in scheme files: what is done first, and what then.
 inline constexpr std::string_view kBilinear = "bilinear", kAverage = "average";
 
+/// The walk of a role of Stages::pair, by its name: one of kPairRoles.
+[[nodiscard]] Walk pair_walk(std::string_view role);
+
 /// Counts the averagings at the scheme's present parameters, and sets the split that follows.
 /// Fails, at the formula, where it has no value or is no integer in 0 … kMostAveragings.
 /// Precondition: scheme.stages.

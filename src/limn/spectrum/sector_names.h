@@ -42,19 +42,25 @@ class Namer {
     return row;
   }
 
-  /// The mean over the sectors, in a scheme of stages.
-  Row<WeightForm> mean_row(const Stages& stages) {
+  /// A row of a scheme of stages: `pair` is the case of its pairs of averagings at the centre.
+  Row<WeightForm> stage_row(const Stages& stages, const RuleCase& pair, RuleKind kind) {
+    if (sectors_name_ < 0) {
+      static const Weight sectors{"sectors", {}, {Expression::parse("n").value(), {}}};
+      sectors_name_ = add(RuleKind::vertex, sectors, false);
+    }
     Row<WeightForm> row;
-    row.weights.push_back(WeightForm::name(static_cast<int>(positions.size())));
-    positions.push_back({static_cast<int>(names.size()), -1});
-    names.push_back({.kind = RuleKind::face,
-                     .weight = &stages.mean,
-                     .share = 1,
-                     .repeated = false,
-                     .per_sector = true,
-                     .mean = true});
+    if (kind == RuleKind::face) row.weights.push_back(stage_form(kind, stages.corner, true));
+    if (kind != RuleKind::vertex) return row;
+    row.weights.resize(kPairRoles.size());
+    for (const Weight& weight : pair.weights) {
+      const PairRole role = pair_role(weight);
+      row.weights[static_cast<std::size_t>(role)] =
+          stage_form(kind, weight, role != PairRole::self);
+    }
     return row;
   }
+  /// The name of the number of sectors, where rows are those of stages; else -1.
+  [[nodiscard]] int sectors_name() const { return sectors_name_; }
 
   /// A row of a regular rule.
   Result<Row<WeightForm>> regular_row(const Scheme& scheme, RuleKind kind, int n,
@@ -79,6 +85,15 @@ class Namer {
   }
 
  private:
+  int add(RuleKind kind, const Weight& weight, bool per_sector) {
+    names.push_back({kind, &weight, 1, false, per_sector});
+    return static_cast<int>(names.size()) - 1;
+  }
+  WeightForm stage_form(RuleKind kind, const Weight& weight, bool per_sector) {
+    positions.push_back({add(kind, weight, per_sector), -1});
+    return WeightForm::name(static_cast<int>(positions.size()) - 1);
+  }
+
   WeightForm form_of(const NamedWeight& name) {
     const auto same = std::find_if(names.begin(), names.end(), [&](const NamedWeight& other) {
       return other.weight == name.weight && other.share == name.share &&
@@ -94,6 +109,8 @@ class Namer {
                                        [&](const Position& p) { return p.name == number; });
     return WeightForm::name(static_cast<int>(position - positions.begin()));
   }
+
+  int sectors_name_ = -1;
 };
 
 }  // namespace limn

@@ -87,17 +87,8 @@ class RowTerms {
       if (coefficient == 0) continue;
       Key key{place.orbit, {}, -1, coefficient};
       int k = -1;
-      bool mean = false;
       for (const int index : indices) {
         const Namer::Position& position = namer_.positions[static_cast<std::size_t>(index)];
-        if (namer_.names[static_cast<std::size_t>(position.name)].mean) {
-          // Of means of means, all but the last are of what is the same in all sectors: n times the
-          // weight, or 1. Of the centre the last is so, too.
-          if (mean || key.column == kCenter) key.coefficient /= kSectors;
-          if (!mean && key.column != kCenter) key.names.push_back(position.name);
-          mean = true;
-          continue;
-        }
         if (position.k < 0) {
           key.names.push_back(position.name);
           continue;
@@ -106,6 +97,7 @@ class RowTerms {
         key.repeated = position.name;
         k = position.k;
       }
+      if (namer_.sectors_name() >= 0) count_sectors(key);
       found_[key].push_back({sector, k});
     }
     return true;
@@ -130,14 +122,15 @@ class RowTerms {
           term.angle = key.column == kCenter ? 0 : sector + to - from;
           terms.push_back(term);
         }
-      } else if ((row_ == kCenter || has_mean(key.names)) && key.column != kCenter) {
-        // rotation leaves the centre and what means over the sectors are of, so all come alike
+      } else if ((row_ == kCenter || (is_of_stages() && per_sector(key.names))) &&
+                 key.column != kCenter) {
+        // rotation leaves the centre and sums over the sectors, so all sectors come alike
         if (positions.size() % kSectors != 0) return false;
         term.every_sector = true;
         const std::size_t per_sector_count = positions.size() / kSectors;
         term.coefficient *= static_cast<double>(per_sector_count);
         terms.push_back(term);
-      } else if (row_ == kCenter && per_sector(key.names)) {
+      } else if (row_ == kCenter && per_sector(key.names) && !is_of_stages()) {
         term.every_sector = true;
         term.coefficient /= kSectors;  // what came from the sectors' faces was added up
         terms.push_back(term);
@@ -167,10 +160,24 @@ class RowTerms {
     int sector, k;
   };
 
-  [[nodiscard]] bool has_mean(const std::vector<int>& names) const {
-    return std::any_of(names.begin(), names.end(),
-                       [&](int name) { return namer_.names[static_cast<std::size_t>(name)].mean; });
+  [[nodiscard]] bool is_of_stages() const { return namer_.sectors_name() >= 0; }
+
+  /// Each weight of stages that comes per sector is a sum over the sectors. All but the last of
+  /// these are of what is the same in each, the centre's value; so is the last where that is what
+  /// the term weighs. They have counted this star's sectors, in place of n.
+  void count_sectors(Key& key) const {
+    const auto is_sum = [&](int name) {
+      return namer_.names[static_cast<std::size_t>(name)].per_sector;
+    };
+    auto sums = std::count_if(key.names.begin(), key.names.end(), is_sum);
+    if (key.column != kCenter && sums > 0) --sums;
+    for (; sums > 0; --sums) {
+      key.coefficient /= kSectors;
+      key.names.push_back(namer_.sectors_name());
+    }
+    std::sort(key.names.begin(), key.names.end());
   }
+
   [[nodiscard]] bool per_sector(const std::vector<int>& names) const {
     return std::any_of(names.begin(), names.end(), [&](int name) {
       return namer_.names[static_cast<std::size_t>(name)].per_sector;
@@ -225,7 +232,7 @@ Result<StarForms> refined_star(const Scheme& scheme, const CenterCases& cases, i
   RuleTables<WeightForm> tables(
       scheme, Boundary::left_out, [&](RuleKind kind, int n) -> Result<Row<WeightForm>> {
         if (scheme.stages)
-          return n == kSectors ? star.namer.mean_row(*scheme.stages)
+          return n == kSectors ? star.namer.stage_row(*scheme.stages, *cases.front(), kind)
                                : constant_row(scheme, kind, n);
         const auto at = std::find(kinds.begin(), kinds.end(), kind);
         if (n != kSectors || at == kinds.end())
@@ -254,8 +261,9 @@ std::vector<RuleKind> center_rules(const Split& split) {
 
 Result<CenterCases> center_cases(const Scheme& scheme, int n) {
   CenterCases cases;
-  if (scheme.stages) return cases;
-  for (const RuleKind kind : center_rules(*scheme.split)) {
+  const std::vector<RuleKind> kinds =
+      scheme.stages ? std::vector{RuleKind::vertex} : center_rules(*scheme.split);
+  for (const RuleKind kind : kinds) {
     const Result<const RuleCase*> found = applicable_case(scheme, kind, n);
     if (!found) return found.error();
     if (*found == nullptr && !stands_in_for(kind, *scheme.split))

@@ -15,12 +15,12 @@ namespace limn {
 using CenterCases = std::vector<const RuleCase*>;
 
 /// The rules of a star's centre, or that are seen from it: vertex, edge-end and face-end; or
-/// corner. Not of a scheme of stages, whose centre has one case, of no rules, at every valence.
+/// corner. Not of a scheme of stages: of that it is the case of its pairs of averagings alone.
 [[nodiscard]] std::vector<RuleKind> center_rules(const Split& split);
 [[nodiscard]] Result<CenterCases> center_cases(const Scheme& scheme, int n);
 
 /// A weight of the rules at the centre: of a position, times `share`; of all n positions of a
-/// repeated role. Or one weight of a regular rule, or that of a mean over the sectors.
+/// repeated role. Or one weight of a regular rule.
 struct NamedWeight {
   RuleKind kind;
   const Weight* weight;
@@ -30,9 +30,6 @@ struct NamedWeight {
   /// Of a regular rule its n (0 where it has none) and, of a repeated role, its k.
   std::optional<int> regular = std::nullopt;
   std::optional<int> k = std::nullopt;
-  /// That of a mean which a scheme of stages takes round the centre: n times the weight is 1, and
-  /// a term has it once at most, however many stages took such a mean.
-  bool mean = false;
 };
 
 /// Which weights of the regular rules are names too; the others are 0. Nothing: none is a name, all

@@ -9,6 +9,7 @@
 #include "limn/certify/blocks/real_blocks.h"
 #include "limn/certify/ring/eigen_net.h"
 #include "limn/number/exact.h"
+#include "limn/refine/rule_tables.h"
 
 namespace limn::certify {
 namespace {
@@ -95,9 +96,16 @@ class Reach {
 
 /// The same of stages: the cut sees the face's corners, and two averagings one refined edge more.
 /// They turn round a vertex by one sector, fewer than the star tells apart however many they are.
-Result<int> reach_of(const Stages& stages) {
+/// The rows are made in doubles, and exact where the regular weights are fractions of powers of 2.
+Result<int> reach_of(const Scheme& scheme) {
   static_assert(kMostAveragings / 2 + 1 <= kMostCrossings);
-  return stages.count / 2 + 2;
+  constexpr int kFinest = 64;
+  const Result<Row<Exact>> pair = tabulate_row<Exact>(scheme, RuleKind::vertex, 4);
+  if (!pair) return pair.error();
+  for (const Exact& weight : pair->weights)
+    if (!weight.is_rational() || !is_integer(weight.rational() * kFinest))
+      return Error{"its averagings have weights on quads that are no fractions of powers of 2"};
+  return scheme.stages->count / 2 + 2;
 }
 
 /// A row: weights by column and by how many sectors on from the row's the column's point lies.
@@ -205,7 +213,7 @@ Result<SectorPattern> star_pattern(const Scheme& scheme, int rings) {
 }  // namespace
 
 Status check_regular_rows(const Scheme& scheme, const CellMatrices& cells) {
-  const Result<int> reach = scheme.stages ? reach_of(*scheme.stages) : Reach(scheme).find();
+  const Result<int> reach = scheme.stages ? reach_of(scheme) : Reach(scheme).find();
   if (!reach) return reach.error();
   const Result<SectorPattern> pattern = star_pattern(scheme, rings_to_compare(cells, *reach));
   if (!pattern) return pattern.error();

@@ -13,6 +13,7 @@
 #include "limn/scheme/file/scheme_words.h"
 #include "limn/scheme/file/toml_data.h"
 #include "limn/scheme/file/toml_reader.h"
+#include "limn/scheme/stages.h"
 
 namespace limn {
 namespace {
@@ -132,7 +133,12 @@ class SchemeFileReader {
       if (!in_.unharmed_since(before)) unread_.everything = true;
     } else if (name == "stages") {
       const std::size_t before = in_.faults();
-      scheme_.stages = read_stages(in_, node);
+      scheme_.stages = read_stages(in_, node, [&](const toml::node& v) {
+        in_pair_ = true;
+        Rule pair = cases_of(RuleKind::vertex, v);
+        in_pair_ = false;
+        return pair;
+      });
       if (!in_.unharmed_since(before)) unread_.everything = true;
     } else if (name != "split" && name != "weights" && name != "boundary" &&
                name != "smooth-triangles" && (!find_rule(name) || name.starts_with(kBoundary))) {
@@ -249,11 +255,24 @@ class SchemeFileReader {
     if (!rule.empty()) scheme_.rules[static_cast<std::size_t>(kind)] = std::move(rule);
   }
 
+  /// As messages call it; stages have a rule of their own.
+  [[nodiscard]] std::string_view name_of(RuleKind kind) const {
+    return in_pair_ ? "stages.pair" : rule_name(kind);
+  }
+
+  std::optional<Walk> find_pair_role(const toml::key& key) {
+    const std::vector<std::string> known(kPairRoles.begin(), kPairRoles.end());
+    if (std::find(known.begin(), known.end(), key.str()) != known.end())
+      return pair_walk(key.str());
+    in_.unknown_key(key, "stages.pair", {"when", "self", "ring", "diagonal"});
+    return std::nullopt;
+  }
+
   Rule cases_of(RuleKind kind, const toml::node& node) {
     const std::size_t before = in_.faults();
     Rule rule;
     if (node.is_array()) {
-      in_.each_element(node, rule_name(kind),
+      in_.each_element(node, name_of(kind),
                        [&](const toml::node& v) { rule.push_back(read_case(kind, v)); });
     } else {
       rule.push_back(read_case(kind, node));
@@ -264,7 +283,7 @@ class SchemeFileReader {
                        "give it a guard, as when = \"n == 3\", or put it last", in_.file(),
                        rule[i].place.line, rule[i].place.column});
     if (in_.unharmed_since(before) && rule.empty())
-      in_.fail(node, fmt::format("the {} rule has no case", rule_name(kind)));
+      in_.fail(node, fmt::format("the {} rule has no case", name_of(kind)));
     return rule;
   }
 
@@ -274,24 +293,24 @@ class SchemeFileReader {
     result.place = in_.place(node);
     const std::size_t before = in_.faults();
     bool any = false;
-    in_.each(node, rule_name(kind), [&](const toml::key& key, const toml::node& v) {
+    in_.each(node, name_of(kind), [&](const toml::key& key, const toml::node& v) {
       const std::size_t before_key = in_.faults();
       if (key.str() == "when") {
         Formula guard = in_.formula(v, "when");
         if (in_.unharmed_since(before_key)) result.when = std::move(guard);
         if (!rule_has_valence(kind))
-          in_.fail(v, fmt::format("the {} rule has no n to guard", rule_name(kind)));
+          in_.fail(v, fmt::format("the {} rule has no n to guard", name_of(kind)));
         return;
       }
       any = true;
-      std::optional<Walk> walk = roles_.find(kind, key);
+      std::optional<Walk> walk = in_pair_ ? find_pair_role(key) : roles_.find(kind, key);
       Formula value = in_.formula(v, key.str());
       if (!walk) unread_.rules[static_cast<std::size_t>(kind)] = true;
       if (walk && in_.unharmed_since(before_key))
         result.weights.push_back({std::string(key.str()), std::move(*walk), std::move(value)});
     });
     if (in_.unharmed_since(before) && !any)
-      in_.fail(node, fmt::format("the {} rule has no weights", rule_name(kind)));
+      in_.fail(node, fmt::format("the {} rule has no weights", name_of(kind)));
     return result;
   }
 
@@ -381,6 +400,7 @@ class SchemeFileReader {
   const ExtendedScheme& extended_;
   Scheme scheme_;
   Unread unread_;
+  bool in_pair_ = false;  // while that is read
   std::optional<std::string> extends_;
   Place extends_place_;
   std::map<std::string, Place> names_;

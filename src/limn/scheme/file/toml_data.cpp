@@ -118,10 +118,18 @@ Factors read_factors(TomlReader& in, const toml::node& node) {
   return factors;
 }
 
-Stages read_stages(TomlReader& in, const toml::node& node) {
+Stages read_stages(TomlReader& in, const toml::node& node,
+                   const std::function<Rule(const toml::node&)>& read_pair) {
   Stages stages;
   stages.place = in.place(node);
-  stages.mean = {"mean", {}, {Expression::parse("1/n").value(), stages.place}};
+  const auto weight = [&](std::string_view role, std::string_view value) {
+    return Weight{
+        std::string(role), pair_walk(role), {Expression::parse(value).value(), stages.place}};
+  };
+  stages.corner = weight("self", "1/n");
+  stages.pair = {{std::nullopt,
+                  {weight("self", "1/4"), weight("ring", "1/(2*n)"), weight("diagonal", "1/(4*n)")},
+                  stages.place}};
   bool has_first = false, has_then = false, has_times = false;
   const auto read_word = [&](const toml::node& v, std::string_view key, std::string_view known) {
     const std::string word = in.text(v, key);
@@ -140,8 +148,10 @@ Stages read_stages(TomlReader& in, const toml::node& node) {
     } else if (key.str() == "times") {
       stages.times = in.formula(v, "times");
       has_times = true;
+    } else if (key.str() == "pair") {
+      stages.pair = read_pair(v);
     } else {
-      in.unknown_key(key, "stages", {"first", "then", "times"});
+      in.unknown_key(key, "stages", {"first", "then", "times", "pair"});
     }
   });
   if (in.unharmed_since(before) && !(has_first && has_then && has_times))
