@@ -85,6 +85,10 @@ class RowTerms {
     const int sector = place.sector > kSectors / 2 ? place.sector - kSectors : place.sector;
     for (const auto& [indices, coefficient] : form.terms()) {
       if (coefficient == 0) continue;
+      if (namer_.sectors_name() >= 0) {
+        add_of_stages(place.orbit, sector, indices, coefficient);
+        continue;
+      }
       Key key{place.orbit, {}, -1, coefficient};
       int k = -1;
       for (const int index : indices) {
@@ -97,13 +101,13 @@ class RowTerms {
         key.repeated = position.name;
         k = position.k;
       }
-      if (namer_.sectors_name() >= 0) count_sectors(key);
       found_[key].push_back({sector, k});
     }
     return true;
   }
 
   [[nodiscard]] bool append_to(std::vector<SectorTerm>& terms) const {
+    if (!append_stages(terms)) return false;
     for (const auto& [key, positions] : found_) {
       SectorTerm term{row_, key.column, 0, key.coefficient, key.names, key.repeated, 0, false};
       const double from = row_ == kCenter ? 0 : row_angle_;
@@ -122,15 +126,14 @@ class RowTerms {
           term.angle = key.column == kCenter ? 0 : sector + to - from;
           terms.push_back(term);
         }
-      } else if ((row_ == kCenter || (is_of_stages() && per_sector(key.names))) &&
-                 key.column != kCenter) {
-        // rotation leaves the centre and sums over the sectors, so all sectors come alike
+      } else if (row_ == kCenter && key.column != kCenter) {
+        // rotation leaves the centre, so all sectors come alike
         if (positions.size() % kSectors != 0) return false;
         term.every_sector = true;
         const std::size_t per_sector_count = positions.size() / kSectors;
         term.coefficient *= static_cast<double>(per_sector_count);
         terms.push_back(term);
-      } else if (row_ == kCenter && per_sector(key.names) && !is_of_stages()) {
+      } else if (row_ == kCenter && per_sector(key.names)) {
         term.every_sector = true;
         term.coefficient /= kSectors;  // what came from the sectors' faces was added up
         terms.push_back(term);
@@ -160,22 +163,41 @@ class RowTerms {
     int sector, k;
   };
 
-  [[nodiscard]] bool is_of_stages() const { return namer_.sectors_name() >= 0; }
-
-  /// Each weight of stages that comes per sector is a sum over the sectors. All but the last of
-  /// these are of what is the same in each, the centre's value; so is the last where that is what
-  /// the term weighs. They have counted this star's sectors, in place of n.
-  void count_sectors(Key& key) const {
-    const auto is_sum = [&](int name) {
+  /// Names of stages that come per sector are each of a sum over the sectors. All but the last of
+  /// these sums are of the centre's value, the same in each; so is the last where the term weighs
+  /// the centre. They have counted this star's sectors, in place of n.
+  void add_of_stages(int column, int sector, const WeightForm::Names& indices, double coefficient) {
+    std::vector<int> names;
+    names.reserve(indices.size());
+    for (const int index : indices)
+      names.push_back(namer_.positions[static_cast<std::size_t>(index)].name);
+    auto sums = std::count_if(names.begin(), names.end(), [&](int name) {
       return namer_.names[static_cast<std::size_t>(name)].per_sector;
-    };
-    auto sums = std::count_if(key.names.begin(), key.names.end(), is_sum);
-    if (key.column != kCenter && sums > 0) --sums;
+    });
+    const bool every_sector = sums > 0 && column != kCenter;
+    if (every_sector) --sums;
     for (; sums > 0; --sums) {
-      key.coefficient /= kSectors;
-      key.names.push_back(namer_.sectors_name());
+      coefficient /= kSectors;
+      names.push_back(namer_.sectors_name());
     }
-    std::sort(key.names.begin(), key.names.end());
+    std::sort(names.begin(), names.end());
+    of_stages_[{column, every_sector, every_sector ? 0 : sector, names}] +=
+        every_sector ? coefficient / kSectors : coefficient;
+  }
+
+  [[nodiscard]] bool append_stages(std::vector<SectorTerm>& terms) const {
+    const auto angle_of = [&](int orbit) {
+      return places_.orbits()[static_cast<std::size_t>(orbit)].angle;
+    };
+    for (const auto& [key, coefficient] : of_stages_) {
+      const auto& [column, every_sector, sector, names] = key;
+      if (std::abs(sector) >= kSectors / 2) return false;
+      SectorTerm term{row_, column, 0, coefficient, names, -1, 0, every_sector};
+      if (!every_sector && column != kCenter)
+        term.angle = sector + angle_of(column) - (row_ == kCenter ? 0 : row_angle_);
+      terms.push_back(term);
+    }
+    return true;
   }
 
   [[nodiscard]] bool per_sector(const std::vector<int>& names) const {
@@ -215,6 +237,8 @@ class RowTerms {
   int row_;
   double row_angle_;
   std::map<Key, std::vector<Position>> found_;
+  /// Coefficients by column, whether in every sector, sector and names.
+  std::map<std::tuple<int, bool, int, std::vector<int>>, double> of_stages_;
 };
 
 /// A star refined once, in forms whose coefficients are polynomials in the centre's weights.

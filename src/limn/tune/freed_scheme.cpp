@@ -79,6 +79,10 @@ Error not_freeable(const Scheme& scheme, const Use& use, const std::string& name
   const std::string why =
       find_definition(scheme, name) == nullptr
           ? fmt::format("scheme '{}' has no let and no parameter '{}'", scheme.name, name)
+      : scheme.stages
+          ? fmt::format(
+                "the step of '{}' is a sequence of averagings, of which nothing is freed yet",
+                scheme.name)
       : use.in_guards.count(name) > 0
           ? fmt::format("a case of a rule is chosen by '{}', so it cannot be freed", name)
       : use.with_k.count(name) > 0
