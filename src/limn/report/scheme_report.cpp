@@ -145,21 +145,25 @@ Json parameters_json(const Scheme& scheme) {
   return parameters;
 }
 
-std::string stages_text(const Stages& stages) {
-  return fmt::format(
+std::string stages_text(const Scheme& scheme) {
+  const Stages& stages = *scheme.stages;
+  std::string text = fmt::format(
       "\nstages, one after the other\n"
       "  bilinear: cut by quad-dyadic; edges give their middles, faces the means of their corners\n"
-      "  average × {} ({}): {}; each the mean of its corners or of its faces\n",
-      stages.count, stages.times.expression.text(),
-      stages.count == 0   ? "the values stay at vertices"
-      : stages.count == 1 ? "from vertices to faces"
-                          : fmt::format("from vertices to faces, from faces to vertices, in turn; "
-                                        "the last to {}",
-                                        stages.count % 2 == 0 ? "vertices" : "faces"));
+      "  average × {} ({}): from vertices to faces and from faces to vertices, in turn; values end "
+      "at {}\n  two averagings: {}\n",
+      stages.count, stages.times.expression.text(), stages.count % 2 == 0 ? "vertices" : "faces",
+      anchor_text(RuleKind::vertex));
+  for (const RuleCase& pair : stages.pair) text += case_text(scheme, RuleKind::vertex, pair);
+  return text;
 }
 
-Json stages_json(const Stages& stages) {
-  return {{"first", "bilinear"}, {"then", "average"}, {"times", stages.count}};
+Json stages_json(const Scheme& scheme) {
+  const Stages& stages = *scheme.stages;
+  return {{"first", "bilinear"},
+          {"then", "average"},
+          {"times", stages.count},
+          {"pair", rule_json(scheme, RuleKind::vertex, stages.pair)}};
 }
 
 }  // namespace
@@ -185,7 +189,7 @@ std::string describe(const Scheme& scheme) {
     text += fmt::format("  {} = {}\n", name, formula.expression.text());
   if (!scheme.equivalences.empty()) text += "\nthe same as\n";
   for (const Equivalence& same : scheme.equivalences) text += equivalence_text(same);
-  if (scheme.stages) text += stages_text(*scheme.stages);
+  if (scheme.stages) text += stages_text(scheme);
   if (!scheme.stages) text += "\nrules: role, positions × weight\n";
   bool any = scheme.stages.has_value();
   for (int i = 0; i < kRuleKinds; ++i) {
@@ -218,7 +222,7 @@ nlohmann::ordered_json describe_json(const Scheme& scheme) {
   for (const auto& [name, formula] : listed_lets(scheme))
     json["lets"][name] = formula.expression.text();
   json["same_as"] = equivalences_json(scheme);
-  if (scheme.stages) json["stages"] = stages_json(*scheme.stages);
+  if (scheme.stages) json["stages"] = stages_json(scheme);
   json["rules"] = Json::object();
   for (int i = 0; i < kRuleKinds; ++i) {
     const auto kind = static_cast<RuleKind>(i);
