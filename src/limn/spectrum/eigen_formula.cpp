@@ -4,6 +4,8 @@
 #include <cmath>
 #include <map>
 
+#include <fmt/core.h>
+
 #include "limn/scheme/check.h"
 #include "limn/scheme/scope.h"
 #include "limn/spectrum/block_formulas.h"
@@ -22,6 +24,7 @@ class CaseFormulas {
   /// Appends them for the valences given, in rising order.
   Status append(const CenterCases& cases, const std::vector<int>& valences,
                 std::vector<ValenceFormulas>& list) const {
+    if (Status status = check_stages(); !status) return status;
     const RegularNames named = [&](const NamedWeight& name) {
       SymbolicWeights weights(scheme_, kept_);
       const Result<Symbolic> value = weights.plain(name);
@@ -49,6 +52,26 @@ class CaseFormulas {
   }
 
  private:
+  /// In a star, weights of stages on quads are numbers, which no name may change.
+  [[nodiscard]] Status check_stages() const {
+    if (!scheme_.stages) return Done{};
+    const int regular = regular_valence(RuleKind::vertex, Lattice::quad);
+    const Result<const RuleCase*> pair = applicable_case(scheme_, RuleKind::vertex, regular);
+    if (!pair) return pair.error();
+    if (*pair == nullptr) return missing_rule(scheme_, RuleKind::vertex, regular);
+    SymbolicWeights weights(scheme_, kept_, regular);
+    for (const Weight& weight : (*pair)->weights) {
+      const Result<Symbolic> value = weights.plain({RuleKind::vertex, &weight, 1, false, false});
+      if (!value) return value.error();
+      if (!value->is_rational())
+        return Error{
+            fmt::format("what two averagings make on quads depends on a parameter, of "
+                        "which there are no formulas: '{}'",
+                        weight.value.expression.text())};
+    }
+    return Done{};
+  }
+
   Status append_general(const SectorPattern& pattern, const BlockFormulas& blocks,
                         const std::vector<int>& valences,
                         std::vector<ValenceFormulas>& list) const {
