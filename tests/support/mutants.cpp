@@ -144,8 +144,14 @@ class RuleMutants {
   }
 
  private:
-  /// Two averagings more or fewer: the split is the same.
+  /// Two averagings more or fewer, the split is the same; and other weights of a pair.
   void of_stages() {
+    kind_ = RuleKind::vertex;
+    const Rule& pair = scheme_.stages->pair;
+    for (case_ = 0; case_ < pair.size(); ++case_)
+      for (std::size_t i = 0; i < pair[case_].weights.size(); ++i)
+        for (std::size_t j = 0; j < pair[case_].weights.size(); ++j)
+          if (i != j) exchange(pair[case_], i, j);
     for (const int more : {-2, 2}) {
       Scheme mutant = scheme_;
       mutant.stages->count += more;
@@ -164,11 +170,14 @@ class RuleMutants {
   }
 
   Weight& weight_of(Scheme& scheme, std::size_t i) {
-    return (*scheme.rules[static_cast<std::size_t>(kind_)])[case_].weights[i];
+    Rule& rule =
+        scheme.stages ? scheme.stages->pair : scheme.rules[static_cast<std::size_t>(kind_)].value();
+    return rule[case_].weights[i];
   }
 
   [[nodiscard]] std::string what(const std::string& change) const {
-    return std::string(rule_name(kind_)) + " case " + std::to_string(case_ + 1) + ": " + change;
+    return std::string(scheme_.stages ? "stages.pair" : rule_name(kind_)) + " case " +
+           std::to_string(case_ + 1) + ": " + change;
   }
 
   [[nodiscard]] bool applies(const RuleCase& rule_case, int n) const {
