@@ -9,13 +9,15 @@
 #include <rapidcheck/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <random>
+#include <set>
 
 #include "limn/mesh/flag.h"
 #include "limn/mesh/mesh_faults.h"
 #include "limn/mesh/repair/repair.h"
-#include "limn/mesh/sharpness/cut_tags.h"
+#include "limn/mesh/sharpness/cuts.h"
 #include "limn/refine/refine.h"
 #include "peer_test.h"
 
@@ -43,15 +45,44 @@ PeerTags tags_of_cut(const Repaired& cut) {
   return tags;
 }
 
-/// The cut mesh refined by limn, its copies joined again.
-Polygons refined_by_us(const char* scheme, const Repaired& cut) {
-  const Mesh mesh = Mesh::build(cut.polygons).value();
+/// What is stated of the mesh as it was, for the cut one.
+Sharpness sharpness_of(const Mesh& mesh, const Repaired& cut, const PeerTags& tags) {
+  SharpnessTags stated;
+  for (std::size_t i = 0; i < tags.edges.size(); ++i)
+    stated.creases.push_back(
+        {{tags.edges[i][0], tags.edges[i][1]}, {static_cast<double>(tags.edge_sharpness[i])}, 0});
+  for (std::size_t i = 0; i < tags.corners.size(); ++i)
+    stated.corners.push_back({tags.corners[i], static_cast<double>(tags.corner_sharpness[i]), 0});
   Sharpness sharpness;
-  EXPECT_TRUE(apply_tags(mesh, {}, cut_tags(cut), sharpness).ok());
-  const auto fine =
-      refine(find_scheme(scheme).value(), mesh, cut.polygons.positions, kLevels, {}, sharpness)
-          .value();
-  return joined(fine.mesh.polygons(fine.values));
+  EXPECT_TRUE(apply_tags(mesh, source_of(cut, {}), stated, sharpness).ok());
+  hold_cuts(mesh, cuts_of(cut), sharpness);
+  constexpr std::array modes{BoundaryMode::none, BoundaryMode::edge_only,
+                             BoundaryMode::edge_and_corner};
+  apply_boundary_mode(mesh, modes.at(static_cast<std::size_t>(tags.boundary)), cuts_of(cut),
+                      sharpness);
+  return sharpness;
+}
+
+/// Without faces that are holes, but with all vertices, as the peer has them.
+Polygons without(const Polygons& all, const std::vector<bool>& holes) {
+  Polygons result;
+  result.positions = all.positions;
+  for (Index f = 0; f < all.face_count(); ++f) {
+    if (!holes.empty() && holes[f]) continue;
+    result.corners.insert(result.corners.end(), all.corners.begin() + all.face_begin[f],
+                          all.corners.begin() + all.face_begin[f + 1]);
+    result.face_begin.push_back(static_cast<Index>(result.corners.size()));
+  }
+  return result;
+}
+
+/// The cut mesh refined by limn, its copies joined again.
+Polygons refined_by_us(const char* scheme, const Repaired& cut, const PeerTags& tags = {}) {
+  const Mesh mesh = Mesh::build(cut.polygons).value();
+  const auto fine = refine(find_scheme(scheme).value(), mesh, cut.polygons.positions, kLevels, {},
+                           sharpness_of(mesh, cut, tags))
+                        .value();
+  return joined(without(fine.mesh.polygons(fine.values), fine.sharpness.holes));
 }
 
 /// Sheets of `columns` faces, closed to rings, that start from one closed curve.
@@ -185,6 +216,77 @@ RC_GTEST_PROP(PeersNonManifold, ACutMeshWithItsCornersIsTheMeshToOpenSubdiv, (un
       RC_ASSERT(apart.empty());
     }
   }
+}
+
+/// Tags of some of its edges and vertices, and a boundary mode.
+PeerTags random_tags(const Polygons& mesh, bool fractions, std::mt19937& random) {
+  constexpr std::array<float, 5> kSharpness{1, 2, 10, 0.5F, 1.25F};
+  const auto sharpness = [&] { return kSharpness.at(random() % (fractions ? 5 : 3)); };
+  PeerTags tags;
+  std::set<std::array<Index, 2>> edges;
+  for (Index f = 0; f < mesh.face_count(); ++f)
+    for (Index c = mesh.face_begin[f]; c < mesh.face_begin[f + 1]; ++c) {
+      const Index next = c + 1 < mesh.face_begin[f + 1] ? c + 1 : mesh.face_begin[f];
+      const auto [a, b] = std::minmax(mesh.corners[c], mesh.corners[next]);
+      if (edges.insert({a, b}).second && random() % 6 == 0) {
+        tags.edges.push_back({a, b});
+        tags.edge_sharpness.push_back(sharpness());
+      }
+    }
+  for (Index v = 0; v < mesh.vertex_count(); ++v) {
+    if (random() % 15 != 0) continue;
+    tags.corners.push_back(v);
+    tags.corner_sharpness.push_back(sharpness());
+  }
+  tags.boundary = static_cast<int>(random() % 3);
+  return tags;
+}
+
+RC_GTEST_PROP(PeersNonManifold, ACutMeshWithTagsIsTheMeshToOpenSubdiv, (unsigned seed)) {
+  std::mt19937 random(seed);
+  for (const auto& [method, name, triangles] : kSubjects) {
+    const std::vector<ControlMesh> meshes = triangles ? open_triangles() : open_polygons();
+    const ControlMesh& control = meshes[random() % meshes.size()];
+    RC_PRE(control.polygons.face_count() < 400);
+    const Polygons mesh = pinched(control.polygons, random);
+    const bool fractions = random() % 2 != 0;
+    const PeerTags tags = random_tags(mesh, fractions, random);
+    const Repaired cut = repair(mesh, {.cut = true}).value();
+    if (!creases_are_whole(cut)) continue;
+    const std::string apart = difference(refined_by_us(name, cut, tags),
+                                         joined(refined_by(opensubdiv_peer(method, mesh, tags))),
+                                         fractions ? 1e-6 : 1e-12);  // it blends in floats
+    RC_LOG() << control.name << ", boundary mode " << tags.boundary << ": " << apart;
+    RC_ASSERT(apart.empty());
+  }
+}
+
+/// Three quads on two edges that go on, each with another sheet.
+TEST(PeersNonManifold, CopiesOfOneFaceAreNoCorners) {
+  const std::vector<Point3> places{{-1, 0, 0}, {0, 1, 0}, {1, 0, 0},
+                                   {0, -1, 0}, {0, 0, 1}, {0, 0, -1}};
+  const Polygons pages{places, {0, 4, 8, 12}, {0, 1, 2, 3, 0, 1, 2, 4, 0, 1, 2, 5}};
+  const Polygons part{places, {0, 4, 8, 11, 14}, {0, 1, 2, 3, 0, 1, 2, 4, 0, 1, 5, 1, 2, 5}};
+  PeerTags crease;
+  crease.edges = {{1, 5}};
+  for (const float sharpness : {0.5F, 1.0F, 10.0F})
+    for (const int boundary : {1, 2}) {
+      crease.edge_sharpness = {sharpness};
+      crease.boundary = boundary;
+      PeerTags plain;
+      plain.boundary = boundary;
+      const Repaired cut = repair(pages, {.cut = true}).value();
+      EXPECT_EQ(
+          difference(refined_by_us("catmull-clark", cut, plain),
+                     joined(refined_by(opensubdiv_peer(Method::catmull_clark, pages, plain)))),
+          "");
+      const Repaired other = repair(part, {.cut = true}).value();
+      EXPECT_EQ(
+          difference(refined_by_us("catmull-clark", other, crease),
+                     joined(refined_by(opensubdiv_peer(Method::catmull_clark, part, crease)))),
+          "")
+          << sharpness;
+    }
 }
 
 TEST(PeersNonManifold, TheCasesKeepTheirCorners) {

@@ -128,6 +128,26 @@ std::string difference_of(Method method, const Polygons& control, const PeerTags
                     unfolded(peer.polygons, coordinates_of(peer.texture)), tolerance);
 }
 
+/// Of the mesh refined in two parts: the second takes what the first has made.
+std::string difference_in_parts(Method method, const Polygons& control,
+                                const PeerTexture& texture) {
+  MeshAttributes attributes;
+  attributes.texture = coordinates_of(texture);
+  SurfaceOptions options{.levels = 2};
+  options.attributes = &attributes;
+  options.attribute_rules.texture = static_cast<TextureRule>(texture.rule);
+  const auto once =
+      refine_surface(scheme_of(method), Mesh::build(control).value(), control.positions, options);
+  options.levels = 1;
+  const auto half =
+      refine_surface(scheme_of(method), Mesh::build(control).value(), control.positions, options);
+  options.attributes = &half->attributes;
+  const auto twice = refine_surface(scheme_of(method), Mesh::build(half->polygons).value(),
+                                    half->polygons.positions, options);
+  return difference(unfolded(twice->polygons, twice->attributes.texture),
+                    unfolded(once->polygons, once->attributes.texture), 1e-12);
+}
+
 std::vector<ControlMesh> meshes_for(Method method) {
   std::vector<ControlMesh> all = method == Method::loop ? closed_triangles() : closed_polygons();
   for (ControlMesh& mesh : method == Method::loop ? open_triangles() : open_polygons())
@@ -162,6 +182,17 @@ class Textured : public ::testing::TestWithParam<std::tuple<Method, int>> {
 
 TEST_P(Textured, Seams) { compare(Sharp::none, false, 1e-12); }
 TEST_P(Textured, PointsOnBothSidesOfSeams) { compare(Sharp::none, true, 1e-12); }
+TEST_P(Textured, RefinedInParts) {
+  unsigned seed = 1;
+  for (const ControlMesh& control : meshes_for(method()))
+    for (const double share : {0.1, 0.35}) {
+      PeerTexture texture =
+          random_texture(Mesh::build(control.polygons).value(), share, true, ++seed);
+      texture.rule = std::get<1>(GetParam());
+      EXPECT_EQ(difference_in_parts(method(), control.polygons, texture), "")
+          << control.name << ", share " << share;
+    }
+}
 TEST_P(Textured, BoundaryCorners) { compare(Sharp::none, false, 1e-12, 2); }
 TEST_P(Textured, InfiniteAndIntegerSharpness) { compare(Sharp::whole, false, 1e-12); }
 TEST_P(Textured, FractionalSharpness) { compare(Sharp::fractional, false, 1e-6); }

@@ -10,7 +10,6 @@
 #include "limn/mesh/mesh_limits.h"
 #include "limn/mesh/polygon/triangulate.h"
 #include "limn/mesh/repair/repair.h"
-#include "limn/mesh/sharpness/cut_tags.h"
 #include "limn/report/mesh_check_report.h"
 #include "page_state.h"
 
@@ -53,7 +52,7 @@ Result<Wanted> wanted_of(const std::string& words) {
 struct Prepared {
   MeshFile file;
   std::vector<RepairStep> done;
-  SharpnessTags cut_tags;
+  Cuts cuts;
 };
 
 Result<Prepared> prepare(MeshFile file, const Wanted& wanted) {
@@ -64,9 +63,9 @@ Result<Prepared> prepare(MeshFile file, const Wanted& wanted) {
     if (!repaired) return repaired.error();
     now.source = source_of(*repaired, now.source);
     now.attributes = carried(now.attributes, *repaired);
+    prepared.cuts = cuts_of(*repaired);
     now.polygons = std::move(repaired->polygons);
     prepared.done = std::move(repaired->done);
-    prepared.cut_tags = cut_tags(*repaired);
   }
   if (wanted.triangulate) {
     Result<Triangulation> cut = limn::triangulate(now.polygons);
@@ -148,10 +147,11 @@ Result<Json> load_file(const std::string& name, std::string_view content, const 
   json["repaired"] = repaired_json(prepared->done);
   if (mesh) {
     loaded = std::make_shared<LoadedMesh>();
-    loaded->cut_tags = std::move(prepared->cut_tags);
+    loaded->cuts = std::move(prepared->cuts);
     if (Status status = apply_tags(*mesh, now.source, now.tags, loaded->sharpness); !status)
       return status.error();
-    if (now.tags.boundary) apply_boundary_mode(*mesh, *now.tags.boundary, loaded->sharpness);
+    if (now.tags.boundary)
+      apply_boundary_mode(*mesh, *now.tags.boundary, loaded->cuts, loaded->sharpness);
     loaded->mesh = std::move(*mesh);
     if (attributes_fit(now.attributes, now.polygons))
       loaded->texture = std::move(now.attributes.texture);

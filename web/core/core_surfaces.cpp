@@ -53,10 +53,9 @@ Status check_size(const Scheme& scheme, const Mesh& mesh, int levels) {
 
 /// The mesh's sharpness, and what holds copies together that repair has made, where the scheme can.
 Sharpness sharpness_of(const LoadedMesh& mesh, const Scheme& scheme) {
-  if (mesh.cut_tags.empty()) return mesh.sharpness;
   Sharpness held = mesh.sharpness;
-  const Status applied = apply_tags(mesh.mesh, {}, mesh.cut_tags, held);
-  return applied && check_takes_sharpness(scheme, held) ? held : mesh.sharpness;
+  hold_cuts(mesh.mesh, mesh.cuts, held);
+  return check_takes_sharpness(scheme, held) ? held : mesh.sharpness;
 }
 
 SurfaceOptions surface_options(const LoadedPlan& plan) {

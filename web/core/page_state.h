@@ -13,6 +13,7 @@
 
 #include "answer.h"
 #include "limn/fast/fast_refiner.h"
+#include "limn/mesh/sharpness/cuts.h"
 #include "limn/mesh/sharpness/tags.h"
 #include "limn/mesh/split/edge_paths.h"
 #include "limn/scheme/parameter_setter.h"
@@ -47,7 +48,7 @@ struct LoadedMesh {
   Mesh mesh;
   std::vector<Point3> points;
   Sharpness sharpness;
-  SharpnessTags cut_tags;  ///< what holds the copies together that repair has made
+  Cuts cuts;  ///< what repair has cut
   TextureCoordinates texture;
   int moves = 0;  ///< how often a vertex was moved
 };

@@ -13,7 +13,6 @@
 #include "limn/mesh/mesh_faults.h"
 #include "limn/mesh/polygon/triangulate.h"
 #include "limn/mesh/repair/survey.h"
-#include "limn/mesh/sharpness/cut_tags.h"
 
 namespace limn::app {
 namespace {
@@ -61,8 +60,9 @@ Result<Prepared> prepare(MeshFile& file, const MeshPreparation& preparation) {
     }
     file.source = source_of(*repaired, file.source);
     file.attributes = carried(file.attributes, *repaired);
+    prepared.cuts = cuts_of(*repaired);
     file.polygons = std::move(repaired->polygons);
-    prepared = {std::move(repaired->done), cut_tags(*repaired)};
+    prepared.done = std::move(repaired->done);
   }
   if (preparation.triangulate) {
     Result<Triangulation> cut = limn::triangulate(file.polygons);
@@ -115,7 +115,7 @@ Result<ControlMesh> load_control_mesh(const std::string& path, const MeshPrepara
       {std::move(file->warnings), std::move(file->left_out), std::move(prepared->done)},
       std::move(file->source),
       std::move(file->tags),
-      std::move(prepared->cut_tags),
+      std::move(prepared->cuts),
       std::move(file->attributes)};
 }
 

@@ -9,6 +9,7 @@
 #include "limn/mesh/io/mesh_file.h"
 #include "limn/mesh/mesh.h"
 #include "limn/mesh/repair/repair.h"
+#include "limn/mesh/sharpness/cuts.h"
 #include "options/mesh_preparation.h"
 
 namespace limn::app {
@@ -26,7 +27,7 @@ struct ControlMesh {
   MeshRemarks remarks;
   MeshSource source;
   SharpnessTags tags;              ///< of the file, where the caller has asked for them
-  SharpnessTags cut_tags;          ///< see Prepared
+  Cuts cuts;                       ///< see Prepared
   MeshAttributes attributes = {};  ///< where the caller has asked for them
 };
 
@@ -59,7 +60,7 @@ void add_remarks(nlohmann::ordered_json& json, const MeshRemarks& remarks);
 /// What was done to a mesh before it is used.
 struct Prepared {
   std::vector<RepairStep> done;  ///< by repair
-  SharpnessTags cut_tags;        ///< what it cut and holds sharp, by numbers of the mesh
+  Cuts cuts;                     ///< what it cut
 };
 
 /// Repairs a mesh and cuts its polygons into triangles, as asked, with what it carries, and says so

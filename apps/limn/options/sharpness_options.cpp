@@ -58,24 +58,24 @@ void SharpnessOptions::declare(CLI::App& command) {
 
 namespace {
 
-/// What keeps a cut mesh's copies together [DeRoseKassTruong1998].
-void add_cuts(ControlMesh& control, const Scheme& scheme, Sharpness& sharpness) {
-  if (control.cut_tags.empty()) return;
-  Status takes = apply_tags(control.mesh, {}, control.cut_tags, sharpness);
-  if (takes.ok()) takes = check_takes_sharpness(scheme, sharpness);
-  if (takes.ok()) return;
+/// Whether the scheme takes what keeps a cut mesh's copies together [DeRoseKassTruong1998].
+bool takes_cuts(ControlMesh& control, const Scheme& scheme) {
+  Sharpness held;
+  hold_cuts(control.mesh, control.cuts, held);
+  const Status takes = check_takes_sharpness(scheme, held);
+  if (takes.ok()) return true;
   add_warnings(
       control.remarks,
       {{fmt::format("vertices that were cut are not held in place: {}", takes.error().message),
         "sheets that met in one vertex may part there"}});
-  sharpness = {};
+  return false;
 }
 
 }  // namespace
 
 Result<Sharpness> SharpnessOptions::of(ControlMesh& control, Scheme& scheme) const {
+  const bool holds = takes_cuts(control, scheme);
   Sharpness sharpness;
-  add_cuts(control, scheme, sharpness);
   BoundaryMode mode = BoundaryMode::edge_only;
   bool smooth = false;
   const auto add = [&](const SharpnessTags& tags) -> Status {
@@ -104,7 +104,8 @@ Result<Sharpness> SharpnessOptions::of(ControlMesh& control, Scheme& scheme) con
     (void)sharpen_by_angle(control.mesh, control.points, crease_angle, sharpness);
   if (!creases.empty()) sharpness.method = value_of(creases, crease_methods());
   if (!boundary.empty()) mode = value_of(boundary, boundary_modes());
-  apply_boundary_mode(control.mesh, mode, sharpness);
+  if (holds) hold_cuts(control.mesh, control.cuts, sharpness);
+  apply_boundary_mode(control.mesh, mode, control.cuts, sharpness);
   if (!triangles.empty()) smooth = triangles == "smooth";
   if (smooth && !use_smooth_triangles(scheme) && !triangles.empty())
     return Error{fmt::format("{} has no rule for smooth triangles", scheme.name),

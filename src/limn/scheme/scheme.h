@@ -112,7 +112,7 @@ struct Stages {
 /// The weights of Stages::pair: of the vertex, of each neighbour, of the corner opposite in each
 /// face at it.
 enum class PairRole : unsigned char { self, ring, diagonal };
-inline constexpr std::array<std::string_view, 3> kPairRoles{"self", "ring", "diagonal"};
+inline constexpr std::array<std::string_view, 3> kPairRoles{"self", "ring", "diagonal"};  ///< names
 /// Of a weight of such a rule.
 [[nodiscard]] inline PairRole pair_role(const Weight& weight) {
   return weight.role == "self"   ? PairRole::self

@@ -141,8 +141,8 @@ Result<TextureCoordinates> refine_texture(const Scheme& scheme, const Mesh& cont
   std::vector<bool> without;
   if (const std::vector<bool> of_control = faces_without(control, texture); !of_control.empty())
     for (const Index f : face_of) without.push_back(f == kNone || of_control[at(f)]);
-  return texture_of(fine->mesh, (linear ? fine->columns.linear : fine->columns.smooth)[0], without,
-                    texture.type);
+  const Column& points = (linear ? fine->columns.linear : fine->columns.smooth)[0];
+  return texture_of(fine->mesh.polygons(points), cut.first, without, texture.type);
 }
 
 bool has_quick_texture(const Scheme& scheme, const Mesh& control, const Sharpness& sharpness,
@@ -170,7 +170,8 @@ Result<TextureCoordinates> quick_texture(const Scheme& scheme, const Mesh& contr
     refiner->write_parents(face_of);
     for (const Index f : face_of) without.push_back(of_control[at(f)]);
   }
-  return texture_of(refined_polygons(*refiner, std::move(points)), without, texture.type);
+  return texture_of(refined_polygons(*refiner, std::move(points)), cut.first, without,
+                    texture.type);
 }
 
 void hand_down_labels(const MeshAttributes& control, const std::vector<Index>& face_of,

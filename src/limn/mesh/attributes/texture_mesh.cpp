@@ -1,9 +1,9 @@
 #include "limn/mesh/attributes/texture_mesh.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "limn/mesh/sharpness/cut_mesh.h"
+#include "limn/mesh/sharpness/resting_with.h"
 
 namespace limn {
 namespace {
@@ -32,21 +32,6 @@ struct Fan {
   bool cut = false;          ///< an infinitely sharp edge ends in it
   std::vector<double> fade;  ///< the sharpness of other edges that end in it
 };
-
-/// The sharpness of a vertex that rests as long as one of these edges is sharp, and is then blended
-/// as they are: by the mean of what is left of those that end last.
-double resting_with(const std::vector<double>& edges) {
-  double last = 0;
-  for (const double s : edges) last = std::max(last, std::ceil(s) - 1);
-  double sum = 0;
-  int count = 0;
-  for (const double s : edges) {
-    if (!(s > last)) continue;
-    sum += s - last;
-    ++count;
-  }
-  return count > 0 ? last + sum / count : 0;
-}
 
 /// Finds the corners at one vertex of the mesh after the other.
 class Corners {
@@ -148,6 +133,23 @@ class Corners {
   TextureMesh& out_;
 };
 
+/// Of each vertex of a cut mesh the first of the same original with the same point.
+std::vector<Index> first_with_point(const Mesh& cut, const std::vector<Index>& originals,
+                                    const TextureCoordinates& texture) {
+  std::vector<Index> first(originals.size()), order;
+  for (Index v = 0; v < cut.vertex_count(); ++v) {
+    first[at(v)] = v;
+    if (!cut.is_isolated(v)) order.push_back(v);
+  }
+  const auto key = [&](Index v) {
+    return std::pair{originals[at(v)], texture.of_corner[at(cut.halfedge_of_vertex(v))]};
+  };
+  std::stable_sort(order.begin(), order.end(), [&](Index a, Index b) { return key(a) < key(b); });
+  for (std::size_t i = 1; i < order.size(); ++i)
+    if (key(order[i]) == key(order[i - 1])) first[at(order[i])] = first[at(order[i - 1])];
+  return first;
+}
+
 /// The sharpness of the cut mesh.
 Sharpness cut_sharpness(const Sharpness& sharpness, const CutMesh& cut) {
   Sharpness result;
@@ -193,6 +195,7 @@ TextureMesh make_texture_mesh(const Mesh& mesh, const Sharpness& sharpness,
     const TexturePoint& p = texture.points[at(point)];
     result.points[at(result.mesh.origin(h))] = {p.u, p.v, 0};
   }
+  result.first = first_with_point(result.mesh, cut.originals, texture);
   std::vector<std::vector<Index>> copies(at(mesh.vertex_count()));
   for (std::size_t i = 0; i < cut.originals.size(); ++i)
     copies[at(cut.originals[i])].push_back(static_cast<Index>(i));
@@ -219,13 +222,8 @@ std::vector<bool> faces_without(const Mesh& mesh, const TextureCoordinates& text
   return without;
 }
 
-TextureCoordinates texture_of(const Mesh& mesh, const std::vector<Point3>& points,
+TextureCoordinates texture_of(const Polygons& polygons, const std::vector<Index>& first,
                               const std::vector<bool>& without, NumberType type) {
-  return texture_of(mesh.polygons(points), without, type);
-}
-
-TextureCoordinates texture_of(const Polygons& polygons, const std::vector<bool>& without,
-                              NumberType type) {
   TextureCoordinates result;
   result.type = type;
   result.of_corner.reserve(polygons.corners.size());
@@ -236,7 +234,8 @@ TextureCoordinates texture_of(const Polygons& polygons, const std::vector<bool>&
         result.of_corner.push_back(kNone);
         continue;
       }
-      const Index vertex = polygons.corners[at(c)];
+      Index vertex = polygons.corners[at(c)];
+      if (at(vertex) < first.size()) vertex = first[at(vertex)];
       Index& of_vertex = number[at(vertex)];
       if (of_vertex == kNone) {
         const Point3& p = polygons.positions[at(vertex)];

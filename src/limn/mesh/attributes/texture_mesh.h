@@ -21,6 +21,9 @@ struct TextureMesh {
   Mesh mesh;                   ///< with boundaries at seams
   std::vector<Point3> points;  ///< of each of its vertices, u, v and 0
   Sharpness sharpness;         ///< that of the mesh, and corners as the rule says
+  /// Of each of its vertices the first that is the same vertex of the mesh with the same point of
+  /// the texture: itself, but where fans apart from one another name one point. These rest.
+  std::vector<Index> first;
 };
 /// Of `boundaries` and `all`, which do not follow from corners alone, nothing is made a corner.
 /// `texture` is not empty. Cost O(H).
@@ -30,12 +33,11 @@ struct TextureMesh {
 /// Which faces have no texture coordinates, or not at each corner; empty: all have. Cost O(H).
 [[nodiscard]] std::vector<bool> faces_without(const Mesh& mesh, const TextureCoordinates& texture);
 
-/// The vertices of a (refined) texture mesh as texture coordinates, but of faces that are
-/// `without`. Points are numbered as they are met. Cost O(H).
-[[nodiscard]] TextureCoordinates texture_of(const Mesh& mesh, const std::vector<Point3>& points,
-                                            const std::vector<bool>& without, NumberType type);
-/// The same of polygons, whose positions are u, v and 0.
+/// The vertices of a texture mesh, refined or not, as texture coordinates, but of faces that are
+/// `without`: polygons whose positions are u, v and 0. Points are numbered as they are met; `first`
+/// is TextureMesh::first: what was one point of the texture is one again. Cost O(H).
 [[nodiscard]] TextureCoordinates texture_of(const Polygons& polygons,
+                                            const std::vector<Index>& first,
                                             const std::vector<bool>& without, NumberType type);
 
 }  // namespace limn

@@ -108,42 +108,6 @@ Sharpness inherit(const Mesh& mesh, const Sharpness& sharpness, const ChildSharp
   return result;
 }
 
-namespace {
-
-void make_boundary_holes(const Mesh& mesh, Sharpness& sharpness) {
-  std::vector<bool> open(at(mesh.vertex_count()), false);  // has a boundary edge that is not stated
-  for (Index e = 0; e < mesh.edge_count(); ++e) {
-    if (!mesh.is_boundary_edge(e)) continue;
-    if (!sharpness.edges.empty() && sharpness.edges[at(e)] >= kInfinitelySharp) continue;
-    const Index h = mesh.halfedge_of_edge(e);
-    open[at(mesh.origin(h))] = open[at(mesh.target(h))] = true;
-  }
-  for (Index h = 0; h < mesh.halfedge_count(); ++h) {
-    if (!open[at(mesh.origin(h))]) continue;
-    sharpness.holes.resize(at(mesh.face_count()));
-    sharpness.holes[at(mesh.face(h))] = true;
-  }
-}
-
-void sharpen_corners(const Mesh& mesh, Sharpness& sharpness) {
-  for (Index v = 0; v < mesh.vertex_count(); ++v) {
-    const Index h = mesh.halfedge_of_vertex(v);
-    if (h == kNone || mesh.twin(h) != kNone || mesh.twin(mesh.prev(h)) != kNone) continue;
-    sharpness.vertices.resize(at(mesh.vertex_count()));
-    sharpness.vertices[at(v)] = kInfinitelySharp;
-  }
-}
-
-}  // namespace
-
-void apply_boundary_mode(const Mesh& mesh, BoundaryMode mode, Sharpness& sharpness) {
-  switch (mode) {
-    case BoundaryMode::none: return make_boundary_holes(mesh, sharpness);
-    case BoundaryMode::edge_only: return;
-    case BoundaryMode::edge_and_corner: return sharpen_corners(mesh, sharpness);
-  }
-}
-
 Index sharpen_by_angle(const Mesh& mesh, const std::vector<Point3>& positions, double degrees,
                        Sharpness& sharpness) {
   std::vector<Point3> normals(at(mesh.face_count()));

@@ -4,24 +4,12 @@
 
 #include <fmt/core.h>
 
+#include "limn/mesh/sharpness/edges_between.h"
+
 namespace limn {
 namespace {
 
 std::size_t at(Index i) { return static_cast<std::size_t>(i); }
-
-/// The edges between two vertices: more than one where a mesh has such. Cost O(valence).
-std::vector<Index> edges_between(const Mesh& mesh, Index a, Index b) {
-  std::vector<Index> edges;
-  const Index first = mesh.halfedge_of_vertex(a);
-  for (Index h = first; h != kNone;) {
-    if (mesh.target(h) == b) edges.push_back(mesh.edge(h));
-    const Index last = mesh.prev(h);
-    if (mesh.twin(last) == kNone && mesh.origin(last) == b) edges.push_back(mesh.edge(last));
-    h = mesh.rotate(h);
-    if (h == first) break;
-  }
-  return edges;
-}
 
 class Applying {
  public:
