@@ -2,6 +2,7 @@ import { readFileSync } from 'node:fs';
 import { resolve } from 'node:path';
 import { deflateSync } from 'node:zlib';
 import { defineConfig, type Plugin } from 'vite';
+import { toBase85 } from './src/core/base85';
 
 // The folder with limn_core.mjs and limn_core.wasm (web/core builds them).
 const coreFolder = resolve(__dirname, process.env.LIMN_CORE_DIR ?? '../../build/page/core');
@@ -17,9 +18,7 @@ const policy = [
   "base-uri 'none'",
 ].join('; ');
 
-function packed(bytes: Uint8Array): string {
-  return deflateSync(bytes, { level: 9 }).toString('base64');
-}
+const packed = (bytes: Uint8Array): Buffer => deflateSync(bytes, { level: 9 });
 
 // Puts scripts, styles and the core into the one HTML file, and the policy that forbids the network. The program is
 // deflated like the core: a line of script inflates it and imports it from a blob.
@@ -41,10 +40,10 @@ function oneFile(): Plugin {
       page = page.replace(/<script type="module"[^>]*><\/script>/, '').replace(/<link rel="stylesheet"[^>]*>/g, '');
       page = page.replace('<meta charset="utf-8">',
         () => `<meta charset="utf-8">\n<meta http-equiv="Content-Security-Policy" content="${policy}">`);
-      const wasm = packed(readFileSync(resolve(coreFolder, 'limn_core.wasm')));
+      const wasm = toBase85(packed(readFileSync(resolve(coreFolder, 'limn_core.wasm'))));
       const loader = readFileSync(resolve(__dirname, 'src/loader.js'), 'utf8');
       page = page.replace('</body>', () => `<script type="text/plain" id="core">${wasm}</script>\n` +
-        `<script type="text/plain" id="program">${packed(new TextEncoder().encode(program))}</script>\n` +
+        `<script type="text/plain" id="program">${packed(new TextEncoder().encode(program)).toString('base64')}</script>\n` +
         `<script>${loader}</script>\n</body>`);
       html.source = page;
       const size = Buffer.byteLength(page);

@@ -1,6 +1,7 @@
 // The worker: inflates and compiles the core once, then does one job after another.
 import makeCore from 'limn-core';
 import type { Core } from './api';
+import { fromBase85 } from './base85';
 import { perform, Session, type JobName } from './session';
 
 type Message = { start: string | WebAssembly.Module } | { id: number; job: JobName; args: unknown[] };
@@ -9,11 +10,8 @@ let session: Promise<Session> | undefined;
 
 async function compiled(packed: string): Promise<WebAssembly.Module | undefined> {
   if (packed === '') return undefined;
-  const text = atob(packed);
-  const bytes = new Uint8Array(text.length);
-  for (let i = 0; i < text.length; ++i) bytes[i] = text.charCodeAt(i);
   // It is compiled while it is inflated.
-  const stream = new Blob([bytes]).stream().pipeThrough(new DecompressionStream('deflate'));
+  const stream = new Blob([fromBase85(packed)]).stream().pipeThrough(new DecompressionStream('deflate'));
   return WebAssembly.compileStreaming(new Response(stream, { headers: { 'Content-Type': 'application/wasm' } }));
 }
 
