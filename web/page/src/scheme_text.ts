@@ -4,9 +4,9 @@
 export function withDefaults(text: string, parameters: Record<string, string>): string {
   for (const [name, value] of Object.entries(parameters)) {
     if (!/^\w+$/.test(name) || /["\\\n]/.test(value)) continue;
-    const section = new RegExp(`(\\[parameter\\.${name}\\][^\\[]*?\\bdefault\\s*=\\s*)"[^"\\n]*"`);
-    const inline = new RegExp(`(\\bparameter\\.${name}\\s*=\\s*\\{[^}\\n]*?\\bdefault\\s*=\\s*)"[^"\\n]*"`);
-    const table = new RegExp(`(\\[parameter\\][^\\[]*?\\n\\s*${name}\\s*=\\s*\\{[^}\\n]*?\\bdefault\\s*=\\s*)"[^"\\n]*"`);
+    const section = new RegExp(`(\\[parameter\\.${name}\\][^\\[]*?\\bdefault\\s*=\\s*)(?:"[^"\\n]*"|[-+.\\w]+)`);
+    const inline = new RegExp(`(\\bparameter\\.${name}\\s*=\\s*\\{[^}\\n]*?\\bdefault\\s*=\\s*)(?:"[^"\\n]*"|[-+.\\w]+)`);
+    const table = new RegExp(`(\\[parameter\\][^\\[]*?\\n\\s*${name}\\s*=\\s*\\{[^}\\n]*?\\bdefault\\s*=\\s*)(?:"[^"\\n]*"|[-+.\\w]+)`);
     for (const pattern of [section, inline, table])
       if (pattern.test(text)) {
         text = text.replace(pattern, (_all, before: string) => `${before}"${value}"`);
