@@ -189,7 +189,10 @@ std::string PageCore::schemes() const {
   return answer([]() -> Result<Json> {
     Json list = Json::array();
     for (const ShippedFile& file : shipped_files()) {
-      const Split* const split = find_split(stated(file.text, "split"));
+      const Split* split = find_split(stated(file.text, "split"));
+      if (split == nullptr)  // it follows from stages
+        if (const Result<Scheme> scheme = shipped_scheme(std::string(file.name)))
+          split = scheme->split;
       list.push_back({{"name", file.name},
                       {"title", stated(file.text, "title")},
                       {"split", split == nullptr ? "" : split->name},
