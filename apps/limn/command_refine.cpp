@@ -86,7 +86,7 @@ Status announce(const RefineOptions& options, const Scheme& scheme, const Mesh& 
                        .curvatures = !options.curvatures.empty(),
                        .written = written,
                        .columns = columns};
-  const RefineEstimate needed = estimate_with_limit(*scheme.split, mesh, options.levels, work);
+  const RefineEstimate needed = estimate_with_limit(scheme, mesh, options.levels, work);
   if (needed.peak_bytes > kMuchMemory) line.show_now(text_of(needed, options.levels));
   return check_memory(needed, options.levels, available_memory());
 }

@@ -47,7 +47,7 @@ void check_memory_for(const Scheme& scheme, const Mesh& mesh, const Wanted& want
                        .limit = wanted.limit || wanted.normals,
                        .curvatures = wanted.curvatures,
                        .written = false};
-  const RefineEstimate needed = estimate_with_limit(*scheme.split, mesh, wanted.levels, work);
+  const RefineEstimate needed = estimate_with_limit(scheme, mesh, wanted.levels, work);
   check(check_memory(needed, wanted.levels, available_memory()), Fault::mesh);
 }
 

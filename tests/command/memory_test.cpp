@@ -48,9 +48,10 @@ TEST(Memory, TheForecastBoundsWhatIsTaken) {
   folder.write("sqrt3.obj", kTetrahedron);
   folder.write("catmull-clark.obj", kCube);
   folder.write("doo-sabin.obj", kCube);
+  folder.write("b-spline-quad.obj", kCube);
   const double base =
       peak_of(folder, {"refine", "loop.obj", "-s", "loop", "-n", "1", "-o", "x.obj"});
-  for (const std::string name : {"loop", "catmull-clark", "doo-sabin", "sqrt3"}) {
+  for (const std::string name : {"loop", "catmull-clark", "doo-sabin", "sqrt3", "b-spline-quad"}) {
     const Scheme scheme = *find_scheme(name);
     const Mesh mesh = *Mesh::build(*read_mesh(folder.file(name + ".obj")));
     const int levels = name == "sqrt3" ? 10 : 7;
@@ -63,7 +64,7 @@ TEST(Memory, TheForecastBoundsWhatIsTaken) {
                                      "--engine", quick ? "quick" : "plain"};
         if (!what.empty()) job.push_back(what);
         const double taken = peak_of(folder, job) - base;
-        const RefineEstimate estimate = estimate_with_limit(*scheme.split, mesh, levels,
+        const RefineEstimate estimate = estimate_with_limit(scheme, mesh, levels,
                                                             {.quick = quick,
                                                              .limit = what == "--limit",
                                                              .curvatures = what.size() > 9,

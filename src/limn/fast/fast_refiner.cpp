@@ -27,7 +27,6 @@ double needed_bytes(double vertices, double faces, double corners) {
 
 }  // namespace
 
-bool has_fast_layout(const Split& split) { return fast::has_family(split); }
 bool has_fast_layout(const Scheme& scheme) {
   return !scheme.stages && fast::has_family(*scheme.split);
 }

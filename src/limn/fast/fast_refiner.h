@@ -28,9 +28,7 @@ namespace fast {
 class LimitReader;  // limit/limit_forms.h
 }
 
-/// Whether there is a fast engine for schemes of this split, where they have rules.
-[[nodiscard]] bool has_fast_layout(const Split& split);
-/// Whether there is one for the scheme. Not where its step is a sequence of averagings
+/// Whether there is a fast engine for the scheme. Not where its step is a sequence of averagings
 /// (Scheme::stages): how far a place must lie from what is irregular is read from rules' walks.
 [[nodiscard]] bool has_fast_layout(const Scheme& scheme);
 

@@ -198,8 +198,8 @@ class Work {
 
   [[nodiscard]] Status check_size() const {
     const DrawingEstimate drawing = estimate_drawing(scheme_, control_, options_.steps);
-    RefineEstimate needed = estimate_with_limit(*scheme_.split, control_, options_.steps,
-                                                {.quick = false, .limit = true});
+    RefineEstimate needed =
+        estimate_with_limit(scheme_, control_, options_.steps, {.quick = false, .limit = true});
     constexpr double sides = 56;  // which a vertex has: a list of its own
     needed.peak_bytes += (kSurfaceBytes + sides) * needed.vertices;
     needed.peak_bytes = std::max(needed.peak_bytes, drawing.bytes);

@@ -43,7 +43,7 @@ SmoothSurface surface_of(const RefinedSurface& surface) {
 Result<SmoothSurface> limit_surface(const Scheme& scheme, const Mesh& control,
                                     const std::vector<Point3>& points, int steps, LimitGaps* gaps) {
   RefineEstimate needed =
-      estimate_with_limit(*scheme.split, control, steps, {.quick = false, .limit = true});
+      estimate_with_limit(scheme, control, steps, {.quick = false, .limit = true});
   needed.peak_bytes += needed.vertices * kSurfaceBytes;
   if (Status status = check_memory(needed, steps, available_memory()); !status)
     return status.error();
@@ -56,7 +56,7 @@ Result<SmoothSurface> limit_surface(const Scheme& scheme, const Mesh& control,
 }
 
 DrawingEstimate estimate_drawing(const Scheme& scheme, const Mesh& control, int steps) {
-  const RefineEstimate refined = estimate_with_limit(*scheme.split, control, steps, {});
+  const RefineEstimate refined = estimate_with_limit(scheme, control, steps, {});
   DrawingEstimate drawing{.vertices = refined.vertices};
   // Euler's formula on any surface of some size: as many triangles as leave two a vertex
   drawing.triangles = std::max(2 * refined.vertices, refined.faces);

@@ -15,11 +15,12 @@ constexpr double kTable = 250;        // rows of curvatures, and their text as i
 
 }  // namespace
 
-RefineEstimate estimate_with_limit(const Split& split, const Mesh& control, int levels,
+RefineEstimate estimate_with_limit(const Scheme& scheme, const Mesh& control, int levels,
                                    const LimitWork& work) {
+  const Split& split = *scheme.split;
   constexpr double kPoint = sizeof(Point3);
   const RefineEstimate plain = estimate_refinement(split, control, levels, sizeof(Point3));
-  const bool quick = work.quick && has_fast_layout(split);
+  const bool quick = work.quick && has_fast_layout(scheme);
   if (quick && work.written && !work.curvatures)
     return FastPieces::estimate(split, control, levels, {work.limit, work.limit});
   RefineEstimate result = quick ? FastRefiner::estimate(split, control, levels) : plain;

@@ -2,6 +2,7 @@
 /// The memory that refinement takes together with what is asked of the limit surface.
 
 #include "limn/refine/refine_estimate.h"
+#include "limn/scheme/scheme.h"
 
 namespace limn {
 
@@ -16,7 +17,7 @@ struct LimitWork {
 /// What `levels` steps and the work on their result take at most, from counts alone: an upper bound
 /// within about half of what was measured for loop, butterfly, sqrt3, catmull-clark and doo-sabin
 /// (tests/command/memory_test.cpp). Small fixed costs are left out. Cost O(levels).
-[[nodiscard]] RefineEstimate estimate_with_limit(const Split& split, const Mesh& control,
+[[nodiscard]] RefineEstimate estimate_with_limit(const Scheme& scheme, const Mesh& control,
                                                  int levels, const LimitWork& work);
 
 }  // namespace limn
