@@ -20,11 +20,8 @@ class EndsAtCuts {
  public:
   EndsAtCuts(const Mesh& mesh, const Cuts& cuts, Sharpness& sharpness, std::vector<bool> held)
       : mesh_(mesh), cuts_(cuts), sharpness_(sharpness), held_(std::move(held)) {
-    std::vector<Index> copies;
-    for (const Index v : cuts.vertex_of) {
-      copies.resize(std::max(copies.size(), at(v) + 1), 0);
-      ++copies[at(v)];
-    }
+    std::vector<Index> copies(at(cuts.vertices), 0);
+    for (const Index v : cuts.vertex_of) ++copies[at(v)];
     for (Index v = 0; v < static_cast<Index>(cuts.vertex_of.size()); ++v)
       if (copies[at(cuts.vertex_of[at(v)])] > 1) copies_.push_back(v);
   }
@@ -73,7 +70,8 @@ Cuts cuts_of(const Repaired& repaired) {
   std::vector<Index> originals = repaired.vertex_of;
   std::sort(originals.begin(), originals.end());
   if (std::adjacent_find(originals.begin(), originals.end()) == originals.end()) return {};
-  return {repaired.vertex_of, repaired.sharp_vertices, repaired.sharp_edges};
+  return {static_cast<Index>(repaired.joined_with.size()), repaired.vertex_of,
+          repaired.sharp_vertices, repaired.sharp_edges};
 }
 
 void hold_cuts(const Mesh& mesh, const Cuts& cuts, Sharpness& sharpness) {

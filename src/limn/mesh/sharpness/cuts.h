@@ -12,7 +12,8 @@ namespace limn {
 
 /// By numbers of the repaired mesh; empty where repair cut nothing.
 struct Cuts {
-  std::vector<Index> vertex_of;       ///< of each vertex; the same for all copies of one
+  Index vertices = 0;                 ///< of the mesh that was cut
+  std::vector<Index> vertex_of;       ///< of each vertex, which of these it is or is a copy of
   std::vector<Index> sharp_vertices;  ///< Repaired::sharp_vertices
   std::vector<std::array<Index, 2>> sharp_edges;  ///< Repaired::sharp_edges
 
