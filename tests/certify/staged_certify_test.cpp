@@ -4,22 +4,16 @@
 
 #include "limn/certify/certify.h"
 #include "limn/number/ball.h"
-#include "support/shipped.h"
+#include "support/spline_scheme.h"
 
 namespace limn::test {
 namespace {
-
-Scheme of_degree(int degree) {
-  Scheme scheme = shipped("b-spline-quad");
-  EXPECT_TRUE(set_parameter(scheme, "degree=" + std::to_string(degree)).ok());
-  return scheme;
-}
 
 /// Proved, and shown again from the certificate alone.
 TEST(StagedCertify, DegreesTwoAndThreeAreC1) {
   if (!Ball::is_available()) GTEST_SKIP() << "built without Arb";
   for (const int degree : {2, 3}) {
-    const Scheme scheme = of_degree(degree);
+    const Scheme scheme = spline_of_degree(degree);
     const Result<certify::Certificate> found = certify::certify(scheme, {3, 4, 5, 6, 9});
     ASSERT_TRUE(found.ok()) << found.error().text();
     EXPECT_EQ(found->regular.c1, certify::Answer::proved)

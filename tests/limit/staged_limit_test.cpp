@@ -8,16 +8,10 @@
 #include "limn/limit/limit_points.h"
 #include "limn/refine/refine.h"
 #include "mesh/random_mesh.h"
-#include "support/shipped.h"
+#include "support/spline_scheme.h"
 
 namespace limn::test {
 namespace {
-
-Scheme of_degree(int degree) {
-  Scheme scheme = shipped("b-spline-quad");
-  EXPECT_TRUE(set_parameter(scheme, "degree=" + std::to_string(degree)).ok());
-  return scheme;
-}
 
 double length(const Point3& a) { return std::sqrt(a.x * a.x + a.y * a.y + a.z * a.z); }
 
@@ -32,7 +26,7 @@ std::vector<Point3> points_of(const Mesh& mesh) {
 TEST(StagedLimit, IsThatOfFinerLevels) {
   int compared = 0, open = 0;
   for (const int degree : {3, 5, 7}) {
-    const Scheme scheme = of_degree(degree);
+    const Scheme scheme = spline_of_degree(degree);
     for (unsigned seed = 1; seed <= 8; ++seed) {
       SCOPED_TRACE(seed);
       const Mesh mesh = RandomMesh(seed).polygons();
@@ -57,7 +51,7 @@ TEST(StagedLimit, IsThatOfFinerLevels) {
 TEST(StagedLimit, IsWhereRefinementGoes) {
   constexpr int kLevels = 5;
   for (const int degree : {3, 5, 7}) {
-    const Scheme scheme = of_degree(degree);
+    const Scheme scheme = spline_of_degree(degree);
     for (const Mesh& mesh : {cube(), tetrahedron(), icosahedron(), fan(Lattice::quad, 3, 2)}) {
       const auto limit = approx_limit_points(scheme, mesh, points_of(mesh)).value();
       const auto fine = refine(scheme, mesh, points_of(mesh), kLevels).value();
@@ -72,7 +66,7 @@ TEST(StagedLimit, IsWhereRefinementGoes) {
 TEST(StagedLimit, OfEvenDegreeIsWhereItsFaceGoes) {
   constexpr int kLevels = 5;
   for (const int degree : {2, 4, 6}) {
-    const Scheme scheme = of_degree(degree);
+    const Scheme scheme = spline_of_degree(degree);
     for (const Mesh& mesh : {cube(), tetrahedron(), icosahedron()}) {
       const auto limit = approx_limit_points(scheme, mesh, points_of(mesh)).value();
       const auto fine = refine(scheme, mesh, points_of(mesh), kLevels).value();

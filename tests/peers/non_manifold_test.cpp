@@ -20,6 +20,7 @@
 #include "limn/mesh/sharpness/cuts.h"
 #include "limn/refine/refine.h"
 #include "peer_test.h"
+#include "stated.h"
 
 namespace limn::peers {
 namespace {
@@ -47,33 +48,11 @@ PeerTags tags_of_cut(const Repaired& cut) {
 
 /// What is stated of the mesh as it was, for the cut one.
 Sharpness sharpness_of(const Mesh& mesh, const Repaired& cut, const PeerTags& tags) {
-  SharpnessTags stated;
-  for (std::size_t i = 0; i < tags.edges.size(); ++i)
-    stated.creases.push_back(
-        {{tags.edges[i][0], tags.edges[i][1]}, {static_cast<double>(tags.edge_sharpness[i])}, 0});
-  for (std::size_t i = 0; i < tags.corners.size(); ++i)
-    stated.corners.push_back({tags.corners[i], static_cast<double>(tags.corner_sharpness[i]), 0});
   Sharpness sharpness;
-  EXPECT_TRUE(apply_tags(mesh, source_of(cut, {}), stated, sharpness).ok());
+  EXPECT_TRUE(apply_tags(mesh, source_of(cut, {}), stated_by(tags), sharpness).ok());
   hold_cuts(mesh, cuts_of(cut), sharpness);
-  constexpr std::array modes{BoundaryMode::none, BoundaryMode::edge_only,
-                             BoundaryMode::edge_and_corner};
-  apply_boundary_mode(mesh, modes.at(static_cast<std::size_t>(tags.boundary)), cuts_of(cut),
-                      sharpness);
+  apply_boundary_mode(mesh, boundary_mode_of(tags), cuts_of(cut), sharpness);
   return sharpness;
-}
-
-/// Without faces that are holes, but with all vertices, as the peer has them.
-Polygons without(const Polygons& all, const std::vector<bool>& holes) {
-  Polygons result;
-  result.positions = all.positions;
-  for (Index f = 0; f < all.face_count(); ++f) {
-    if (!holes.empty() && holes[f]) continue;
-    result.corners.insert(result.corners.end(), all.corners.begin() + all.face_begin[f],
-                          all.corners.begin() + all.face_begin[f + 1]);
-    result.face_begin.push_back(static_cast<Index>(result.corners.size()));
-  }
-  return result;
 }
 
 /// The cut mesh refined by limn, its copies joined again.
@@ -175,6 +154,11 @@ Polygons pinched(const Polygons& clean, std::mt19937& random) {
   return mesh;
 }
 
+ControlMesh random_control(bool triangles, std::mt19937& random) {
+  const std::vector<ControlMesh> meshes = triangles ? open_triangles() : open_polygons();
+  return meshes[random() % meshes.size()];
+}
+
 /// Whether each copy of a vertex that is no corner has both edges of the crease. A sheet that has
 /// one of them, or none, cannot know where the crease goes: there cutting is no equal of
 /// OpenSubdiv's.
@@ -199,8 +183,7 @@ bool creases_are_whole(const Repaired& cut) {
 RC_GTEST_PROP(PeersNonManifold, ACutMeshWithItsCornersIsTheMeshToOpenSubdiv, (unsigned seed)) {
   std::mt19937 random(seed);
   for (const auto& [method, name, triangles] : kSubjects) {
-    const std::vector<ControlMesh> meshes = triangles ? open_triangles() : open_polygons();
-    const ControlMesh& control = meshes[random() % meshes.size()];
+    const ControlMesh control = random_control(triangles, random);
     RC_PRE(control.polygons.face_count() < 400);
     const Polygons mesh = pinched(control.polygons, random);
     const Repaired cut = repair(mesh, {.cut = true}).value();
@@ -245,8 +228,7 @@ PeerTags random_tags(const Polygons& mesh, bool fractions, std::mt19937& random)
 RC_GTEST_PROP(PeersNonManifold, ACutMeshWithTagsIsTheMeshToOpenSubdiv, (unsigned seed)) {
   std::mt19937 random(seed);
   for (const auto& [method, name, triangles] : kSubjects) {
-    const std::vector<ControlMesh> meshes = triangles ? open_triangles() : open_polygons();
-    const ControlMesh& control = meshes[random() % meshes.size()];
+    const ControlMesh control = random_control(triangles, random);
     RC_PRE(control.polygons.face_count() < 400);
     const Polygons mesh = pinched(control.polygons, random);
     const bool fractions = random() % 2 != 0;

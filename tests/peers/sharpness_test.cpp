@@ -11,6 +11,7 @@
 #include "limn/limit/crease_limit.h"
 #include "limn/mesh/sharpness/sharpness.h"
 #include "peer_test.h"
+#include "stated.h"
 
 namespace limn::peers {
 namespace {
@@ -64,24 +65,7 @@ Sharpness sharpness_of(const Mesh& mesh, const PeerTags& tags) {
   if (!tags.holes.empty()) result.holes.assign(static_cast<std::size_t>(mesh.face_count()), false);
   for (const Index f : tags.holes) result.holes[static_cast<std::size_t>(f)] = true;
   if (tags.chaikin) result.method = CreaseMethod::chaikin;
-  constexpr std::array modes{BoundaryMode::none, BoundaryMode::edge_only,
-                             BoundaryMode::edge_and_corner};
-  apply_boundary_mode(mesh, modes.at(static_cast<std::size_t>(tags.boundary)), result);
-  return result;
-}
-
-/// Without faces that are holes, but with all vertices, as the peer has them.
-Polygons without(const Polygons& all, const std::vector<bool>& holes) {
-  if (std::find(holes.begin(), holes.end(), true) == holes.end()) return all;
-  Polygons result;
-  result.positions = all.positions;
-  for (Index f = 0; f < all.face_count(); ++f) {
-    if (holes[static_cast<std::size_t>(f)]) continue;
-    for (Index c = all.face_begin[static_cast<std::size_t>(f)];
-         c < all.face_begin[static_cast<std::size_t>(f) + 1]; ++c)
-      result.corners.push_back(all.corners[static_cast<std::size_t>(c)]);
-    result.face_begin.push_back(static_cast<Index>(result.corners.size()));
-  }
+  apply_boundary_mode(mesh, boundary_mode_of(tags), result);
   return result;
 }
 

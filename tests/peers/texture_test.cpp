@@ -11,6 +11,7 @@
 #include "limn/mesh/sharpness/cut_mesh.h"
 #include "limn/surface/refine_surface.h"
 #include "peer_test.h"
+#include "stated.h"
 #include "textured_peer.h"
 
 namespace limn::peers {
@@ -74,14 +75,8 @@ PeerTags random_tags(const Mesh& mesh, const PeerTexture& texture, bool fraction
 }
 
 Sharpness sharpness_of(const Mesh& mesh, const PeerTags& tags) {
-  SharpnessTags stated;
-  for (std::size_t i = 0; i < tags.edges.size(); ++i)
-    stated.creases.push_back(
-        {{tags.edges[i][0], tags.edges[i][1]}, {static_cast<double>(tags.edge_sharpness[i])}, 0});
-  for (std::size_t i = 0; i < tags.corners.size(); ++i)
-    stated.corners.push_back({tags.corners[i], static_cast<double>(tags.corner_sharpness[i]), 0});
   Sharpness result;
-  EXPECT_TRUE(apply_tags(mesh, {}, stated, result).ok());
+  EXPECT_TRUE(apply_tags(mesh, {}, stated_by(tags), result).ok());
   if (tags.boundary == 2) apply_boundary_mode(mesh, BoundaryMode::edge_and_corner, result);
   return result;
 }

@@ -10,6 +10,7 @@
 #include "limn/refine/linear_form.h"
 #include "limn/refine/refine.h"
 #include "mesh/random_mesh.h"
+#include "support/random_points.h"
 #include "support/reference_step.h"
 #include "support/shipped.h"
 
@@ -33,20 +34,6 @@ Mesh control_mesh(const Scheme& scheme, unsigned seed) {
     Mesh mesh = random_control(*scheme.split, seed);
     if (!has_vertex_of_valence_two(mesh)) return mesh;
   }
-}
-
-std::vector<Point3> random_points(Index count, unsigned seed) {
-  std::mt19937 random(seed);
-  std::uniform_real_distribution<double> uniform(-1, 1);
-  std::vector<Point3> points;
-  points.reserve(static_cast<std::size_t>(count));
-  for (Index i = 0; i < count; ++i)
-    points.push_back({uniform(random), uniform(random), uniform(random)});
-  return points;
-}
-
-double distance(Point3 a, Point3 b) {
-  return std::max({std::abs(a.x - b.x), std::abs(a.y - b.y), std::abs(a.z - b.z)});
 }
 
 /// Steps of one scheme, its tables made once.

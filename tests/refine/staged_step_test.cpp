@@ -12,30 +12,12 @@
 #include "limn/regular/regular_mask.h"
 #include "mesh/random_mesh.h"
 #include "support/averaging_reference.h"
+#include "support/random_points.h"
 #include "support/shipped.h"
+#include "support/spline_scheme.h"
 
 namespace limn::test {
 namespace {
-
-Scheme of_degree(int degree, const std::string& stam = "0") {
-  Scheme scheme = shipped("b-spline-quad");
-  EXPECT_TRUE(set_parameters(scheme, {"degree=" + std::to_string(degree), "stam=" + stam}).ok());
-  return scheme;
-}
-
-std::vector<Point3> random_points(Index count, unsigned seed) {
-  std::mt19937 random(seed);
-  std::uniform_real_distribution<double> uniform(-1, 1);
-  std::vector<Point3> points;
-  points.reserve(static_cast<std::size_t>(count));
-  for (Index i = 0; i < count; ++i)
-    points.push_back({uniform(random), uniform(random), uniform(random)});
-  return points;
-}
-
-double distance(Point3 a, Point3 b) {
-  return std::max({std::abs(a.x - b.x), std::abs(a.y - b.y), std::abs(a.z - b.z)});
-}
 
 /// Closed, and every vertex extraordinary: an icosahedron with a triangle cut in three, so that
 /// valences 3, 5 and 6 of triangles are neighbours.
@@ -50,7 +32,7 @@ Mesh crowded() {
 
 TEST(StagedStep, HasTheMaskOfTheTensorSpline) {
   for (int degree = 2; degree <= 9; ++degree) {
-    const Result<Mask> mask = regular_mask(of_degree(degree, degree % 2 == 0 ? "0" : "1/3"));
+    const Result<Mask> mask = regular_mask(spline_of_degree(degree, degree % 2 == 0 ? "0" : "1/3"));
     ASSERT_TRUE(mask.ok()) << degree << ": " << mask.error().text();
     // 2^{-d} (d + 1 choose i) in either direction
     std::vector<Rational> row{Rational(2)};
@@ -71,7 +53,7 @@ TEST(StagedStep, HasTheMaskOfTheTensorSpline) {
 
 TEST(StagedStep, IsDooAndSabinsOrCatmullAndClarksOnTheLattice) {
   for (const auto& [degree, name] : {std::pair{2, "doo-sabin"}, {3, "catmull-clark"}}) {
-    const Scheme scheme = of_degree(degree);
+    const Scheme scheme = spline_of_degree(degree);
     EXPECT_EQ(scheme.split, shipped(name).split);
     EXPECT_EQ(regular_mask(scheme)->coefficients, regular_mask(shipped(name))->coefficients);
   }
@@ -86,7 +68,7 @@ std::vector<double> coordinate(const std::vector<Point3>& points, double Point3:
 
 /// So many levels, by lists of faces.
 void expect_same(const Mesh& control, int degree, int stam, int levels, unsigned seed) {
-  const Scheme scheme = of_degree(degree, std::to_string(stam));
+  const Scheme scheme = spline_of_degree(degree, std::to_string(stam));
   const std::vector<Point3> points = random_points(control.vertex_count(), seed);
   const auto fine = refine<Point3>(scheme, control, points, levels);
   ASSERT_TRUE(fine.ok()) << fine.error().text();
@@ -120,7 +102,7 @@ TEST(StagedStep, IsTheAveragesOneByOneWhereExtraordinaryVerticesAreNeighbours) {
 
 /// On quads, boundaries included: [Stam2001, §3] chose the weights so.
 TEST(StagedStep, IsCatmullAndClarksWithStamsWeights) {
-  const Scheme scheme = of_degree(3, "1");
+  const Scheme scheme = spline_of_degree(3, "1");
   for (unsigned seed = 0; seed < 30; ++seed) {
     const Mesh mesh = random_quads(seed);
     const std::vector<Point3> points = random_points(mesh.vertex_count(), seed);
@@ -139,7 +121,7 @@ TEST(StagedStep, GivesSomeVerticesAsItGivesAll) {
   for (int degree = 2; degree <= 7; ++degree)
     for (unsigned seed = 0; seed < 12; ++seed) {
       const Mesh mesh = RandomMesh(seed).polygons();
-      const Scheme scheme = of_degree(degree);
+      const Scheme scheme = spline_of_degree(degree);
       const Births births = scheme.split->apply(mesh, 0).births;
       RuleTables<double> tables(scheme);
       ASSERT_TRUE(tables.prepare(mesh, births).ok());
@@ -157,7 +139,7 @@ TEST(StagedStep, GivesSomeVerticesAsItGivesAll) {
 TEST(StagedStep, HasSplineCurvesForBoundaries) {
   const Mesh mesh = fan(Lattice::quad, 3, 3);
   for (const int degree : {3, 5, 7}) {
-    const Scheme scheme = of_degree(degree);
+    const Scheme scheme = spline_of_degree(degree);
     const auto fine = refine<Point3>(scheme, mesh, random_points(mesh.vertex_count(), 1), 1);
     ASSERT_TRUE(fine.ok());
     std::vector<Point3> polygon, curve;  // along the boundary
@@ -211,7 +193,7 @@ TEST(StagedStep, FollowsItsParameter) {
 }
 
 TEST(StagedStep, RefusesWhatNeedsRules) {
-  const Scheme scheme = of_degree(3);
+  const Scheme scheme = spline_of_degree(3);
   const Status sharp = check_takes_sharpness(scheme, {{}, {kInfinitelySharp}, {}, {}});
   ASSERT_FALSE(sharp.ok());
   EXPECT_NE(sharp.error().message.find("sequence of averagings"), std::string::npos);

@@ -10,15 +10,10 @@
 #include "limn/spectrum/frequency_blocks.h"
 #include "support/frequency.h"
 #include "support/shipped.h"
+#include "support/spline_scheme.h"
 
 namespace limn::test {
 namespace {
-
-Scheme of_degree(int degree, const std::string& stam = "0") {
-  Scheme scheme = shipped("b-spline-quad");
-  EXPECT_TRUE(set_parameters(scheme, {"degree=" + std::to_string(degree), "stam=" + stam}).ok());
-  return scheme;
-}
 
 /// Traces of powers, which defective eigenvalues do not blur.
 double trace_distance(const Eigen::MatrixXcd& one, const Eigen::MatrixXcd& other) {
@@ -31,7 +26,7 @@ double trace_distance(const Eigen::MatrixXcd& one, const Eigen::MatrixXcd& other
 
 TEST(StagedBlocks, AreThoseOfTheSpatialMatrix) {
   for (int degree = 2; degree <= 7; ++degree) {
-    const Scheme scheme = of_degree(degree, degree % 2 == 0 ? "1" : "1/3");
+    const Scheme scheme = spline_of_degree(degree, degree % 2 == 0 ? "1" : "1/3");
     FrequencyAnalysis analysis(scheme);
     for (const int n : {3, 4, 5, 7, 13, 14}) {
       const Result<FrequencyBlocks> blocks = analysis.blocks(n);
@@ -50,7 +45,7 @@ TEST(StagedBlocks, AreThoseOfTheSpatialMatrix) {
 
 /// With Stam's weights it is Catmull and Clark's scheme.
 TEST(StagedBlocks, OfDegreeThreeAreCatmullAndClarks) {
-  const Scheme scheme = of_degree(3, "1");
+  const Scheme scheme = spline_of_degree(3, "1");
   FrequencyAnalysis one(scheme), other(shipped("catmull-clark"));
   for (int n = 3; n <= 20; ++n) {
     const FrequencyBlocks ours = one.blocks(n).value(), theirs = other.blocks(n).value();
@@ -65,7 +60,7 @@ TEST(StagedBlocks, OfDegreeThreeAreCatmullAndClarks) {
 /// A spline of degree d is controlled, over the quads at a vertex, by (d + 1)/2 rings of it.
 TEST(StagedBlocks, HaveTheRingsOfTheSpline) {
   for (const int degree : {3, 5, 7, 9}) {
-    const Scheme scheme = of_degree(degree);
+    const Scheme scheme = spline_of_degree(degree);
     FrequencyAnalysis analysis(scheme);
     for (const int n : {3, 4, 6}) EXPECT_EQ(analysis.blocks(n)->rings, (degree + 1) / 2) << n;
   }
@@ -74,7 +69,7 @@ TEST(StagedBlocks, HaveTheRingsOfTheSpline) {
 /// On the lattice: 1, then 1/2 for linear and 1/4 for quadratic polynomials, whatever the degree.
 TEST(StagedBlocks, HaveTheEigenvaluesOfPolynomialsAtValenceFour) {
   for (int degree = 2; degree <= 9; ++degree) {
-    const Scheme scheme = of_degree(degree);
+    const Scheme scheme = spline_of_degree(degree);
     FrequencyAnalysis analysis(scheme);
     const Result<FrequencyBlocks> blocks = analysis.blocks(4);
     ASSERT_TRUE(blocks.ok()) << degree << ": " << blocks.error().text();
@@ -88,7 +83,7 @@ TEST(StagedBlocks, HaveTheEigenvaluesOfPolynomialsAtValenceFour) {
 /// Degree 2 takes the mean of a corner, the middles of its two edges and the middle of the face:
 /// round an n-gon (1 + 1 + cos(2πω/n))/4 for ω > 0.
 TEST(StagedBlocks, OfDegreeTwoHaveTheClosedForm) {
-  const Scheme scheme = of_degree(2);
+  const Scheme scheme = spline_of_degree(2);
   FrequencyAnalysis analysis(scheme);
   for (int n = 3; n <= 40; ++n) {
     const Result<FrequencyBlocks> blocks = analysis.blocks(n);
@@ -104,7 +99,7 @@ TEST(StagedBlocks, OfDegreeTwoHaveTheClosedForm) {
 /// A vertex of thousands of faces costs no more.
 TEST(StagedBlocks, HaveLargeValences) {
   for (const int degree : {4, 5}) {
-    const Scheme scheme = of_degree(degree);
+    const Scheme scheme = spline_of_degree(degree);
     FrequencyAnalysis analysis(scheme);
     const Result<FrequencyBlocks> blocks = analysis.blocks(2000, 3);
     ASSERT_TRUE(blocks.ok()) << blocks.error().text();
