@@ -35,6 +35,14 @@ std::string stated(std::string_view text, std::string_view key) {
   return {};
 }
 
+/// The split of a shipped file: as it states it, or, where it follows from other things (from the
+/// parity of a staged scheme's averagings), as the scheme's reader finds it.
+const Split* split_of(const ShippedFile& file) {
+  if (const Split* const split = find_split(stated(file.text, "split"))) return split;
+  const Result<Scheme> scheme = find_scheme(std::string(file.name));
+  return scheme ? scheme->split : nullptr;
+}
+
 Json parsed(const std::string& text) { return Json::parse(text, nullptr, false); }
 
 /// A number as an expression, which has no decimals: to twelve of them, as a fraction.
@@ -186,7 +194,7 @@ std::string PageCore::schemes() const {
   return answer([]() -> Result<Json> {
     Json list = Json::array();
     for (const ShippedFile& file : shipped_files()) {
-      const Split* const split = find_split(stated(file.text, "split"));
+      const Split* const split = split_of(file);
       list.push_back({{"name", file.name},
                       {"title", stated(file.text, "title")},
                       {"split", split == nullptr ? "" : split->name},
