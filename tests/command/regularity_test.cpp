@@ -74,7 +74,7 @@ TEST(RegularityCommand, SaysWhetherTheExponentIsAttained) {
 TEST(RegularityCommand, TakesParametersBudgetAndTolerance) {
   const Folder folder;
   const auto lower = [&](const std::string& more) {
-    const Outcome outcome = folder.limn("regularity optimal --json " + more);
+    const Outcome outcome = folder.limn("regularity optimal --json --time 0 " + more);
     EXPECT_EQ(outcome.code, 0) << outcome.err;
     return double(nlohmann::json::parse(outcome.out).at("holder").at("lower"));
   };
