@@ -32,6 +32,7 @@ struct CertifyCommand {
   bool json = false;
   bool latex = false;
   bool all = false;
+  bool c1_only = false;
 };
 
 Result<certify::Certificate> read_certificate(const std::string& path) {
@@ -82,6 +83,7 @@ Result<certify::CertifyOptions> options_of(const CertifyCommand& command, const 
   certify::CertifyOptions options;
   options.bits = command.bits;
   options.all = command.all;
+  options.curvature = !command.c1_only;
   options.time = TimeBudget(time_limit(command.seconds));
   options.progress = [&line](const std::string& what) { line.show("certifying: " + what); };
   if (command.resume.empty()) return options;
@@ -145,6 +147,8 @@ void declare_certify(CLI::App& parser, Action& action) {
       command->add_option("--valence", chosen->valence, "a valence or a range, as 3..50")
           ->capture_default_str();
   command->add_flag("--all", chosen->all, "every valence from 3 on at once");
+  command->add_flag("--c1-only", chosen->c1_only,
+                    "leave curvature undecided, whose proof is most of the work for long fractions");
   command->add_option("-o,--output", chosen->output, "where the certificate is written, as JSON");
   CLI::Option* check_option =
       command->add_option("--check", chosen->check,

@@ -89,13 +89,15 @@ class Analyses:
         valence: int | Iterable[int] = (),
         *,
         all: bool = False,
+        curvature: bool = True,
         bits: int = 128,
         seconds: Optional[float] = 600,
     ) -> Certificate:
         """Proves or refutes, in ball arithmetic, that surfaces are C1 at vertices of these valences.
 
-        A dict as ``limn certify --json``. ``all``: also at every valence from 3 on. What is left
-        when the ``seconds`` end (None: never) is "undecided".
+        A dict as ``limn certify --json``. ``all``: also at every valence from 3 on. Without
+        ``curvature`` only C1 is looked for. What is left when the ``seconds`` end (None: never) is
+        "undecided".
         """
         valences = sorted(set(valences_of(valence, 3)))
         if not valences and not all:
@@ -103,7 +105,7 @@ class Analyses:
         if not 64 <= bits <= 4096:
             raise Error(f"bits {bits} is not from 64 to 4096")
         return Certificate(
-            *_limn.certify(self._data, valences, bits, all, seconds_of(seconds))
+            *_limn.certify(self._data, valences, bits, all, curvature, seconds_of(seconds))
         )
 
     def limit_stencil(self, valence: int, *, boundary: bool = False) -> dict[str, Any]:

@@ -123,7 +123,12 @@ def artifacts(
 def sampling_density(scheme: SchemeData, tolerance: float) -> Any: ...
 def artifact_map(scheme: SchemeData, width: int, height: int) -> dict[str, Any]: ...
 def certify(
-    scheme: SchemeData, valences: Sequence[int], bits: int, all: bool, seconds: float
+    scheme: SchemeData,
+    valences: Sequence[int],
+    bits: int,
+    all: bool,
+    curvature: bool,
+    seconds: float,
 ) -> tuple[Any, str, str, str]: ...
 def check_certificate(text: str, file: str) -> Any: ...
 def refine(

@@ -17,11 +17,12 @@ namespace {
 
 /// The answers, the certificate as a file has it, and both as text for people.
 py::tuple certify_scheme(const Scheme& scheme, const std::vector<int>& valences, int bits, bool all,
-                         double seconds) {
+                         bool curvature, double seconds) {
   const Result<certify::Certificate> found = without_gil([&] {
     certify::CertifyOptions options;
     options.bits = bits;
     options.all = all;
+    options.curvature = curvature;
     options.time = TimeBudget(seconds);
     options.progress = on_progress;
     return certify::certify(scheme, valences, options);
@@ -52,7 +53,7 @@ py::object check_certificate(const std::string& text, const std::string& file) {
 
 void bind_proofs(py::module_& module) {
   module.def("certify", &certify_scheme, py::arg("scheme"), py::arg("valences"), py::arg("bits"),
-             py::arg("all"), py::arg("seconds"));
+             py::arg("all"), py::arg("curvature"), py::arg("seconds"));
   module.def("check_certificate", &check_certificate, py::arg("text"), py::arg("file"));
 }
 

@@ -149,6 +149,8 @@ def test_creases_as_arrays(command, tmp_path):
 def test_certify(command, tmp_path):
     scheme = limn.Scheme("loop")
     found = scheme.certify(range(3, 8))
+    without = scheme.certify(5, curvature=False)
+    assert without == command("certify", "loop", "--valence", "5", "--c1-only")
     assert found == command("certify", "loop", "--valence", "3..7")
     path = tmp_path / "loop.json"
     found.save(path)

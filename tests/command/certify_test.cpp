@@ -89,6 +89,19 @@ TEST(CertifyCommand, GoesOnFromACertificate) {
   expect_refused(folder.limn("certify butterfly --valence 4 --resume some.json"), "another scheme");
 }
 
+TEST(CertifyCommand, LeavesCurvatureUndecidedWhereC1AloneIsAskedFor) {
+  const Folder folder;
+  const Outcome outcome = folder.limn("certify loop --valence 5 --c1-only --json -o five.json");
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  const auto valence = nlohmann::json::parse(outcome.out).at("valences").at(0);
+  EXPECT_EQ(valence.at("c1"), "proved");
+  EXPECT_EQ(valence.at("curvature"), "undecided");
+  EXPECT_EQ(folder.limn("certify --check five.json").code, 0);
+  // what was left is looked for by another run
+  const Outcome rest = folder.limn("certify loop --valence 5 --json --resume five.json");
+  EXPECT_EQ(nlohmann::json::parse(rest.out).at("valences").at(0).at("curvature"), "bounded");
+}
+
 TEST(CertifyCommand, KnowsSchemesThatExtendOthersAndTheirParameters) {
   const Folder folder;
   folder.write("mine.toml",

@@ -97,11 +97,24 @@ ValenceClaim undecided(int n, const std::string& reason) {
   return claim;
 }
 
-Result<ValenceClaim> certify_valence(const Scheme& scheme, const RegularProof& regular,
-                                     const CellSigns& signs, int n, const CertifyOptions& options) {
+/// What the options know of a valence's C1, if they do.
+const ValenceClaim* known_claim(const CertifyOptions& options, int n) {
   const auto known = std::find_if(options.known.begin(), options.known.end(),
                                   [n](const ValenceClaim& claim) { return claim.valence == n; });
-  if (known != options.known.end() && known->c1 != Answer::undecided) return *known;
+  if (known == options.known.end() || known->c1 == Answer::undecided) return nullptr;
+  return &*known;
+}
+
+/// Whether nothing is left to be looked for.
+bool is_whole(const ValenceClaim& claim, const CertifyOptions& options) {
+  return claim.c1 != Answer::proved || !options.curvature ||
+         claim.curvature.answer != CurvatureAnswer::undecided;
+}
+
+Result<ValenceClaim> certify_valence(const Scheme& scheme, const RegularProof& regular,
+                                     const CellSigns& signs, int n, const CertifyOptions& options) {
+  const ValenceClaim* const known = known_claim(options, n);
+  if (known != nullptr && (is_whole(*known, options) || options.time.ended())) return *known;
   if (options.time.ended()) return undecided(n, "the time ended before it was looked at");
   if (options.progress) options.progress(fmt::format("valence {}", n));
   ProofLimits limits{options.bits, options.most_parts, options.curvature, options.time.stop()};
@@ -112,6 +125,7 @@ Result<ValenceClaim> certify_valence(const Scheme& scheme, const RegularProof& r
     if (again && again->claim.c1 != Answer::undecided) return std::move(again->claim);
   }
   if (!found) return found.error();
+  if (known != nullptr && found->claim.c1 == Answer::undecided) return *known;
   return std::move(found->claim);
 }
 

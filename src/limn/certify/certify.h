@@ -27,7 +27,8 @@ struct CertifyOptions {
   bool curvature = true;
   TimeBudget time;                                   ///< when it ends, what is left is undecided
   std::function<void(const std::string&)> progress;  ///< called with what is done next, if given
-  /// Claims that are taken over unseen, from a certificate of the same scheme that was checked.
+  /// Claims of a certificate of the same scheme that was checked, taken over unseen where C1 is
+  /// decided and, if it is asked for, curvature.
   std::vector<ValenceClaim> known;
 };
 
