@@ -14,6 +14,7 @@ namespace {
 /// Of splits that keep old edges: how many faces each old one becomes.
 Index children_of(const Split& split, Index degree) {
   if (split.births.thirds) return 9;
+  if (split.mixed) return std::max(degree, Index{4});
   return split.births.faces ? degree : 4;
 }
 

@@ -91,6 +91,22 @@ class RandomMesh {
     return disguised();
   }
 
+  /// Triangles beside other faces: those of a mesh of polygons, some of which are cut in two.
+  Mesh mixed() {
+    const Mesh seed = polygons();
+    vertices_ = seed.vertex_count();
+    faces_ = faces_of(polygons_of(seed));
+    for (std::size_t f = 0, count = faces_.size(); f < count; ++f) {
+      if (faces_[f].size() < 4 || chance(2)) continue;
+      Faces cut = faces_;
+      cut[f] = {faces_[f][0], faces_[f][1], faces_[f][2]};
+      cut.push_back(faces_[f]);
+      cut.back().erase(cut.back().begin() + 1);
+      take_if_valid(std::move(cut));
+    }
+    return disguised();
+  }
+
   Mesh polygons() {
     const Mesh seed = base();
     vertices_ = seed.vertex_count();
@@ -234,6 +250,7 @@ inline Mesh random_control(const Split& split, unsigned seed) {
   if (split.is_dual() && split.births.edges)  // closed ones only
     for (;; seed += 7919)
       if (Mesh mesh = RandomMesh(seed).polygons(); !mesh.has_boundary()) return mesh;
+  if (split.mixed && seed % 4 != 0) return RandomMesh(seed).mixed();
   if (split.any_polygons) return RandomMesh(seed).polygons();
   return split.lattice == Lattice::quad ? random_quads(seed) : RandomMesh(seed).triangles();
 }

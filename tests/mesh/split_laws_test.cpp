@@ -27,10 +27,21 @@ Index cut_faces(const Mesh& mesh, int step) {
   return step % 2 == 0 ? 0 : cuts;
 }
 
+Index triangles_beside(const Mesh& mesh, Index edge) {
+  const Index h = mesh.halfedge_of_edge(edge), t = mesh.twin(h);
+  return (mesh.degree(mesh.face(h)) == 3 ? 1 : 0) + (mesh.degree(mesh.face(t)) == 3 ? 1 : 0);
+}
+
 struct Counts {
   Index vertices, edges, faces;
   friend bool operator==(const Counts&, const Counts&) = default;
 };
+
+Index triangle_count(const Mesh& mesh) {
+  Index count = 0;
+  for (Index f = 0; f < mesh.face_count(); ++f) count += mesh.degree(f) == 3;
+  return count;
+}
 
 Counts expected_counts(const Split& split, const Mesh& mesh, int step) {
   const Index v = mesh.vertex_count(), e = mesh.edge_count(), f = mesh.face_count();
@@ -47,6 +58,10 @@ Counts expected_counts(const Split& split, const Mesh& mesh, int step) {
     return {e + isolated_count(mesh), corners - squeezed, f + inner_vertices(mesh, 3)};
   }
   if (split.name == "triangle-ternary") return {v + 2 * e + f, 3 * e + 9 * f, 9 * f};
+  if (split.name == "quad-triangle") {
+    const Index triangles = triangle_count(mesh);
+    return {v + e + f - triangles, 2 * e + corners, corners + triangles};
+  }
   if (split.name == "quad-ternary") return {v + 2 * e + 4 * f, 3 * e + 12 * f, 9 * f};
   const Index cuts = cut_faces(mesh, step);
   if (split.name == "quad-sqrt2") return {v + f, corners + e - inner - cuts, e - cuts};
@@ -136,13 +151,17 @@ TEST_P(SplitLaws, OldAndNewValencesOnClosedMeshes) {
     Index v = 0;
     for (; v < refined.births.from_vertices; ++v)
       RC_ASSERT(refined.mesh.valence(v) == mesh.valence(v));
-    const Index regular = split.lattice == Lattice::triangle ? 6 : 4;
-    const Index face_points = v + refined.births.from_edges;
+    const Index edge_points = v, face_points = v + refined.births.from_edges;
     for (; v < refined.mesh.vertex_count(); ++v) {
       if (refined.mesh.is_isolated(v)) continue;
-      const bool in_polygon =
-          split.lattice == Lattice::quad && split.births.faces && v >= face_points;
-      RC_ASSERT(refined.mesh.valence(v) == (in_polygon ? mesh.degree(v - face_points) : regular));
+      Index expected = split.lattice == Lattice::triangle ? 6 : 4;
+      if (split.lattice == Lattice::quad && split.births.faces && v >= face_points) {
+        const Index i = v - face_points;
+        expected = mesh.degree(refined.births.faces.empty() ? i : refined.births.faces[i]);
+      } else if (split.mixed) {
+        expected = 4 + triangles_beside(mesh, v - edge_points);
+      }
+      RC_ASSERT(refined.mesh.valence(v) == expected);
     }
   }));
 }
@@ -155,6 +174,34 @@ TEST_P(SplitLaws, RegularMeshesStayRegular) {
   EXPECT_EQ(refined.mesh.face_count(), split.dilation.growth() * mesh.face_count());
   for (Index v = 0; v < refined.mesh.vertex_count(); ++v)
     EXPECT_EQ(refined.mesh.valence(v), mesh.valence(0));
+}
+
+TEST(QuadTriangle, IsTheDyadicSplitOnMeshesOfOneKind) {
+  const Split& mixed = *find_split("quad-triangle");
+  const auto expect_same = [&](const char* name, const Mesh& mesh) {
+    const SplitResult one = mixed.apply(mesh, 0), other = find_split(name)->apply(mesh, 0);
+    RC_ASSERT(snapshot(one.mesh) == snapshot(other.mesh));
+    RC_ASSERT(one.births.from_faces == other.births.from_faces);
+    RC_ASSERT(one.births.faces.empty());
+  };
+  EXPECT_TRUE(rc::check([&](unsigned seed) {
+    expect_same("triangle-dyadic", RandomMesh(seed).triangles());
+    expect_same("quad-dyadic", random_quads(seed));
+  }));
+}
+
+TEST(QuadTriangle, LeavesTrianglesAndQuads) {
+  EXPECT_TRUE(rc::check([&](unsigned seed) {
+    const Mesh mesh = RandomMesh(seed).mixed();
+    const SplitResult fine = find_split("quad-triangle")->apply(mesh, 0);
+    Index triangles = 0;
+    for (Index f = 0; f < fine.mesh.face_count(); ++f) {
+      RC_ASSERT(fine.mesh.degree(f) == 3 || fine.mesh.degree(f) == 4);
+      triangles += fine.mesh.degree(f) == 3;
+    }
+    RC_ASSERT(triangles == 4 * triangle_count(mesh));
+    for (const Index f : fine.births.faces) RC_ASSERT(mesh.degree(f) > 3);
+  }));
 }
 
 TEST_P(SplitLaws, TakeAnEmptyMeshAndIsolatedVertices) {

@@ -19,8 +19,8 @@ struct Placed {
 };
 
 /// A piece of the plane: a grid of cells with some cells missing, slightly out of true, seen
-/// from above (counterclockwise).
-Placed planar_piece(unsigned seed, Lattice lattice) {
+/// from above (counterclockwise). `mixed`: some are of the other kind.
+Placed planar_piece(unsigned seed, Lattice lattice, bool mixed = false) {
   std::mt19937 random(seed);
   const auto below = [&](unsigned n) { return static_cast<Index>(random() % n); };
   const Index nx = 2 + below(4), ny = 2 + below(4);
@@ -31,7 +31,7 @@ Placed planar_piece(unsigned seed, Lattice lattice) {
   for (Index j = 0; j + 1 < ny; ++j) {
     for (Index i = 0; i + 1 < nx; ++i) {
       const Index a = j * nx + i, b = a + 1, c = b + nx, d = a + nx;
-      if (lattice == Lattice::quad) {
+      if ((lattice == Lattice::quad) != (mixed && below(2) == 0)) {
         faces.push_back({a, b, c, d});
       } else {
         faces.push_back({b, c, a});
@@ -103,7 +103,7 @@ TEST_P(SplitPlane, FacesTileThePieceCounterclockwise) {
   const Split& split = GetParam();
   const bool keeps_the_piece = split.births.vertices;
   EXPECT_TRUE(rc::check([&](unsigned seed) {
-    Placed piece = planar_piece(seed, split.lattice);
+    Placed piece = planar_piece(seed, split.lattice, split.mixed);
     for (int step = 0; step < (split.dilation.growth() > 4 ? 2 : 3); ++step) {
       Placed fine = place(piece, split.apply(piece.mesh, step));
       RC_ASSERT(fine.at.size() == static_cast<std::size_t>(fine.mesh.vertex_count()));

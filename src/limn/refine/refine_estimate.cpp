@@ -14,7 +14,15 @@ constexpr double kLargestHalfedgeCount = 2147483647.0;
 /// Counts of a mesh; what a split does to them is linear.
 struct Counts {
   double vertices = 0, edges = 0, faces = 0, halfedges = 0;
+  double triangles = 0;  // of the faces; counted for splits that are mixed
 };
+
+double triangles_of(const Mesh& mesh) {
+  if (mesh.uniform_degree() > 0) return mesh.uniform_degree() == 3 ? mesh.face_count() : 0;
+  Index count = 0;
+  for (Index f = 0; f < mesh.face_count(); ++f) count += mesh.degree(f) == 3 ? 1 : 0;
+  return count;
+}
 
 /// After one step, an upper bound: exact but for the boundaries of dual splits, which lose faces,
 /// and where a mesh at an odd step is not one that an even step has made.
@@ -58,6 +66,11 @@ Counts after_step(const Split& split, const Counts& c, int step) {
     r.faces = c.halfedges;
     r.halfedges = 4 * c.halfedges;
     r.edges = 2 * c.edges + c.halfedges;
+    if (split.mixed) {  // a triangle has four children and no vertex
+      r.vertices -= c.triangles;
+      r.faces += c.triangles;
+      r.triangles = 4 * c.triangles;
+    }
   } else {
     r.faces = 4 * c.faces;
     r.halfedges = 12 * c.faces;
@@ -84,7 +97,8 @@ struct Forecast {
 
 Forecast forecast(const Split& split, const Mesh& mesh, int levels, std::size_t bytes_per_value) {
   Counts counts{static_cast<double>(mesh.vertex_count()), static_cast<double>(mesh.edge_count()),
-                static_cast<double>(mesh.face_count()), static_cast<double>(mesh.halfedge_count())};
+                static_cast<double>(mesh.face_count()), static_cast<double>(mesh.halfedge_count()),
+                split.mixed ? triangles_of(mesh) : 0};
   Forecast result{counts, bytes_of(counts, bytes_per_value)};
   for (int i = 0; i < levels; ++i) {
     const Counts next = after_step(split, counts, i);

@@ -71,6 +71,15 @@ const std::vector<Split>& splits() {
        .births = {.vertices = true, .edges = true, .thirds = true, .corners = true},
        .dilation = kTernary,
        .apply = detail::split_quad_ternary},
+      {.name = "quad-triangle",
+       .description = "each triangle into four, by the midpoints of its edges; of any other face a "
+                      "quad for each corner",
+       .lattice = Lattice::quad,
+       .any_polygons = true,
+       .mixed = true,
+       .births = {.vertices = true, .edges = true, .faces = true},
+       .dilation = kDyadic,
+       .apply = detail::split_quad_triangle},
   };
   return list;
 }

@@ -30,7 +30,7 @@ struct Births {
   std::vector<Index> edge_ends;
   /// The next block, born from faces: face i, or faces[i] where that list is not empty.
   Index from_faces = 0;
-  std::vector<Index> faces;  ///< the faces that have a child, or empty: all of them
+  std::vector<Index> faces;  ///< the faces that have a child, or empty: all of them, or none
   /// Born from corners (half-edges): corner i. Under a dual split it lies half the way to the
   /// middle of its face, under one that keeps old vertices two thirds of it.
   Index from_corners = 0;
@@ -72,8 +72,12 @@ struct SplitResult {
 struct Split {
   std::string_view name;         ///< as scheme files write it: "triangle-dyadic", …
   std::string_view description;  ///< one line for listings
-  Lattice lattice;               ///< what a regular mesh looks like
+  Lattice lattice;               ///< what a regular mesh looks like; where `mixed`, one of two
   bool any_polygons = false;     ///< the first step takes any polygons; else those of the lattice
+  /// Triangles stay triangles and all other faces become quads, so that a mesh has both, and a
+  /// regular one is of either lattice. Analyses on the lattice are those of the two splits that
+  /// this one is on meshes of one kind, triangle-dyadic and quad-dyadic.
+  bool mixed = false;
   /// Which old elements have a child.
   struct BirthPlaces {
     bool vertices = false;  ///< old vertices; where they have none the split is dual

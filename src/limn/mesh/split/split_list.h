@@ -19,6 +19,7 @@ SplitResult split_quad_sqrt2(const Mesh& mesh, int step);
 SplitResult split_midedge(const Mesh& mesh, int step);
 SplitResult split_triangle_ternary(const Mesh& mesh, int step);
 SplitResult split_quad_ternary(const Mesh& mesh, int step);
+SplitResult split_quad_triangle(const Mesh& mesh, int step);
 
 /// A dyadic split cuts edge e into edge 2e, at the origin of the half-edge that stands for e,
 /// and edge 2e+1. These are the halves at the origin and at the target of h.
