@@ -9,6 +9,7 @@
 #include "support/averaging_reference.h"
 #include "support/corner_reference.h"
 #include "support/old_values.h"
+#include "support/quad_triangle_reference.h"
 #include "support/ternary_reference.h"
 
 namespace limn::test {
@@ -400,7 +401,7 @@ bool has_reference(const std::string& scheme) {
          scheme == "catmull-clark, smooth triangles" ||
          scheme == "catmull-clark-piecewise-smooth" || scheme == "doo-sabin" || scheme == "sqrt3" ||
          scheme == "four-eight" || scheme == "midedge" || scheme == "box-spline-quad" ||
-         scheme == "b-spline-quad";
+         scheme == "b-spline-quad" || scheme == "quad-triangle";
 }
 
 std::vector<double> reference_step(const std::string& scheme, std::optional<double> parameter,
@@ -410,6 +411,7 @@ std::vector<double> reference_step(const std::string& scheme, std::optional<doub
     return corner_reference_step(scheme, parameter, mesh, births, old);
   if (scheme == "b-spline-quad")
     return averaging_reference_step(3, parameter.value_or(0), mesh, old);
+  if (scheme == "quad-triangle") return quad_triangle_reference_step(mesh, old);
   Reference reference(mesh, births, old);
   if (scheme == "catmull-clark" || scheme == "box-spline-quad") return reference.catmull_clark();
   if (scheme == "catmull-clark, smooth triangles")

@@ -8,11 +8,13 @@
 namespace limn {
 
 PartialRules::PartialRules(const Scheme& scheme, Boundary boundary)
-    : tables_(scheme, boundary,
-              [this, &scheme](RuleKind kind, int n) { return row(scheme, kind, n); }) {}
+    : tables_(scheme, boundary, [this, &scheme](RuleKind kind, int n, std::optional<int> quads) {
+        return row(scheme, kind, n, quads);
+      }) {}
 
-Result<Row<double>> PartialRules::row(const Scheme& scheme, RuleKind kind, int n) {
-  Result<Row<double>> row = tabulate_row<double>(scheme, kind, n);
+Result<Row<double>> PartialRules::row(const Scheme& scheme, RuleKind kind, int n,
+                                      std::optional<int> quads) {
+  Result<Row<double>> row = tabulate_row<double>(scheme, kind, n, quads);
   if (row) return row;
   const bool inside = kind < RuleKind::boundary_vertex;
   if (!missing_ || (inside && !missing_inside_)) {
@@ -21,7 +23,8 @@ Result<Row<double>> PartialRules::row(const Scheme& scheme, RuleKind kind, int n
   }
   Row<double> unknown;
   unknown.program = std::make_shared<Program>(1);  // a value of the anchor's own
-  unknown.weights = {std::numeric_limits<double>::quiet_NaN()};
+  unknown.weights.assign(scheme.stages ? kPairRoles.size() : 1,
+                         std::numeric_limits<double>::quiet_NaN());
   return unknown;
 }
 

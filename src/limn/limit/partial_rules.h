@@ -26,7 +26,7 @@ class PartialRules {
   [[nodiscard]] Error error_at(Index vertex) const;
 
  private:
-  Result<Row<double>> row(const Scheme& scheme, RuleKind kind, int n);
+  Result<Row<double>> row(const Scheme& scheme, RuleKind kind, int n, std::optional<int> quads);
 
   std::optional<Error> missing_;  // the first, one of the interior before one of the boundary
   bool missing_inside_ = false;

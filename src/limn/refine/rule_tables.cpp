@@ -15,6 +15,7 @@ namespace {
 
 constexpr double kSumTolerance = 1e-9;
 
+/// Needed at the vertex or the face `example`.
 Error at_element(Error error, RuleKind kind, Index example) {
   const bool of_face = kind == RuleKind::face || kind == RuleKind::corner;
   if (rule_has_valence(kind))
@@ -154,27 +155,29 @@ Program compile(const RuleCase& rule_case, RuleKind kind, Lattice lattice) {
 namespace {
 
 /// Those that were not decided when the file was read.
-Status check_late(const Scheme& scheme, RuleKind kind, int n) {
+Status check_late(const Scheme& scheme, RuleKind kind, int n, std::optional<int> quads = {}) {
   const bool checked_on_reading = n >= kSmallestValence && n <= kLargestCheckedValence;
   if (checked_on_reading || n > kLargestExactValence) return Done{};
-  return check_rule(scheme, kind, n);
+  return check_rule(scheme, kind, n, quads);
 }
 
 /// A row of a scheme of stages.
 template <class Number>
-Result<Row<Number>> stage_row(const Scheme& scheme, RuleKind kind, int n) {
+Result<Row<Number>> stage_row(const Scheme& scheme, RuleKind kind, int n,
+                              std::optional<int> quads) {
   Row<Number> row;
   Scope<Number> scope(scheme, n, std::nullopt);
+  if (quads) scope.give(std::string(kQuads), Arithmetic<Number>::from(Rational(*quads)));
   if (kind == RuleKind::face) {
     Result<Number> value = scope(scheme.stages->corner.value);
     if (!value) return value.error();
     row.weights.push_back(std::move(*value));
   }
   if (kind != RuleKind::vertex) return row;  // it has no others
-  const Result<const RuleCase*> pair = applicable_case(scheme, kind, n);
+  const Result<const RuleCase*> pair = applicable_case(scheme, kind, n, quads);
   if (!pair) return pair.error();
-  if (*pair == nullptr) return missing_rule(scheme, kind, n);
-  if (Status status = check_late(scheme, kind, n); !status) return status.error();
+  if (*pair == nullptr) return missing_rule(scheme, kind, n, quads);
+  if (Status status = check_late(scheme, kind, n, quads); !status) return status.error();
   row.weights.assign(kPairRoles.size(), Number(0));
   for (const Weight& weight : (*pair)->weights) {
     Result<Number> value = scope(weight.value);
@@ -187,8 +190,9 @@ Result<Row<Number>> stage_row(const Scheme& scheme, RuleKind kind, int n) {
 }  // namespace
 
 template <class Number>
-Result<Row<Number>> tabulate_row(const Scheme& scheme, RuleKind kind, int n) {
-  if (scheme.stages) return stage_row<Number>(scheme, kind, n);
+Result<Row<Number>> tabulate_row(const Scheme& scheme, RuleKind kind, int n,
+                                 std::optional<int> quads) {
+  if (scheme.stages) return stage_row<Number>(scheme, kind, n, quads);
   const Result<const RuleCase*> rule_case = applicable_case(scheme, kind, n);
   if (!rule_case) return rule_case.error();
   Row<Number> row;
@@ -233,7 +237,7 @@ Status RuleTables<Number>::add(RuleKind kind, Index n, Index example) {
     rows_[i].resize(at + 1);
   }
   if (known_[i][at]) return Done{};
-  Result<Row<Number>> row = make_row_(kind, n);
+  Result<Row<Number>> row = make_row_(kind, n, std::nullopt);
   if (!row) return at_element(row.error(), kind, example);
   rows_[i][at] = std::move(*row);
   known_[i][at] = true;
@@ -305,22 +309,40 @@ Status RuleTables<Number>::prepare_edges(const Mesh& mesh, const Births& births)
   return Done{};
 }
 
+/// `example` is a vertex of the stages' mesh.
 template <class Number>
-Status RuleTables<Number>::prepare_stages(const Mesh& mesh) {
+Status RuleTables<Number>::add_pair(detail::StagedMesh::Star star, const Mesh& mesh,
+                                    Index example) {
+  const auto n = static_cast<std::size_t>(star.edges), q = static_cast<std::size_t>(star.quads);
+  if (pairs_.size() <= n) pairs_.resize(n + 1);
+  if (pairs_[n].size() <= q) pairs_[n].resize(q + 1);
+  PairRow& pair = pairs_[n][q];
+  if (pair.known) return Done{};
+  const std::optional<int> quads =
+      scheme_->split->mixed ? std::optional<int>(star.quads) : std::nullopt;
+  Result<Row<Number>> row = make_row_(RuleKind::vertex, star.edges, quads);
+  if (!row)
+    return example < mesh.vertex_count() ? at_element(row.error(), RuleKind::vertex, example)
+                                         : row.error();
+  pair = {std::move(*row), true};
+  return Done{};
+}
+
+template <class Number>
+Status RuleTables<Number>::prepare_stages(const Mesh& mesh, const Births& births) {
   if (Status status = prepare_faces(mesh, RuleKind::face); !status) return status;
   if (scheme_->stages->count < 2) return Done{};
-  if (Status status = prepare_faces(mesh, RuleKind::vertex); !status) return status;  // middles
-  if (Status status = add(RuleKind::vertex, 4, 0); !status) return status;            // of edges
-  for (Index v = 0; v < mesh.vertex_count(); ++v) {
-    if (mesh.is_isolated(v) || mesh.is_boundary_vertex(v)) continue;
-    if (Status status = add(RuleKind::vertex, mesh.valence(v), v); !status) return status;
+  const detail::StagedMesh cut(*scheme_->stages, mesh, births);
+  for (Index i = 0; i < cut.vertex_count(); ++i) {
+    if (cut.is_isolated(i) || cut.is_on_boundary(i)) continue;
+    if (Status status = add_pair(cut.star(i), mesh, i); !status) return status;
   }
   return Done{};
 }
 
 template <class Number>
 Status RuleTables<Number>::prepare(const Mesh& mesh, const Births& births) {
-  if (scheme_->stages) return prepare_stages(mesh);
+  if (scheme_->stages) return prepare_stages(mesh, births);
   const Split& split = *scheme_->split;
   const bool boundary_refined = !split.boundary_rests() || births.from_edges > 0;
   if (split.births.vertices)
@@ -332,8 +354,8 @@ Status RuleTables<Number>::prepare(const Mesh& mesh, const Births& births) {
   return prepare_edges(mesh, births);
 }
 
-template Result<Row<double>> tabulate_row<double>(const Scheme&, RuleKind, int);
-template Result<Row<Exact>> tabulate_row<Exact>(const Scheme&, RuleKind, int);
+template Result<Row<double>> tabulate_row<double>(const Scheme&, RuleKind, int, std::optional<int>);
+template Result<Row<Exact>> tabulate_row<Exact>(const Scheme&, RuleKind, int, std::optional<int>);
 template class RuleTables<double>;
 template class RuleTables<Exact>;
 template Status RuleTables<WeightForm>::prepare(const Mesh&, const Births&);

@@ -8,6 +8,7 @@
 
 #include "limn/mesh/rings.h"
 #include "limn/mesh/split/split.h"
+#include "limn/refine/staged_mesh.h"
 #include "limn/scheme/check.h"
 #include "limn/scheme/placement.h"
 #include "limn/scheme/scheme.h"
@@ -52,7 +53,7 @@ inline constexpr std::size_t kSharedSteps = 16;  ///< ends that a program may ke
 /// repeated step having n of them. `program` is null where no case applies (of rules that
 /// stand in for another, or at a boundary that is left out), and in a scheme of stages. There the
 /// face rule's row has the one weight of a corner in the middle of a face of n, and the vertex
-/// rule's those of a pair of averagings, one for each PairRole.
+/// rule's (RuleTables::pair) those of a pair of averagings, one for each PairRole.
 template <class Number>
 struct Row {
   std::shared_ptr<const Program> program;
@@ -69,21 +70,24 @@ struct Source {
 /// no part of the analysis, and a scheme need not have boundary rules for it.
 enum class Boundary { refined, left_out };
 
-/// The row of a rule at valence n: its case there, compiled and evaluated. Fails as
-/// RuleTables::prepare says. For double and Exact.
+/// The row of a rule at valence n: its case there, compiled and evaluated. `quads`: as for
+/// applicable_case. Fails as RuleTables::prepare says. For double and Exact.
 template <class Number>
-[[nodiscard]] Result<Row<Number>> tabulate_row(const Scheme& scheme, RuleKind kind, int n);
+[[nodiscard]] Result<Row<Number>> tabulate_row(const Scheme& scheme, RuleKind kind, int n,
+                                               std::optional<int> quads = {});
 
 template <class Number>
 class RuleTables {
  public:
-  /// Makes the row of a rule at valence n, the first time that it is needed.
-  using RowMaker = std::function<Result<Row<Number>>(RuleKind kind, int n)>;
+  /// Makes the row of a rule at valence n, the first time that it is needed; `quads` as for
+  /// tabulate_row.
+  using RowMaker =
+      std::function<Result<Row<Number>>(RuleKind kind, int n, std::optional<int> quads)>;
 
   /// `scheme` must outlive the tables.
   explicit RuleTables(const Scheme& scheme, Boundary boundary = Boundary::refined)
-      : RuleTables(scheme, boundary, [&scheme](RuleKind kind, int n) {
-          return tabulate_row<Number>(scheme, kind, n);
+      : RuleTables(scheme, boundary, [&scheme](RuleKind kind, int n, std::optional<int> quads) {
+          return tabulate_row<Number>(scheme, kind, n, quads);
         }) {}
   RuleTables(const Scheme& scheme, Boundary boundary, RowMaker make_row)
       : scheme_(&scheme), boundary_(boundary), make_row_(std::move(make_row)) {}
@@ -98,7 +102,12 @@ class RuleTables {
     if (boundary_ == Boundary::left_out && kind >= RuleKind::boundary_vertex) return none_;
     return rows_[static_cast<std::size_t>(kind)][rule_has_valence(kind) ? n : 0];
   }
-  /// The same; nullptr where `prepare` saw no such rule.
+  /// In a scheme of stages, what a pair of averagings weighs at a vertex of that many edges and
+  /// quads. Precondition as for `row`.
+  [[nodiscard]] const Row<Number>& pair(Index n, Index quads) const {
+    return pairs_[static_cast<std::size_t>(n)][static_cast<std::size_t>(quads)].row;
+  }
+  /// The same as `row`; nullptr where `prepare` saw no such rule.
   [[nodiscard]] const Row<Number>* find_row(RuleKind kind, Index n) const {
     const auto at = static_cast<std::size_t>(rule_has_valence(kind) ? n : 0);
     return at < rows_[static_cast<std::size_t>(kind)].size() ? &row(kind, n) : nullptr;
@@ -112,7 +121,8 @@ class RuleTables {
   Status prepare_faces(const Mesh& mesh, RuleKind kind);
   Status prepare_edges(const Mesh& mesh, const Births& births);
   /// What stages weigh: at all faces, and at the vertices of the mesh that they cut.
-  Status prepare_stages(const Mesh& mesh);
+  Status prepare_stages(const Mesh& mesh, const Births& births);
+  Status add_pair(detail::StagedMesh::Star star, const Mesh& mesh, Index example);
 
   const Scheme* scheme_;
   Boundary boundary_;
@@ -120,6 +130,11 @@ class RuleTables {
   Row<Number> none_;
   std::array<std::vector<Row<Number>>, kRuleKinds> rows_;
   std::array<std::vector<bool>, kRuleKinds> known_;
+  struct PairRow {
+    Row<Number> row;
+    bool known = false;
+  };
+  std::vector<std::vector<PairRow>> pairs_;  // by edges, then by quads
 };
 
 inline constexpr int kLargestExactValence = 64;

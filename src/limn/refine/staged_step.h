@@ -3,20 +3,18 @@
 /// [ZorinSchroeder2001]. They cannot be expanded to rules in n and k: a second averaging may see
 /// two extraordinary vertices.
 ///
-/// The mesh that stages live on is the control mesh cut by quad-dyadic. It is not made: it has a
-/// vertex for each old vertex, edge and face, and its face h lies at the corner h of the control
-/// mesh, so the averagings are index arithmetic on the control mesh. Two of them are made as one,
-/// from vertices to vertices (Stages::pair). Along the boundary that is (1, 2, 1)/4, as if edges
-/// there were faces of two corners: the mesh goes on beyond its boundary, reflected through it, and
-/// where values end at vertices the boundary is the uniform B-spline curve of its own polygon.
+/// Two averagings are made as one, from vertices to vertices (Stages::pair), on the mesh that was
+/// cut (staged_mesh.h). Along the boundary that is (1, 2, 1)/4, as if edges there were faces of two
+/// corners: the mesh goes on beyond its boundary, reflected through it, and where values end at
+/// vertices the boundary is the uniform B-spline curve of its own polygon.
 
-#include <array>
 #include <vector>
 
 #include "limn/base/parallel.h"
 #include "limn/number/arithmetic.h"
 #include "limn/refine/add_scaled.h"
 #include "limn/refine/rule_tables.h"
+#include "limn/refine/staged_mesh.h"
 
 namespace limn::detail {
 
@@ -31,8 +29,8 @@ class StagedStep {
         births_(births),
         tables_(tables),
         old_(old),
-        faces_at_(mesh.vertex_count() + mesh.edge_count()),
-        vertex_count_(faces_at_ + mesh.face_count()),
+        cut_(*scheme.stages, mesh, births),
+        vertex_count_(cut_.vertex_count()),
         half_(Arithmetic<Number>::from(Rational(1, 2))),
         quarter_(Arithmetic<Number>::from(Rational(1, 4))),
         one_(Arithmetic<Number>::from(Rational(1))) {}
@@ -95,7 +93,7 @@ class StagedStep {
     if (!ends_at_faces()) return;
     faces_.resize(at(mesh_.halfedge_count()));
     for_needed(marks, pairs() + 1, mesh_.halfedge_count(), [&](Index h) {
-      for (const Index v : corners(h)) add_scaled(faces_[at(h)], quarter_, vertices_[at(v)]);
+      for (const Index v : cut_.corners(h)) add_scaled(faces_[at(h)], quarter_, vertices_[at(v)]);
     });
   }
 
@@ -105,7 +103,7 @@ class StagedStep {
     if (ends_at_faces()) {
       for (Index h = 0; h < mesh_.halfedge_count(); ++h)
         if (last[at(h)] != 0)
-          for (const Index v : corners(h)) marks.back()[at(v)] = 1;
+          for (const Index v : cut_.corners(h)) marks.back()[at(v)] = 1;
       marks.push_back(std::move(last));
     } else {
       marks.back() = std::move(last);
@@ -121,30 +119,22 @@ class StagedStep {
   [[nodiscard]] Value bilinear(Index i) const {
     if (i < mesh_.vertex_count()) return old_[at(i)];
     Value sum{};
-    if (i < faces_at_) {
+    if (i < cut_.faces_at()) {
       const Index h = mesh_.halfedge_of_edge(i - mesh_.vertex_count());
       for (const Index v : {mesh_.origin(h), mesh_.target(h)}) add_scaled(sum, half_, old_[at(v)]);
       return sum;
     }
-    const Index f = i - faces_at_;
+    const Index f = cut_.face_of(i);
     const Number& weight = tables_.row(RuleKind::face, mesh_.degree(f)).weights.front();
     for (Index h = mesh_.face_begin(f); h < mesh_.face_begin(f + 1); ++h)
       add_scaled(sum, weight, old_[at(mesh_.origin(h))]);
     return sum;
   }
 
-  [[nodiscard]] Index middle(Index h) const { return mesh_.vertex_count() + mesh_.edge(h); }
-  [[nodiscard]] Index center(Index h) const { return faces_at_ + mesh_.face(h); }
-
-  /// Of face h of the stages' mesh.
-  [[nodiscard]] std::array<Index, 4> corners(Index h) const {
-    return {mesh_.origin(h), middle(h), center(h), middle(mesh_.prev(h))};
-  }
-
-  /// The weights of a pair of averagings at a vertex of n edges.
+  /// The weights of a pair of averagings at a vertex.
   struct Pair {
-    Pair(const RuleTables<Number>& tables, Index n)
-        : weights(tables.row(RuleKind::vertex, n).weights) {}
+    Pair(const RuleTables<Number>& tables, StagedMesh::Star star)
+        : weights(tables.pair(star.edges, star.quads).weights) {}
     [[nodiscard]] const Number& of(PairRole role) const {
       return weights[static_cast<std::size_t>(role)];
     }
@@ -155,45 +145,50 @@ class StagedStep {
   /// at vertex i.
   template <class Visit>
   void visit_pair(Index i, Visit&& visit) const {
-    if (i >= faces_at_) return visit_center(i - faces_at_, visit);
-    if (i >= mesh_.vertex_count()) return visit_middle(i - mesh_.vertex_count(), visit);
+    if (i >= cut_.faces_at()) return visit_center(i, visit);
+    if (i >= mesh_.vertex_count()) return visit_middle(i, visit);
     if (mesh_.is_isolated(i)) return visit(i, one_);
     if (mesh_.is_boundary_vertex(i)) return visit_boundary(i, visit);
-    const Pair pair(tables_, mesh_.valence(i));
+    const Pair pair(tables_, cut_.star(i));
     visit(i, pair.of(PairRole::self));
     const Index first = mesh_.halfedge_of_vertex(i);
     Index h = first;
     do {
-      visit(middle(h), pair.of(PairRole::ring));
-      visit(center(h), pair.of(PairRole::diagonal));
+      visit(cut_.middle(h), pair.of(PairRole::ring));
+      if (const Index center = cut_.center(h); center != kNone)
+        visit(center, pair.of(PairRole::diagonal));
       h = mesh_.rotate(h);
     } while (h != first);
   }
 
   template <class Visit>
-  void visit_middle(Index e, Visit& visit) const {
-    const Index h = mesh_.halfedge_of_edge(e), t = mesh_.twin(h);
+  void visit_middle(Index i, Visit& visit) const {
+    const Index h = mesh_.halfedge_of_edge(i - mesh_.vertex_count()), t = mesh_.twin(h);
     if (t == kNone) {
-      visit(middle(h), half_);
+      visit(i, half_);
       visit(mesh_.origin(h), quarter_);
       return visit(mesh_.target(h), quarter_);
     }
-    const Pair pair(tables_, 4);
-    visit(middle(h), pair.of(PairRole::self));
+    const Pair pair(tables_, cut_.star(i));
+    visit(i, pair.of(PairRole::self));
     for (const Index side : {h, t}) {
       visit(mesh_.origin(side), pair.of(PairRole::ring));
-      visit(center(side), pair.of(PairRole::ring));
-      visit(middle(mesh_.prev(side)), pair.of(PairRole::diagonal));
-      visit(middle(mesh_.next(side)), pair.of(PairRole::diagonal));
+      const Index center = cut_.center(side);
+      if (center != kNone) visit(center, pair.of(PairRole::ring));
+      // beside quads the middles of the next edges are opposite corners, in a triangle neighbours
+      const Number& beside = pair.of(center != kNone ? PairRole::diagonal : PairRole::ring);
+      visit(cut_.middle(mesh_.prev(side)), beside);
+      visit(cut_.middle(mesh_.next(side)), beside);
     }
   }
 
   template <class Visit>
-  void visit_center(Index f, Visit& visit) const {
-    const Pair pair(tables_, mesh_.degree(f));
-    visit(faces_at_ + f, pair.of(PairRole::self));
+  void visit_center(Index i, Visit& visit) const {
+    const Index f = cut_.face_of(i);
+    const Pair pair(tables_, cut_.star(i));
+    visit(i, pair.of(PairRole::self));
     for (Index h = mesh_.face_begin(f); h < mesh_.face_begin(f + 1); ++h) {
-      visit(middle(h), pair.of(PairRole::ring));
+      visit(cut_.middle(h), pair.of(PairRole::ring));
       visit(mesh_.origin(h), pair.of(PairRole::diagonal));
     }
   }
@@ -202,9 +197,9 @@ class StagedStep {
   void visit_boundary(Index v, Visit& visit) const {
     visit(v, half_);
     Index last = mesh_.halfedge_of_vertex(v);
-    visit(middle(last), quarter_);
+    visit(cut_.middle(last), quarter_);
     for (Index h = mesh_.rotate(last); h != kNone; h = mesh_.rotate(h)) last = h;
-    visit(middle(mesh_.prev(last)), quarter_);
+    visit(cut_.middle(mesh_.prev(last)), quarter_);
   }
 
   int averagings_;
@@ -212,7 +207,8 @@ class StagedStep {
   const Births& births_;
   const RuleTables<Number>& tables_;
   const std::vector<Value>& old_;
-  Index faces_at_, vertex_count_;  // of the stages' mesh
+  StagedMesh cut_;
+  Index vertex_count_;  // of the mesh that was cut
   Number half_, quarter_, one_;
   std::vector<Value> vertices_, faces_;
 };

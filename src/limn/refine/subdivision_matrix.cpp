@@ -5,6 +5,7 @@
 #include "limn/number/arithmetic.h"
 #include "limn/refine/refine_values.h"
 #include "limn/refine/star_step.h"
+#include "limn/scheme/lattice_schemes.h"
 
 namespace limn {
 namespace {
@@ -19,6 +20,7 @@ Error not_invariant(const Scheme& scheme, int n, int rings) {
 
 template <class Number>
 Result<SubdivisionMatrix<Number>> subdivision_matrix(const Scheme& scheme, int n, int rings) {
+  if (Status status = check_one_lattice(scheme); !status) return status.error();
   const Split& split = *scheme.split;
   if (n < kSmallestValence)
     return Error{fmt::format("valence {} is below {}", n, kSmallestValence)};

@@ -8,6 +8,7 @@
 #include "limn/number/exact.h"
 #include "limn/refine/linear_form.h"
 #include "limn/refine/refine_values.h"
+#include "limn/scheme/lattice_schemes.h"
 #include "limn/scheme/mask_rules.h"
 
 namespace limn {
@@ -35,6 +36,7 @@ Status collect(const Scheme& scheme, Twelfths birth, const LinearForm<Exact>& fo
 }  // namespace
 
 Result<Mask> regular_mask(const Scheme& scheme) {
+  if (Status status = check_one_lattice(scheme); !status) return status.error();
   const Split& split = *scheme.split;
   if (scheme.mask) return mask_from_rows(scheme, *scheme.mask);
   if (scheme.factors) return mask_from_factors(scheme, *scheme.factors);

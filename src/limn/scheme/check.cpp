@@ -18,23 +18,35 @@ const Rule* rule_of(const Scheme& scheme, RuleKind kind) {
   return scheme.rule(kind) ? &*scheme.rule(kind) : nullptr;
 }
 
-std::string at_valence(RuleKind kind, int n) {
-  return rule_has_valence(kind) ? fmt::format(" at n = {}", n) : std::string();
-}
+/// A rule at a valence (ignored where it has none), and of pairs of averagings the quads there.
+struct Spot {
+  RuleKind kind;
+  int n;
+  std::optional<int> quads = {};
 
-std::optional<long long> valence_of(RuleKind kind, int n) {
-  return rule_has_valence(kind) ? std::optional<long long>(n) : std::nullopt;
-}
+  [[nodiscard]] std::string text() const {
+    if (!rule_has_valence(kind)) return {};
+    return fmt::format(" at n = {}", n) + (quads ? fmt::format(", q = {}", *quads) : "");
+  }
+  [[nodiscard]] std::optional<long long> valence() const {
+    return rule_has_valence(kind) ? std::optional<long long>(n) : std::nullopt;
+  }
+  [[nodiscard]] Scope<Exact> scope(const Scheme& scheme,
+                                   std::optional<long long> k = std::nullopt) const {
+    Scope<Exact> scope(scheme, valence(), k);
+    if (quads) scope.give(std::string(kQuads), Exact(*quads));
+    return scope;
+  }
+};
 
-Error faulty_rule(RuleKind kind, int n, const std::string& fault, std::string hint,
-                  const Place& place) {
-  return {fmt::format("the {} rule{} {}", rule_name(kind), at_valence(kind, n), fault),
-          std::move(hint), place.file, place.line, place.column};
+Error faulty_rule(const Spot& at, const std::string& fault, std::string hint, const Place& place) {
+  return {fmt::format("the {} rule{} {}", rule_name(at.kind), at.text(), fault), std::move(hint),
+          place.file, place.line, place.column};
 }
 
 /// An error from an expression, with the rule it was needed for.
-Error needed_by(RuleKind kind, int n, Error error) {
-  error.message += fmt::format(", in the {} rule{}", rule_name(kind), at_valence(kind, n));
+Error needed_by(const Spot& at, Error error) {
+  error.message += fmt::format(", in the {} rule{}", rule_name(at.kind), at.text());
   return error;
 }
 
@@ -47,31 +59,30 @@ Error placed(Error error, const Weight& weight) {
 /// The values that names have in one rule at one valence, and for each k in its repeated roles.
 class Scopes {
  public:
-  Scopes(const Scheme& scheme, RuleKind kind, int n)
-      : scheme_(scheme), n_(n), plain_(scheme, valence_of(kind, n), std::nullopt) {}
+  Scopes(const Scheme& scheme, const Spot& at)
+      : scheme_(scheme), at_(at), plain_(at.scope(scheme)) {}
 
   [[nodiscard]] Result<Exact> operator()(const Formula& formula) { return plain_(formula); }
   /// 0 ≤ k < n
   [[nodiscard]] Result<Exact> operator()(const Formula& formula, int k) {
     if (repeated_.empty())
-      for (int i = 0; i < n_; ++i) repeated_.emplace_back(scheme_, n_, i);
+      for (int i = 0; i < at_.n; ++i) repeated_.emplace_back(scheme_, at_.n, i);
     return repeated_[static_cast<std::size_t>(k)](formula);
   }
 
  private:
   const Scheme& scheme_;
-  int n_;
+  Spot at_;
   Scope<Exact> plain_;
   std::vector<Scope<Exact>> repeated_;
 };
 
 /// The weights of a repeated role for k = 0 … n-1.
-Result<std::vector<Exact>> repeated_weights(Scopes& scopes, RuleKind kind, int n,
-                                            const Weight& weight) {
+Result<std::vector<Exact>> repeated_weights(Scopes& scopes, const Spot& at, const Weight& weight) {
   std::vector<Exact> values;
-  for (int k = 0; k < n; ++k) {
+  for (int k = 0; k < at.n; ++k) {
     Result<Exact> value = scopes(weight.value, k);
-    if (!value) return needed_by(kind, n, value.error());
+    if (!value) return needed_by(at, value.error());
     values.push_back(std::move(*value));
   }
   return values;
@@ -79,20 +90,20 @@ Result<std::vector<Exact>> repeated_weights(Scopes& scopes, RuleKind kind, int n
 
 /// Round a vertex or a face no k is the first; along an edge and in a corner k and n-k are
 /// mirror images, unless the role is placed from both sides anyway.
-Status check_symmetry(const std::vector<Exact>& values, RuleKind kind, const Weight& weight,
+Status check_symmetry(const std::vector<Exact>& values, const Spot& at, const Weight& weight,
                       bool placed_twice) {
   const int n = static_cast<int>(values.size());
-  const bool round = kind == RuleKind::vertex || kind == RuleKind::face;
+  const bool round = at.kind == RuleKind::vertex || at.kind == RuleKind::face;
   if (placed_twice && !round) return Done{};
   for (int k = 1; k < n; ++k) {
     const int mirror = round ? 0 : n - k;
     const Result<Exact> difference = Exact::subtract(values[static_cast<std::size_t>(k)],
                                                      values[static_cast<std::size_t>(mirror)]);
-    if (!difference) return needed_by(kind, n, placed(difference.error(), weight));
+    if (!difference) return needed_by(at, placed(difference.error(), weight));
     if (difference->is_zero()) continue;
     const std::string_view law = round ? "no k is the first here, so a weight must not depend on it"
                                        : "a weight must be the same for k and n-k";
-    return faulty_rule(kind, n,
+    return faulty_rule(at,
                        fmt::format("is not symmetric: '{}' gives k = {} another weight than k = {}",
                                    weight.role, std::min(k, mirror), std::max(k, mirror)),
                        std::string(law), weight.value.place);
@@ -100,49 +111,62 @@ Status check_symmetry(const std::vector<Exact>& values, RuleKind kind, const Wei
   return Done{};
 }
 
-Result<Exact> sum_of_weight(const Scheme& scheme, Scopes& scopes, RuleKind kind, int n,
+/// How often a weight of a pair of averagings counts.
+int count_of_pair(const Scheme& scheme, const Spot& at, const Weight& weight) {
+  if (pair_role(weight) == PairRole::self) return 1;
+  if (pair_role(weight) == PairRole::ring) return at.n;
+  if (at.quads) return *at.quads;
+  return scheme.split->lattice == Lattice::quad ? at.n : 0;
+}
+
+Result<Exact> plain_sum(Scopes& scopes, const Spot& at, const Weight& weight,
+                        const Rational& count) {
+  Result<Exact> value = scopes(weight.value);
+  if (!value) return needed_by(at, value.error());
+  return Exact::multiply(Exact(count), *value);
+}
+
+Result<Exact> sum_of_weight(const Scheme& scheme, Scopes& scopes, const Spot& at,
                             const Weight& weight) {
-  const Result<Placement> placement = place(kind, scheme.split->lattice, weight.walk);
+  if (scheme.stages) return plain_sum(scopes, at, weight, count_of_pair(scheme, at, weight));
+  const Result<Placement> placement = place(at.kind, scheme.split->lattice, weight.walk);
   if (!placement) return placement.error();
-  if (!weight.walk.repeated) {
-    Result<Exact> value = scopes(weight.value);
-    if (!value) return needed_by(kind, n, value.error());
-    const Rational count = placement->times_n ? placement->count * n : placement->count;
-    return Exact::multiply(Exact(count), *value);
-  }
-  const Result<std::vector<Exact>> values = repeated_weights(scopes, kind, n, weight);
+  if (!weight.walk.repeated)
+    return plain_sum(scopes, at, weight,
+                     placement->times_n ? placement->count * at.n : placement->count);
+  const Result<std::vector<Exact>> values = repeated_weights(scopes, at, weight);
   if (!values) return values.error();
-  if (Status status = check_symmetry(*values, kind, weight, placement->starts.size() > 1); !status)
+  if (Status status = check_symmetry(*values, at, weight, placement->starts.size() > 1); !status)
     return status.error();
   Result<Exact> sum = Exact(0);
   for (const Exact& value : *values)
     if (sum) sum = Exact::add(*sum, value);
-  if (!sum) return needed_by(kind, n, placed(sum.error(), weight));
+  if (!sum) return needed_by(at, placed(sum.error(), weight));
   return sum;
 }
 
-Error wrong_sum(RuleKind kind, int n, const Exact& sum, const Place& place) {
+Error wrong_sum(const Spot& at, const Exact& sum, const Place& place) {
   if (!sum.is_rational() && std::abs(sum.approx() - 1) < 1e-9)
-    return faulty_rule(kind, n, "has weights whose sum cannot be shown to be exactly 1",
+    return faulty_rule(at, "has weights whose sum cannot be shown to be exactly 1",
                        "write the same square root wherever one is a multiple of another", place);
   const std::string value =
       sum.is_rational() ? to_string(sum.rational()) : fmt::format("about {:.12g}", sum.approx());
-  return faulty_rule(kind, n, "has weights that sum to " + value + ", not 1",
+  return faulty_rule(at, "has weights that sum to " + value + ", not 1",
                      "each weight counts once per position of its role", place);
 }
 
-Status check_sum(const Scheme& scheme, RuleKind kind, int n, const RuleCase& rule_case) {
-  Scopes scopes(scheme, kind, n);
+Status check_sum(const Scheme& scheme, const Spot& at, const RuleCase& rule_case) {
+  Scopes scopes(scheme, at);
   Exact sum;
   for (const Weight& weight : rule_case.weights) {
-    const Result<Exact> part = sum_of_weight(scheme, scopes, kind, n, weight);
+    const Result<Exact> part = sum_of_weight(scheme, scopes, at, weight);
     if (!part) return part.error();
     Result<Exact> longer = Exact::add(sum, *part);
-    if (!longer) return needed_by(kind, n, placed(longer.error(), weight));
+    if (!longer) return needed_by(at, placed(longer.error(), weight));
     sum = std::move(*longer);
   }
   if (sum == Exact(1)) return Done{};
-  return wrong_sum(kind, n, sum, rule_case.place);
+  return wrong_sum(at, sum, rule_case.place);
 }
 
 std::string range_text(const Parameter& parameter) {
@@ -164,10 +188,10 @@ Result<int> order(Scope<Exact>& scope, const std::optional<Formula>& a,
 }
 
 /// The parameter's value lies in its range, in the scope of one rule.
-Status check_range(const Parameter& parameter, RuleKind kind, int n, Scope<Exact>& scope) {
+Status check_range(const Parameter& parameter, const Spot& at, Scope<Exact>& scope) {
   const Place& place = parameter.value.place;
   const auto fault = [&](const std::string& what) {
-    return Error{fmt::format("parameter {} {}{}", parameter.name, what, at_valence(kind, n)),
+    return Error{fmt::format("parameter {} {}{}", parameter.name, what, at.text()),
                  {},
                  place.file,
                  place.line,
@@ -177,7 +201,7 @@ Status check_range(const Parameter& parameter, RuleKind kind, int n, Scope<Exact
   const Result<int> above_low = order(scope, parameter.low, parameter.value);
   const Result<int> below_high = order(scope, parameter.value, parameter.high);
   for (const Result<int>* result : {&width, &above_low, &below_high})
-    if (!*result) return needed_by(kind, n, result->error());
+    if (!*result) return needed_by(at, result->error());
   if (*width < 0) return fault(fmt::format("has the empty range {}", range_text(parameter)));
   if (*above_low > -1 && *below_high > -1) return Done{};
   return fault(fmt::format("= {} is {} its range {}", parameter.value.expression.text(),
@@ -185,18 +209,14 @@ Status check_range(const Parameter& parameter, RuleKind kind, int n, Scope<Exact
 }
 
 /// The same for each k where the value needs one.
-Status check_parameter(const Scheme& scheme, const Parameter& parameter, RuleKind kind, int n) {
+Status check_parameter(const Scheme& scheme, const Parameter& parameter, const Spot& at) {
   if (!parameter.low && !parameter.high) return Done{};
   // what has no value in a rule without n, or without k, is checked where it has one
-  const bool valued = [&] {
-    Scope<Exact> scope(scheme, valence_of(kind, n), std::nullopt);
-    return scope(parameter.value).ok();
-  }();
-  if (!valued && !rule_has_valence(kind)) return Done{};
-  for (int k = 0; k < (valued ? 1 : n); ++k) {
-    Scope<Exact> scope(scheme, valence_of(kind, n),
-                       valued ? std::nullopt : std::optional<long long>(k));
-    if (Status status = check_range(parameter, kind, n, scope); !status) return status;
+  const bool valued = at.scope(scheme)(parameter.value).ok();
+  if (!valued && !rule_has_valence(at.kind)) return Done{};
+  for (int k = 0; k < (valued ? 1 : at.n); ++k) {
+    Scope<Exact> scope = at.scope(scheme, valued ? std::nullopt : std::optional<long long>(k));
+    if (Status status = check_range(parameter, at, scope); !status) return status;
   }
   return Done{};
 }
@@ -209,12 +229,12 @@ bool is_of_numbers(const Parameter& parameter) {
 }
 
 /// The weights of the case that applies, or that there is none.
-Status check_case(const Scheme& scheme, RuleKind kind, int n) {
-  const Result<const RuleCase*> rule_case = applicable_case(scheme, kind, n);
+Status check_case(const Scheme& scheme, const Spot& at) {
+  const Result<const RuleCase*> rule_case = applicable_case(scheme, at.kind, at.n, at.quads);
   if (!rule_case) return rule_case.error();
-  if (*rule_case != nullptr) return check_sum(scheme, kind, n, **rule_case);
-  if (stands_in_for(kind, *scheme.split) || scheme.mask || scheme.factors) return Done{};
-  return missing_rule(scheme, kind, n);
+  if (*rule_case != nullptr) return check_sum(scheme, at, **rule_case);
+  if (stands_in_for(at.kind, *scheme.split) || scheme.mask || scheme.factors) return Done{};
+  return missing_rule(scheme, at.kind, at.n, at.quads);
 }
 
 /// Whether so much was spent that no arithmetic is left: what it says then is no fault.
@@ -230,6 +250,18 @@ std::pair<int, int> checked_valences(const Scheme& scheme, RuleKind kind) {
   }
   const bool at_corner = kind == RuleKind::boundary_vertex || kind == RuleKind::boundary_edge_end;
   return {at_corner ? kSmallestValence - 1 : kSmallestValence, kLargestCheckedValence};
+}
+
+/// All that check_rules looks at of one rule: at each valence, where both kinds of faces meet, with
+/// any number of quads.
+std::vector<Spot> checked_spots(const Scheme& scheme, RuleKind kind) {
+  std::vector<Spot> spots;
+  const auto [first, last] = checked_valences(scheme, kind);
+  for (int n = first; n <= last; ++n) {
+    if (!scheme.split->mixed) spots.push_back({kind, n});
+    for (int q = 0; scheme.split->mixed && q <= n; ++q) spots.push_back({kind, n, q});
+  }
+  return spots;
 }
 
 bool uses_any(const Formula& formula, const std::set<std::string>& names) {
@@ -269,7 +301,7 @@ bool is_of_case(const Rule& rule, const Error& fault) {
 
 }  // namespace
 
-Error missing_rule(const Scheme& scheme, RuleKind kind, int n) {
+Error missing_rule(const Scheme& scheme, RuleKind kind, int n, std::optional<int> quads) {
   const bool by_mask = scheme.mask || scheme.factors;
   std::string hint = fmt::format("add a table [{}]", rule_name(kind));
   if (scheme.rule(kind)) hint = "add a case whose guard holds there, or one without a guard";
@@ -279,31 +311,34 @@ Error missing_rule(const Scheme& scheme, RuleKind kind, int n) {
     hint = "its step is a sequence of averagings; what asks for such a rule cannot be had of it";
   const bool has_cases = rule_of(scheme, kind) != nullptr;
   if (scheme.stages && has_cases) hint = "add a case to stages.pair whose guard holds there";
-  const std::string where = has_cases || by_mask ? at_valence(kind, n) : std::string();
+  const std::string where = has_cases || by_mask ? Spot{kind, n, quads}.text() : std::string();
   const Place place = place_without(scheme, kind);
   return {fmt::format("scheme '{}' has no {} rule{}", scheme.name, rule_name(kind), where), hint,
           place.file, place.line, place.column};
 }
 
-Result<const RuleCase*> applicable_case(const Scheme& scheme, RuleKind kind, int n) {
+Result<const RuleCase*> applicable_case(const Scheme& scheme, RuleKind kind, int n,
+                                        std::optional<int> quads) {
   const Rule* rule = rule_of(scheme, kind);
   if (rule == nullptr) return nullptr;
   const ExactBudget budget(kExactWork);
-  Scope<Exact> scope(scheme, valence_of(kind, n), std::nullopt);
+  const Spot at{kind, n, quads};
+  Scope<Exact> scope = at.scope(scheme);
   for (const RuleCase& rule_case : *rule) {
     if (!rule_case.when) return &rule_case;
     Result<Exact> guard = scope(*rule_case.when);
-    if (!guard) return needed_by(kind, n, guard.error());
+    if (!guard) return needed_by(at, guard.error());
     if (!guard->is_zero()) return &rule_case;
   }
   return nullptr;
 }
 
-Status check_rule(const Scheme& scheme, RuleKind kind, int n) {
+Status check_rule(const Scheme& scheme, RuleKind kind, int n, std::optional<int> quads) {
   const ExactBudget budget(kExactWork);
+  const Spot at{kind, n, quads};
   for (const Parameter& parameter : scheme.parameters)
-    if (Status status = check_parameter(scheme, parameter, kind, n); !status) return status;
-  return check_case(scheme, kind, n);
+    if (Status status = check_parameter(scheme, parameter, at); !status) return status;
+  return check_case(scheme, at);
 }
 
 Status check_ranges(const Scheme& scheme) {
@@ -313,11 +348,10 @@ Status check_ranges(const Scheme& scheme) {
   for (int i = 0; i < kRuleKinds; ++i) {
     const auto kind = static_cast<RuleKind>(i);
     if (rule_of(scheme, kind) == nullptr) continue;
-    const auto [first, last] = checked_valences(scheme, kind);
-    for (int n = first; n <= last; ++n)
+    for (const Spot& at : checked_spots(scheme, kind))
       for (const Parameter& parameter : scheme.parameters) {
         if (!left.contains(&parameter)) continue;
-        if (Status status = check_parameter(scheme, parameter, kind, n); !status) return status;
+        if (Status status = check_parameter(scheme, parameter, at); !status) return status;
         if (is_of_numbers(parameter)) left.erase(&parameter);  // the same at every valence
       }
   }
@@ -338,13 +372,12 @@ void check_rules(const Scheme& scheme, const std::set<std::string>& valueless,
     const Rule* rule = rule_of(scheme, kind);
     if (rule == nullptr) continue;
     bool left_out = is_left_out(kind) || uses_any(*rule, valueless);
-    const auto [first, last] = checked_valences(scheme, kind);
-    for (int n = first; n <= last; ++n) {
+    for (const Spot& at : checked_spots(scheme, kind)) {
       for (const Parameter& parameter : scheme.parameters)
-        if (!uses_any(parameter, valueless) && !note(check_parameter(scheme, parameter, kind, n)))
+        if (!uses_any(parameter, valueless) && !note(check_parameter(scheme, parameter, at)))
           return;
       if (left_out) continue;
-      const Status status = check_case(scheme, kind, n);
+      const Status status = check_case(scheme, at);
       if (!note(status)) return;
       // what fails within a weight may fail at another place of it at the next valence
       left_out = !status && !is_of_case(*rule, status.error());

@@ -4,13 +4,18 @@
 /// that depend on k are the same in both directions (w_k = w_{n-k}).
 
 #include <functional>
+#include <optional>
 #include <set>
 #include <string>
+#include <string_view>
 
 #include "limn/base/faults.h"
 #include "limn/scheme/scheme.h"
 
 namespace limn {
+
+/// The name of the number of quads at a vertex, in the formulas of stages that begin linearly.
+inline constexpr std::string_view kQuads = "q";
 
 inline constexpr int kSmallestValence = 3;
 inline constexpr int kLargestCheckedValence = 24;  // of every rule, when a file is read
@@ -28,15 +33,19 @@ void check_rules(const Scheme& scheme, const std::set<std::string>& valueless,
 /// That each parameter lies in its range, where check_rules looks at it: the first that does not.
 [[nodiscard]] Status check_ranges(const Scheme& scheme);
 
-/// One rule at one valence (ignored for rules without n).
-[[nodiscard]] Status check_rule(const Scheme& scheme, RuleKind kind, int n);
+/// One rule at one valence (ignored for rules without n). Here and below `quads` is the number of
+/// quads at the vertex, where meshes have both kinds of faces (Split::mixed); else nothing.
+[[nodiscard]] Status check_rule(const Scheme& scheme, RuleKind kind, int n,
+                                std::optional<int> quads = {});
 
 /// The case of `rule` that applies at valence n: nullptr where none does. Guards are decided in
 /// exact arithmetic, so every number type takes the same case. In a scheme of stages the vertex
 /// rule is what two averagings make of a vertex, and there are no others.
-[[nodiscard]] Result<const RuleCase*> applicable_case(const Scheme& scheme, RuleKind kind, int n);
+[[nodiscard]] Result<const RuleCase*> applicable_case(const Scheme& scheme, RuleKind kind, int n,
+                                                      std::optional<int> quads = {});
 
 /// The error that names a missing rule or case; `what` as "the vertex rule at valence 5".
-[[nodiscard]] Error missing_rule(const Scheme& scheme, RuleKind kind, int n);
+[[nodiscard]] Error missing_rule(const Scheme& scheme, RuleKind kind, int n,
+                                 std::optional<int> quads = {});
 
 }  // namespace limn

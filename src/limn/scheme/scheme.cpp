@@ -153,14 +153,22 @@ void check_smooth_triangles(const Scheme& scheme, const std::set<std::string>& v
   }
 }
 
+/// That facts are of one lattice where meshes have both kinds of faces.
+void check_lattices_of_facts(const Scheme& scheme, Faults& faults) {
+  const bool both = scheme.stages && scheme.stages->is_mixed();
+  for (const Fact& fact : scheme.facts)
+    if (both != fact.lattice.has_value() && !(scheme.stages && scheme.stages->only))
+      faults.add({both ? "the fact names no lattice" : "a lattice is named, but there is only one",
+                  both ? "add lattice = \"triangle\" or \"quad\"" : "leave it out", fact.place.file,
+                  fact.place.line, fact.place.column});
+}
+
 /// From the parameters of a scheme of stages follows its split. Where something is wrong already it
 /// may be what these depend on.
 void check_stages(Scheme& scheme, Faults& faults, Weights weights) {
   if (!faults.none()) return;
-  if (scheme.split == nullptr) scheme.split = find_split("quad-dyadic");  // of the same lattice
-  Status status = check_ranges(scheme);
-  if (status) status = settle_stages(scheme);
-  if (!status) return faults.add(status.error());
+  check_lattices_of_facts(scheme, faults);
+  if (Status status = settle_stages(scheme); !status) return faults.add(status.error());
   if (weights == Weights::checked)
     check_rules(
         scheme, {}, [](RuleKind) { return false; }, faults);
@@ -173,6 +181,7 @@ void check_scheme(Scheme& scheme, const Unread& unread, const Split* base, Fault
   const ExactBudget budget(kExactWork);
   check_names(scheme, unread, faults);
   if (scheme.stages) return check_stages(scheme, faults, weights);
+  check_lattices_of_facts(scheme, faults);
   if (scheme.split == nullptr) return;
   const std::set<std::string> valueless = valueless_names(scheme, unread);
   if (scheme.mask || scheme.factors) {

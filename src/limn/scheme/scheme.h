@@ -57,6 +57,8 @@ struct Parameter {
 /// What the literature states of the scheme; the tests hold it true for every shipped file.
 /// Known keys: tangent, cup, saddle (eigenvalues, in n), at the valences first … last.
 struct Fact {
+  /// Of vertices of triangles, or of quads, alone: where meshes have both (Split::mixed).
+  std::optional<Lattice> lattice;
   int first = 0;                                        ///< least valence that it is stated for
   int last = 0;                                         ///< greatest valence
   std::vector<std::pair<std::string, Formula>> values;  ///< by key, in the order of the file
@@ -93,24 +95,34 @@ struct Factors {
   Place place;                 ///< of the table
 };
 
-/// A step as a sequence of averagings [ZorinSchroeder2001; Stam2001]. The mesh is cut by
-/// quad-dyadic: old vertices stay, edges give their middles, faces the means of their corners. Then
-/// values are averaged, from vertices to faces and from faces to vertices in turn. Two averagings
-/// together give each vertex what `pair` says, a last one each face the mean of its corners
-/// (refine/staged_step.h has the boundary). After an even number the split is quad-dyadic, after an
+/// A step as a sequence of averagings [ZorinSchroeder2001; Stam2001; StamLoop2003]. The mesh is
+/// cut: old vertices stay, edges give their middles, faces the means of their corners. Then values
+/// are averaged, from vertices to faces and from faces to vertices in turn. Two averagings together
+/// give each vertex what `pair` says, a last one each face the mean of its corners
+/// (refine/staged_step.h has the boundary).
+///
+/// A bilinear cut is quad-dyadic's; after an even number of averagings that is the split, after an
 /// odd one quad-dual. Where `pair` is the mean of means on quads, they are the tensor product
-/// B-spline of degree `count` + 1 there.
+/// B-spline of degree `count` + 1 there. A linear cut is quad-triangle's, and so is the split: the
+/// number of averagings is even, and `pair` may depend on how many quads a vertex has.
 struct Stages {
+  enum class First { bilinear, linear };
+  First first = First::bilinear;  ///< the cut
+  /// Of a linear cut: meshes have faces of this lattice alone, and the split is its dyadic one
+  /// (lattice_schemes.h); nothing: they have both.
+  std::optional<Lattice> only;
+  /// Whether meshes have both kinds of faces, so that the split is quad-triangle.
+  [[nodiscard]] bool is_mixed() const { return first == First::linear && !only; }
   Formula times;  ///< how many averagings: an integer in 0 … kMostAveragings, in the parameters
   int count = 0;  ///< what that is at the scheme's present parameters
-  /// A vertex rule on the mesh that was cut, of the roles of PairRole alone; what the file leaves
-  /// out is the mean of means: self 1/4, ring 1/(2n), diagonal 1/(4n).
+  /// A vertex rule on the mesh that was cut, of the roles of PairRole alone; what a file of a
+  /// bilinear cut leaves out is the mean of means: self 1/4, ring 1/(2n), diagonal 1/(4n).
   Rule pair;
   Weight corner;  ///< "1/n", of each corner in the middle of a face of n
   Place place;    ///< of the table
 };
 /// The weights of Stages::pair: of the vertex, of each neighbour, of the corner opposite in each
-/// face at it.
+/// quad at it.
 enum class PairRole : unsigned char { self, ring, diagonal };
 inline constexpr std::array<std::string_view, 3> kPairRoles{"self", "ring", "diagonal"};  ///< names
 /// Of a weight of such a rule.

@@ -13,8 +13,8 @@
 
 namespace limn {
 
-/// Resolves the names of an expression: n and k where they are given, parameters, lets.
-/// A let or a parameter may use n, k, and others of both; a circle is an error. Each is
+/// Resolves the names of an expression: n, k and (by `give`) q where they are given, parameters,
+/// lets. A let or a parameter may use these, and others of both; a circle is an error. Each is
 /// evaluated once in the life of a scope.
 template <class Number>
 class Scope {
@@ -81,6 +81,8 @@ Result<Number> Scope<Number>::lookup(const std::string& name) {
       return Error{name + " has no value here",
                    name == "k" ? "k is defined in the weights of a role with a repeated step"
                                : "n is defined in rules of a vertex, a face or an edge's end"};
+    if (name == "q")
+      return Error{"q has no value here", "q is the number of quads at a vertex, in stages.pair"};
     return Error{"unknown name '" + name + "'", "names are n, k, the parameters and the lets"};
   }
   if (const auto known = known_.find(formula); known != known_.end()) return known->second;

@@ -6,14 +6,18 @@
 namespace limn {
 
 /// The words of [stages] in scheme files: what is done first, and what then.
-inline constexpr std::string_view kBilinear = "bilinear", kAverage = "average";
+inline constexpr std::string_view kBilinear = "bilinear", kLinear = "linear", kAverage = "average";
 
 /// The walk of a role of Stages::pair, by its name: one of kPairRoles.
 [[nodiscard]] Walk pair_walk(std::string_view role);
 
-/// Counts the averagings at the scheme's present parameters, and sets the split that follows.
-/// Fails, at the formula, where it has no value or is no integer in 0 … kMostAveragings.
-/// Precondition: scheme.stages.
+/// The split that follows from them, once they are counted.
+[[nodiscard]] const Split* split_of_stages(const Stages& stages);
+
+/// Counts the averagings at the scheme's present parameters, which must lie in their ranges, and
+/// sets the split that follows.
+/// Fails, at the formula, where it has no value or is no integer in 0 … kMostAveragings, of a
+/// linear cut no even one. Precondition: scheme.stages.
 [[nodiscard]] Status settle_stages(Scheme& scheme);
 
 }  // namespace limn

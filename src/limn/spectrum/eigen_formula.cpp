@@ -7,6 +7,7 @@
 #include <fmt/core.h>
 
 #include "limn/scheme/check.h"
+#include "limn/scheme/lattice_schemes.h"
 #include "limn/scheme/scope.h"
 #include "limn/spectrum/block_formulas.h"
 
@@ -52,10 +53,10 @@ class CaseFormulas {
   }
 
  private:
-  /// In a star, weights of stages on quads are numbers, which no name may change.
+  /// In a star, weights of stages at regular vertices are numbers, which no name may change.
   [[nodiscard]] Status check_stages() const {
     if (!scheme_.stages) return Done{};
-    const int regular = regular_valence(RuleKind::vertex, Lattice::quad);
+    const int regular = regular_valence(RuleKind::vertex, scheme_.split->lattice);
     const Result<const RuleCase*> pair = applicable_case(scheme_, RuleKind::vertex, regular);
     if (!pair) return pair.error();
     if (*pair == nullptr) return missing_rule(scheme_, RuleKind::vertex, regular);
@@ -65,9 +66,9 @@ class CaseFormulas {
       if (!value) return value.error();
       if (!value->is_rational())
         return Error{
-            fmt::format("what two averagings make on quads depends on a parameter, of "
+            fmt::format("what two averagings make on {}s depends on a parameter, of "
                         "which there are no formulas: '{}'",
-                        weight.value.expression.text())};
+                        lattice_name(scheme_.split->lattice), weight.value.expression.text())};
     }
     return Done{};
   }
@@ -157,11 +158,13 @@ NamesKept names_kept(const Scheme& scheme, const std::set<std::string>& evaluate
   return kept;
 }
 
-/// Lets that are one number at each valence, but not the same at all.
+/// Lets that are one number at each valence, but not the same at all; without q, which no file has
+/// (lattice_schemes.h).
 std::set<std::string> lets_of_n(const Scheme& scheme) {
   std::set<std::string> found;
   for (const auto& [let, value] : scheme.lets)
-    if (depends_on(scheme, value, "n") && !depends_on(scheme, value, "k")) found.insert(let);
+    if (let != kQuads && depends_on(scheme, value, "n") && !depends_on(scheme, value, "k"))
+      found.insert(let);
   return found;
 }
 

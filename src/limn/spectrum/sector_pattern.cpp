@@ -13,6 +13,7 @@
 #include "limn/refine/linear_form.h"
 #include "limn/refine/refine_values.h"
 #include "limn/refine/star_step.h"
+#include "limn/scheme/lattice_schemes.h"
 #include "limn/spectrum/sector_names.h"
 
 namespace limn {
@@ -254,7 +255,8 @@ Result<StarForms> refined_star(const Scheme& scheme, const CenterCases& cases, i
   const std::vector<RuleKind> kinds = center_rules(split);
   StarForms star{star_step(split, kSectors, rings), {}, {}};
   RuleTables<WeightForm> tables(
-      scheme, Boundary::left_out, [&](RuleKind kind, int n) -> Result<Row<WeightForm>> {
+      scheme, Boundary::left_out,
+      [&](RuleKind kind, int n, std::optional<int>) -> Result<Row<WeightForm>> {
         if (scheme.stages)
           return n == kSectors ? star.namer.stage_row(*scheme.stages, *cases.front(), kind)
                                : constant_row(scheme, kind, n);
@@ -284,6 +286,7 @@ std::vector<RuleKind> center_rules(const Split& split) {
 }
 
 Result<CenterCases> center_cases(const Scheme& scheme, int n) {
+  if (Status status = check_one_lattice(scheme); !status) return status.error();
   CenterCases cases;
   const std::vector<RuleKind> kinds =
       scheme.stages ? std::vector{RuleKind::vertex} : center_rules(*scheme.split);

@@ -18,6 +18,7 @@
 #include "limn/regular/smoothness/polynomial_orders.h"
 #include "limn/regular/smoothness/stability.h"
 #include "limn/regular/smoothness/transition_operators.h"
+#include "limn/scheme/lattice_schemes.h"
 
 namespace limn {
 namespace {
@@ -208,9 +209,18 @@ RegularPart find_regular_part(const Mask& mask) {
 }
 
 RegularPart find_regular_part(const Scheme& scheme) {
-  const Result<Mask> mask = regular_mask(scheme);
-  if (!mask) return {Truth::undecided, mask.error().message};
-  return find_regular_part(*mask);
+  RegularPart all{Truth::yes, {}};
+  const std::vector<Scheme> lattices = lattice_schemes(scheme);
+  for (const Scheme& one : lattices) {
+    const Result<Mask> mask = regular_mask(one);
+    RegularPart part =
+        mask ? find_regular_part(*mask) : RegularPart{Truth::undecided, mask.error().message};
+    if (lattices.size() == 1) return part;
+    all.bounded = all.bounded && part.bounded;
+    all.reason += fmt::format("{}on {}s: {}", all.reason.empty() ? "" : "; ",
+                              lattice_name(one.split->lattice), part.reason);
+  }
+  return all;
 }
 
 }  // namespace limn

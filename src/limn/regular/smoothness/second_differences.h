@@ -25,6 +25,8 @@ namespace limn {
 [[nodiscard]] RegularPart find_regular_part(const Mask& mask);
 
 /// Of a scheme at its present parameters; undecided, with the reason, where it has no regular mask.
+/// Where meshes have both kinds of faces it is what holds on either lattice; of the seams between
+/// them nothing is said.
 [[nodiscard]] RegularPart find_regular_part(const Scheme& scheme);
 
 }  // namespace limn

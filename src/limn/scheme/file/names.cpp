@@ -9,7 +9,9 @@
 #include <vector>
 
 #include "limn/base/near_word.h"
+#include "limn/scheme/check.h"
 #include "limn/scheme/formulas.h"
+#include "limn/scheme/stages.h"
 
 namespace limn {
 namespace {
@@ -42,27 +44,40 @@ void each_formula(const Scheme& scheme, const Visit& visit) {
   each_rule_formula(scheme, visit);
 }
 
-std::string names_hint(const Definitions& definitions, const std::string& unknown) {
+/// Whether q is the number of quads at a vertex.
+bool knows_quads(const Scheme& scheme) {
+  return scheme.stages && scheme.stages->is_mixed();
+}
+
+std::string names_hint(const Scheme& scheme, const Definitions& definitions,
+                       const std::string& unknown) {
+  if (unknown == kQuads)
+    return fmt::format(
+        "{}, the number of quads at a vertex, is known where stages begin with "
+        "first = \"{}\"",
+        kQuads, kLinear);
   std::vector<std::string> known;
   for (const auto& definition : definitions) known.push_back(definition.first);
-  std::string hint = "names are n, k, the parameters and the lets";
+  std::string hint = fmt::format("names are n, k, {}the parameters and the lets",
+                                 knows_quads(scheme) ? "q, " : "");
   if (!known.empty() && known.size() <= kMostShown)
     hint += fmt::format(": {}", fmt::join(known, ", "));
   return did_you_mean(unknown, known, hint);
 }
 
-bool is_known(const std::string& name, const Definitions& definitions, const Unread& unread) {
-  return name == "n" || name == "k" || definitions.count(name) > 0 ||
-         unread.definitions.count(name) > 0;
+bool is_known(const Scheme& scheme, const std::string& name, const Definitions& definitions,
+              const Unread& unread) {
+  return name == "n" || name == "k" || (name == kQuads && knows_quads(scheme)) ||
+         definitions.count(name) > 0 || unread.definitions.count(name) > 0;
 }
 
 void check_known(const Scheme& scheme, const Definitions& definitions, const Unread& unread,
                  Faults& faults) {
   each_formula(scheme, [&](const Formula& formula) {
     for (const std::string& name : formula.expression.names())
-      if (!is_known(name, definitions, unread))
+      if (!is_known(scheme, name, definitions, unread))
         faults.add(at_name(formula, name, fmt::format("unknown name '{}'", name),
-                           names_hint(definitions, name)));
+                           names_hint(scheme, definitions, name)));
   });
 }
 
@@ -123,6 +138,11 @@ Definitions unresolved(Definitions left, const HoldsUp& holds_up) {
 void check_names(const Scheme& scheme, const Unread& unread, Faults& faults) {
   const Definitions definitions = definitions_of(scheme);
   if (!unread.tables) check_known(scheme, definitions, unread, faults);
+  if (const auto taken = definitions.find(kQuads);
+      taken != definitions.end() && knows_quads(scheme))
+    faults.add(at_name(*taken->second, {},
+                       fmt::format("'{}' cannot be the name of a let or a parameter here", kQuads),
+                       "it is the number of quads at a vertex"));
   const Definitions left = unresolved(definitions, [](const std::string&) { return false; });
   if (!left.empty()) faults.add(circle_in(left));
 }
@@ -130,13 +150,13 @@ void check_names(const Scheme& scheme, const Unread& unread, Faults& faults) {
 std::set<std::string> valueless_names(const Scheme& scheme, const Unread& unread) {
   const Definitions definitions = definitions_of(scheme);
   const Definitions left = unresolved(definitions, [&](const std::string& name) {
-    return unread.definitions.count(name) > 0 || !is_known(name, definitions, unread);
+    return unread.definitions.count(name) > 0 || !is_known(scheme, name, definitions, unread);
   });
   std::set<std::string> names = unread.definitions;
   for (const auto& definition : left) names.insert(definition.first);
   each_formula(scheme, [&](const Formula& formula) {
     for (const std::string& name : formula.expression.names())
-      if (!is_known(name, definitions, unread)) names.insert(name);
+      if (!is_known(scheme, name, definitions, unread)) names.insert(name);
   });
   return names;
 }

@@ -51,8 +51,10 @@ class SchemeFileReader {
     if (root.get("stages") != nullptr) {
       roles_.use_split(nullptr, true);  // nor are there any
       if (node != nullptr)
-        in_.fail(*node, "a scheme of stages names no split",
-                 "leave it out: it is quad-dyadic where times is even, quad-dual where it is odd");
+        in_.fail(
+            *node, "a scheme of stages names no split",
+            "leave it out: it is quad-dyadic where times is even, quad-dual where it is odd, and "
+            "quad-triangle where the first of them is linear");
       return;
     }
     if (node == nullptr) {
@@ -71,6 +73,9 @@ class SchemeFileReader {
     roles_.use_split(scheme_.split, scheme_.split == nullptr);
     if (in_.unharmed_since(before) && scheme_.split == nullptr)
       in_.fail(*node, fmt::format("unknown split '{}'", name), did_you_mean(name, known, hint));
+    if (scheme_.split != nullptr && scheme_.split->mixed)
+      in_.fail(*node, fmt::format("the split {} is one of stages", name),
+               fmt::format("leave it out: it follows from stages whose first is \"{}\"", kLinear));
   }
 
   void read_weights(const toml::table& root) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include <fmt/core.h>
+#include <fmt/ranges.h>
 
 #include "limn/base/near_word.h"
 #include "limn/scheme/check.h"
@@ -33,6 +34,16 @@ void read_valences(TomlReader& in, const toml::node& node, Fact& fact) {
   if (fact.first < kSmallestValence || fact.last < fact.first)
     in.fail(node, fmt::format("a valence is an integer from {} to {}, or a range as \"3..12\"",
                               kSmallestValence, kLargestStatedValence));
+}
+
+std::optional<Lattice> read_lattice(TomlReader& in, const toml::node& node) {
+  const std::string word = in.text(node, "lattice");
+  if (word == "triangle") return Lattice::triangle;
+  if (word == "quad") return Lattice::quad;
+  if (node.is_string())
+    in.fail(node, fmt::format("unknown lattice '{}'", word),
+            did_you_mean(word, {"triangle", "quad"}, "expected \"triangle\" or \"quad\""));
+  return std::nullopt;
 }
 
 void read_direction(TomlReader& in, const toml::node& node, Factors& factors) {
@@ -130,26 +141,31 @@ Stages read_stages(TomlReader& in, const toml::node& node,
   stages.pair = {{std::nullopt,
                   {weight("self", "1/4"), weight("ring", "1/(2*n)"), weight("diagonal", "1/(4*n)")},
                   stages.place}};
-  bool has_first = false, has_then = false, has_times = false;
-  const auto read_word = [&](const toml::node& v, std::string_view key, std::string_view known) {
-    const std::string word = in.text(v, key);
-    if (v.is_string() && word != known)
-      in.fail(v, fmt::format("{} = '{}' is no stage that is known", key, word),
-              did_you_mean(word, {std::string(known)}, fmt::format("expected \"{}\"", known)));
+  bool has_first = false, has_then = false, has_times = false, has_pair = false;
+  const auto read_word = [&](const toml::node& v, std::string_view key,
+                             const std::vector<std::string>& known) {
+    std::string word = in.text(v, key);
+    if (v.is_string() && std::find(known.begin(), known.end(), word) == known.end())
+      in.fail(
+          v, fmt::format("{} = '{}' is no stage that is known", key, word),
+          did_you_mean(word, known, fmt::format("expected \"{}\"", fmt::join(known, "\" or \""))));
+    return word;
   };
   const std::size_t before = in.faults();
   in.each(node, "stages", [&](const toml::key& key, const toml::node& v) {
     if (key.str() == "first") {
-      read_word(v, "first", kBilinear);
+      if (read_word(v, "first", {std::string(kBilinear), std::string(kLinear)}) == kLinear)
+        stages.first = Stages::First::linear;
       has_first = true;
     } else if (key.str() == "then") {
-      read_word(v, "then", kAverage);
+      read_word(v, "then", {std::string(kAverage)});
       has_then = true;
     } else if (key.str() == "times") {
       stages.times = in.formula(v, "times");
       has_times = true;
     } else if (key.str() == "pair") {
       stages.pair = read_pair(v);
+      has_pair = true;
     } else {
       in.unknown_key(key, "stages", {"first", "then", "times", "pair"});
     }
@@ -158,6 +174,10 @@ Stages read_stages(TomlReader& in, const toml::node& node,
     in.fail(node, "stages needs first, then and times",
             fmt::format("as {{ first = \"{}\", then = \"{}\", times = \"degree - 1\" }}", kBilinear,
                         kAverage));
+  if (in.unharmed_since(before) && stages.first == Stages::First::linear && !has_pair)
+    in.fail(node, "stages that begin linearly need a pair",
+            "what two averagings make of a vertex of n edges and q quads, as pair = { self = …, "
+            "ring = …, diagonal = … }");
   return stages;
 }
 
@@ -177,6 +197,8 @@ void read_fact(TomlReader& in, const toml::node& node, Scheme& scheme) {
       if (scheme.stated_mask) in.fail(v, "the facts state the mask twice");
       scheme.stated_mask = read_rows(in, v, name);
       states_mask = true;
+    } else if (name == "lattice") {
+      fact.lattice = read_lattice(in, v);
     } else if (name == "tangent" || name == "cup" || name == "saddle") {
       fact.values.emplace_back(name, in.formula(v, name));
     } else if (name == "same") {
@@ -187,8 +209,9 @@ void read_fact(TomlReader& in, const toml::node& node, Scheme& scheme) {
         same.with.emplace_back(parameter.str(), in.formula(value, parameter.str()));
       });
     } else {
-      in.unknown_key(key, "a fact",
-                     {"valence", "tangent", "cup", "saddle", "mask", "same", "with", "source"});
+      in.unknown_key(
+          key, "a fact",
+          {"valence", "lattice", "tangent", "cup", "saddle", "mask", "same", "with", "source"});
     }
   });
   if (!in.unharmed_since(before)) return;

@@ -9,8 +9,8 @@ namespace limn {
 Rows read_rows(TomlReader& in, const toml::node& node, std::string_view what);
 /// { stages = …, directions = [{ step = [1, 0], count = … }, …], kernel = ROWS }
 Factors read_factors(TomlReader& in, const toml::node& node);
-/// { first = "bilinear", then = "average", times = …, pair = … }, not yet counted; `read_pair`
-/// reads the rule of that name.
+/// { first = "bilinear" or "linear", then = "average", times = …, pair = … }, not yet counted;
+/// `read_pair` reads the rule of that name.
 Stages read_stages(TomlReader& in, const toml::node& node,
                    const std::function<Rule(const toml::node&)>& read_pair);
 /// One entry of [[facts]]: into scheme.facts, scheme.equivalences or scheme.stated_mask.
