@@ -51,7 +51,7 @@ RC_GTEST_PROP(ArtifactLaws, InterpolatingSchemesHaveComponentsOfSumOne, ()) {
 }
 
 TEST(ArtifactLaws, ApproximatingSchemesHaveNot) {
-  for (const std::string& name : shipped_schemes()) {
+  for (const std::string& name : lattice_names()) {
     double largest = 0;
     for (const Frequency& f : some_frequencies(20)) {
       const Components limit = shipped_analysis(name).in_limit(f);
@@ -83,7 +83,7 @@ TEST(ArtifactLaws, TheLaplacianButterflyMakesTheOthersOfExtrusionsToo) {
 RC_GTEST_PROP(ArtifactLaws, AFrequencyIsKnownUpToTheDualLattice, ()) {
   const Frequency f = any_frequency();
   const int p = *rc::gen::inRange(-3, 4), q = *rc::gen::inRange(-3, 4);
-  for (const std::string& name : shipped_schemes()) {
+  for (const std::string& name : lattice_names()) {
     const ArtifactAnalysis& analysis = shipped_analysis(name);
     const auto& [top, bottom] = analysis.mask().dilation.rows;
     const Lattice lattice = analysis.mask().lattice;
@@ -104,7 +104,7 @@ RC_GTEST_PROP(ArtifactLaws, AFrequencyIsKnownUpToTheDualLattice, ()) {
 
 RC_GTEST_PROP(ArtifactLaws, AnArtifactIsTheSignalOfItsOwnFrequency, ()) {
   const Frequency f = any_frequency();
-  for (const std::string& name : shipped_schemes()) {
+  for (const std::string& name : lattice_names()) {
     const ArtifactAnalysis& analysis = shipped_analysis(name);
     const std::vector<Frequency> waves = all_frequencies(analysis, f);
     const std::vector<double> limit = all(analysis.in_limit(f));
@@ -124,7 +124,7 @@ RC_GTEST_PROP(ArtifactLaws, AnArtifactIsTheSignalOfItsOwnFrequency, ()) {
 
 RC_GTEST_PROP(ArtifactLaws, TurningByASectorPermutesTheArtifacts, ()) {
   const Frequency f = any_frequency();
-  for (const std::string& name : shipped_schemes()) {
+  for (const std::string& name : lattice_names()) {
     const ArtifactAnalysis& analysis = shipped_analysis(name);
     const bool triangles = analysis.mask().lattice == Lattice::triangle;
     const Components here = analysis.in_limit(f);
@@ -150,7 +150,7 @@ RC_GTEST_PROP(ArtifactLaws, TurningByASectorPermutesTheArtifacts, ()) {
 RC_GTEST_PROP(ArtifactLaws, StagesArePowersAndLoopIsTwoOfThem, ()) {
   const Frequency f = any_frequency();
   const int stages = *rc::gen::inRange(0, 6);
-  for (const std::string& name : shipped_schemes()) {
+  for (const std::string& name : lattice_names()) {
     const ArtifactAnalysis& analysis = shipped_analysis(name);
     if (is_dual(analysis.mask())) continue;
     std::vector<double> power = all(analysis.after_stages(f, 1));
@@ -179,7 +179,7 @@ RC_GTEST_PROP(ArtifactLaws, QuadStagesAreProductsOfCosines, ()) {
 }
 
 TEST(ArtifactLaws, AConstantHasNoArtifacts) {
-  for (const std::string& name : shipped_schemes()) {
+  for (const std::string& name : lattice_names()) {
     const ArtifactAnalysis& analysis = shipped_analysis(name);
     std::vector<double> one(static_cast<std::size_t>(analysis.artifact_count()) + 1, 0);
     one[0] = 1;
@@ -195,7 +195,7 @@ TEST(ArtifactLaws, AConstantHasNoArtifacts) {
 }
 
 TEST(ArtifactLaws, OneStepsEnergyIsThatOfItsArtifacts) {
-  for (const std::string& name : shipped_schemes()) {
+  for (const std::string& name : lattice_names()) {
     const ArtifactAnalysis& analysis = shipped_analysis(name);
     for (const Frequency& f : some_frequencies(5)) {
       double energy = 0;

@@ -75,7 +75,7 @@ void expect_fixed(const std::string& name, const Mask& mask) {
 }
 
 TEST(LimitStencil, IsFixedByTheMask) {
-  for (const std::string& name : shipped_schemes())
+  for (const std::string& name : lattice_names())
     if (!is_dual(shipped_mask(name))) expect_fixed(name, shipped_mask(name));
   expect_fixed("ternary", ternary_box_spline());
   for (const unsigned seed : {1U, 20U})
@@ -105,7 +105,7 @@ std::vector<LatticeVector> star_places(const Split& split, int rings) {
 }
 
 TEST(LimitStencil, IsTheLeftEigenvectorOfTheSpatialMatrix) {
-  for (const std::string& name : shipped_schemes()) {
+  for (const std::string& name : lattice_names()) {
     const Scheme& scheme = shipped(name);
     const Lattice lattice = scheme.split->lattice;
     if (is_dual(shipped_mask(name)) || !scheme.rule(RuleKind::vertex)) continue;
@@ -132,7 +132,7 @@ TEST(LimitStencil, IsTheLeftEigenvectorOfTheSpatialMatrix) {
 }
 
 TEST(InnerProducts, AreSymmetricSumToOneAndArePositiveDefinite) {
-  for (const std::string& name : shipped_schemes()) {
+  for (const std::string& name : lattice_names()) {
     const Values products = approx_inner_products(shipped_mask(name)).value();
     double sum = 0, others = 0;
     for (const auto& [j, value] : products) {

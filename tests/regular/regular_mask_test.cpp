@@ -3,12 +3,13 @@
 #include <gtest/gtest.h>
 
 #include "limn/scheme/mask_rules.h"
+#include "support/shipped.h"
 
 namespace limn {
 namespace {
 
 Mask mask_of(const std::string& name, const std::vector<std::string>& parameters = {}) {
-  Scheme scheme = find_scheme(name).value();
+  Scheme scheme = test::shipped(name);
   const Status set = set_parameters(scheme, parameters);
   EXPECT_TRUE(set.ok()) << set.error().text();
   const Result<Mask> mask = regular_mask(scheme);
@@ -18,8 +19,8 @@ Mask mask_of(const std::string& name, const std::vector<std::string>& parameters
 
 TEST(RegularMask, IsTheOneThatTheLiteratureStates) {
   int stated = 0;
-  for (const std::string& name : shipped_schemes()) {
-    const Scheme scheme = find_scheme(name).value();
+  for (const std::string& name : test::lattice_names()) {
+    const Scheme& scheme = test::shipped(name);
     if (!scheme.stated_mask) continue;
     ++stated;
     EXPECT_EQ(mask_of(name).coefficients,
@@ -30,8 +31,8 @@ TEST(RegularMask, IsTheOneThatTheLiteratureStates) {
 }
 
 TEST(RegularMask, SumsToTheDeterminantAndToOneOverEachCoset) {
-  for (const std::string& name : shipped_schemes()) {
-    const Scheme scheme = find_scheme(name).value();
+  for (const std::string& name : test::lattice_names()) {
+    const Scheme& scheme = test::shipped(name);
     const int growth = scheme.split->dilation.growth();
     const int parity = scheme.split->is_dual() ? 1 : 0;
     Rational sum = 0;

@@ -79,7 +79,7 @@ std::vector<Mask> random_masks(unsigned seed) {
 std::vector<std::pair<std::string, Mask>> many_masks() {
   std::vector<std::pair<std::string, Mask>> masks = {{"ternary", ternary_box_spline()},
                                                      {"quincunx", quincunx()}};
-  for (const std::string& name : shipped_schemes()) masks.emplace_back(name, shipped_mask(name));
+  for (const std::string& name : lattice_names()) masks.emplace_back(name, shipped_mask(name));
   const std::vector<std::pair<std::string, std::vector<std::string>>> others = {
       {"box-spline-quad", {"i=2", "j=2", "p=1", "q=1"}},
       {"box-spline-quad", {"i=3", "j=1", "p=0", "q=1"}},

@@ -94,7 +94,7 @@ double energy_in_box(const ArtifactAnalysis& analysis, Frequency f, int radius) 
 int steps_for(const Mask& mask) { return mask.dilation.growth() == 2 ? 2 : 1; }
 
 TEST(Energy, IsTheSumOverAllFrequencies) {
-  for (const std::string& name : shipped_schemes()) {
+  for (const std::string& name : lattice_names()) {
     const ArtifactAnalysis& analysis = shipped_analysis(name);
     ASSERT_TRUE(analysis.energy_status().ok()) << name;
     for (const Frequency& f : some_frequencies(2, 11)) {
@@ -110,7 +110,7 @@ TEST(Energy, IsTheSumOverAllFrequencies) {
 }
 
 TEST(Energy, AfterManyStepsTendsToThatOfTheLimit) {
-  for (const std::string& name : shipped_schemes()) {
+  for (const std::string& name : lattice_names()) {
     const ArtifactAnalysis& analysis = shipped_analysis(name);
     for (const Frequency& f : some_frequencies(3, 5)) {
       const double limit = analysis.energy(f);
@@ -126,7 +126,7 @@ TEST(Energy, AfterManyStepsTendsToThatOfTheLimit) {
 }
 
 TEST(Amplitude, IsWhereTheStepsTend) {
-  for (const std::string& name : shipped_schemes()) {
+  for (const std::string& name : lattice_names()) {
     const ArtifactAnalysis& analysis = shipped_analysis(name);
     for (const Frequency& f : some_frequencies(5)) {
       std::vector<double> limit = {analysis.amplitude(f)};

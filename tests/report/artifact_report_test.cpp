@@ -9,6 +9,7 @@
 #include "limn/regular/regular_mask.h"
 #include "limn/report/lattice/artifact_figures.h"
 #include "limn/report/lattice/lattice_report.h"
+#include "support/shipped.h"
 
 namespace limn {
 namespace {
@@ -114,8 +115,8 @@ TEST(Factors, AreSaidInWords) {
 }
 
 TEST(LatticeLatex, BalancesItsBraces) {
-  for (const std::string& name : shipped_schemes()) {
-    const std::string latex = lattice_latex(name, regular_mask(find_scheme(name).value()).value());
+  for (const std::string& name : test::lattice_names()) {
+    const std::string latex = lattice_latex(name, regular_mask(test::shipped(name)).value());
     int open = 0;
     for (const char c : latex) {
       open += c == '{' ? 1 : c == '}' ? -1 : 0;

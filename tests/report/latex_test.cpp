@@ -39,7 +39,7 @@ TEST(Latex, EveryShippedSchemeIsDescribed) {
 }
 
 TEST(Latex, EveryShippedSchemesFormulas) {
-  for (const std::string& name : shipped_schemes()) {
+  for (const std::string& name : lattice_names()) {
     const Result<EigenFormulas> formulas = eigen_formulas(shipped(name), {}, 0);
     if (!formulas) continue;  // no rules, or no FLINT
     const std::string latex = eigen_formulas_text(name, *formulas, Notation::latex);
@@ -56,7 +56,7 @@ std::vector<Eigencomponents> components(const Scheme& scheme, int first, int las
 }
 
 TEST(Latex, TablesOfEigenvalues) {
-  for (const std::string& name : shipped_schemes()) {
+  for (const std::string& name : lattice_names()) {
     const Scheme& scheme = shipped(name);
     if (scheme.mask || scheme.factors) continue;
     const std::string latex =

@@ -185,7 +185,7 @@ TEST_P(EigenFormulaOf, HoldsWithMoreRings) {
   expect_formulas_hold(scheme, *more, 9);
 }
 
-INSTANTIATE_TEST_SUITE_P(Shipped, EigenFormulaOf, ::testing::ValuesIn(shipped_schemes()),
+INSTANTIATE_TEST_SUITE_P(Shipped, EigenFormulaOf, ::testing::ValuesIn(lattice_names()),
                          [](const auto& info) { return test_name(info.param); });
 
 class ClosedEigenvalues : public WithFlint {};

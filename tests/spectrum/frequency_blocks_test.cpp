@@ -30,7 +30,7 @@ double multiset_distance(const Values& a, Values b) {
 
 std::vector<std::string> refinable_schemes() {
   std::vector<std::string> names;
-  for (const std::string& name : shipped_schemes())
+  for (const std::string& name : lattice_names())
     if (const Scheme& scheme = shipped(name); !scheme.mask && !scheme.factors)
       names.push_back(name);
   return names;

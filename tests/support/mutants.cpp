@@ -150,8 +150,13 @@ class RuleMutants {
     const Rule& pair = scheme_.stages->pair;
     for (case_ = 0; case_ < pair.size(); ++case_)
       for (std::size_t i = 0; i < pair[case_].weights.size(); ++i)
-        for (std::size_t j = 0; j < pair[case_].weights.size(); ++j)
-          if (i != j) exchange(pair[case_], i, j);
+        for (std::size_t j = 0; j < pair[case_].weights.size(); ++j) {
+          if (i == j) continue;
+          if (scheme_.split->mixed)
+            exchange_in_mixed_pair(pair[case_], i, j);
+          else
+            exchange(pair[case_], i, j);
+        }
     for (const int more : {-2, 2}) {
       Scheme mutant = scheme_;
       mutant.stages->count += more;
@@ -199,6 +204,25 @@ class RuleMutants {
       Scheme mutant = scheme_;
       increase(weight_of(mutant, i), amount + "/" + *here);
       increase(weight_of(mutant, j), "-" + amount + "/" + *there);
+      mutants_.push_back({what(more.role + " + " + amount + ", less " + less.role), mutant});
+    }
+  }
+
+  /// The same of a pair that knows q: everywhere, on either lattice alone, and at a seam.
+  void exchange_in_mixed_pair(const RuleCase& rule_case, std::size_t i, std::size_t j) {
+    const Weight &more = rule_case.weights[i], &less = rule_case.weights[j];
+    const auto share = [](const Weight& weight) -> std::string {
+      if (pair_role(weight) == PairRole::self) return "";
+      return pair_role(weight) == PairRole::ring ? "/n" : "/(q + (q == 0))";
+    };
+    const bool opposite =
+        pair_role(more) == PairRole::diagonal || pair_role(less) == PairRole::diagonal;
+    for (const std::string where : {"(q > 0)", "(q == 0)", "(q == n)", "(n == 5)*(q == 2)"}) {
+      if (opposite && where == "(q == 0)") continue;  // there is none
+      const std::string amount = where + "*" + kAmount;
+      Scheme mutant = scheme_;
+      increase(weight_of(mutant, i), amount + share(more));
+      increase(weight_of(mutant, j), "-" + amount + share(less));
       mutants_.push_back({what(more.role + " + " + amount + ", less " + less.role), mutant});
     }
   }

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "limn/refine/refine_values.h"
+#include "limn/scheme/lattice_schemes.h"
 #include "limn/scheme/mask_rules.h"
 #include "limn/scheme/scope.h"
 #include "mesh/random_mesh.h"
@@ -65,10 +66,22 @@ Mesh octahedron() {
       6, {{0, 1, 2}, {0, 2, 3}, {0, 3, 4}, {0, 4, 1}, {5, 2, 1}, {5, 3, 2}, {5, 4, 3}, {5, 1, 4}});
 }
 
-std::vector<std::pair<std::string, Mesh>> deck(const Scheme& scheme) {
+using Deck = std::vector<std::pair<std::string, Mesh>>;
+
+/// Where triangles meet quads, and triangles alone.
+void add_mixed(Deck& meshes) {
+  meshes.emplace_back("a torus of triangles", torus(Lattice::triangle, 5, 6));
+  for (Index n = 3; n <= 12; ++n)
+    meshes.emplace_back("a star of triangles of valence " + std::to_string(n),
+                        star(Lattice::triangle, n, 2));
+  for (unsigned seed = 0; seed < kRandomMeshes; ++seed)
+    meshes.emplace_back("mixed random mesh " + std::to_string(seed), RandomMesh(seed).mixed());
+}
+
+Deck deck(const Scheme& scheme) {
   const Split& split = *scheme.split;
   const bool triangles = split.lattice == Lattice::triangle;
-  std::vector<std::pair<std::string, Mesh>> meshes;
+  Deck meshes;
   meshes.emplace_back("a torus", torus(split.lattice, 5, 6));
   if (is_mask_only(scheme.name)) return meshes;
   for (Index n = 3; n <= 12; ++n) {
@@ -80,6 +93,7 @@ std::vector<std::pair<std::string, Mesh>> deck(const Scheme& scheme) {
       meshes.emplace_back("a fan of " + std::to_string(faces) + " faces",
                           fan(split.lattice, faces, 2));
   meshes.emplace_back("a large star", star(split.lattice, 5, 4));
+  if (split.mixed) add_mixed(meshes);
   for (const Mesh& solid : {tetrahedron(), octahedron(), icosahedron()})
     meshes.emplace_back("a platonic solid", solid);
   int wanted = kRandomMeshes;
@@ -291,6 +305,12 @@ std::optional<std::string> failed_mask(const Scheme& scheme) {
 }
 
 std::optional<std::string> failed_facts(const Scheme& scheme) {
+  if (scheme.split->mixed) {
+    for (const Scheme& half : lattice_schemes(scheme))
+      if (auto failure = failed_facts(half))
+        return std::string(lattice_name(half.split->lattice)) + "s: " + *failure;
+    return std::nullopt;
+  }
   if (scheme.facts.empty() && !scheme.stated_mask) return "no facts at all";
   for (const Fact& fact : scheme.facts) {
     if (fact.values.empty() || fact.source.empty()) return "a fact without value or source";

@@ -39,7 +39,7 @@ std::vector<int> all_frequencies(int n) {
 /// Of every shipped scheme the names that can be freed, three at most.
 TEST(FreedNames, BlocksAndSlopesOfEveryScheme) {
   int tried = 0;
-  for (const std::string& name : shipped_schemes()) {
+  for (const std::string& name : lattice_names()) {
     const Scheme scheme = shipped(name);
     std::vector<std::string> names = freeable_names(scheme);
     if (names.empty()) continue;
