@@ -9,8 +9,10 @@
 #include "limn/base/printable.h"
 #include "limn/regular/regular_mask.h"
 #include "limn/report/lattice/lattice_report.h"
+#include "limn/scheme/check.h"
 #include "limn/scheme/decimals.h"
 #include "limn/scheme/formulas.h"
+#include "limn/scheme/lattice_schemes.h"
 #include "limn/scheme/placement.h"
 
 namespace limn {
@@ -18,8 +20,9 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// How many positions a role has: "2", "n", "2n".
+/// How many positions a role has: "2", "n", "2n", "q".
 std::string positions(const Scheme& scheme, RuleKind kind, const Weight& weight) {
+  if (scheme.split->mixed && pair_role(weight) == PairRole::diagonal) return std::string(kQuads);
   const Placement placement = place(kind, scheme.split->lattice, weight.walk).value();
   if (!placement.times_n) return to_string(placement.count);
   return placement.count == 1 ? "n" : to_string(placement.count) + "n";
@@ -145,22 +148,29 @@ Json parameters_json(const Scheme& scheme) {
   return parameters;
 }
 
+std::string_view first_text(const Stages& stages) {
+  return stages.first == Stages::First::linear ? "linear" : "bilinear";
+}
+
 std::string stages_text(const Scheme& scheme) {
   const Stages& stages = *scheme.stages;
+  const bool linear = stages.first == Stages::First::linear;
   std::string text = fmt::format(
       "\nstages, one after the other\n"
-      "  bilinear: cut by quad-dyadic; edges give their middles, faces the means of their corners\n"
+      "  {}: cut by {}; edges give their middles, {} the means of their corners\n"
       "  average × {} ({}): from vertices to faces and from faces to vertices, in turn; values end "
-      "at {}\n  two averagings: {}\n",
-      stages.count, stages.times.expression.text(), stages.count % 2 == 0 ? "vertices" : "faces",
-      anchor_text(RuleKind::vertex));
+      "at {}\n  two averagings: {}{}\n",
+      first_text(stages), linear ? "quad-triangle" : "quad-dyadic",
+      linear ? "faces that are no triangles" : "faces", stages.count,
+      stages.times.expression.text(), stages.count % 2 == 0 ? "vertices" : "faces",
+      anchor_text(RuleKind::vertex), linear ? " and q quads" : "");
   for (const RuleCase& pair : stages.pair) text += case_text(scheme, RuleKind::vertex, pair);
   return text;
 }
 
 Json stages_json(const Scheme& scheme) {
   const Stages& stages = *scheme.stages;
-  return {{"first", "bilinear"},
+  return {{"first", first_text(stages)},
           {"then", "average"},
           {"times", stages.count},
           {"pair", rule_json(scheme, RuleKind::vertex, stages.pair)}};
@@ -200,9 +210,14 @@ std::string describe(const Scheme& scheme) {
     for (const RuleCase& rule_case : *scheme.rule(kind)) text += case_text(scheme, kind, rule_case);
   }
   if (!any) text += "  none: the mask lacks the lattice's symmetry\n";
-  const Result<Mask> mask = regular_mask(scheme);
-  return text + (mask ? lattice_text(*mask)
-                      : fmt::format("\nno analysis on the lattice: {}\n", mask.error().text()));
+  const std::vector<Scheme> lattices = lattice_schemes(scheme);
+  for (const Scheme& one : lattices) {
+    if (lattices.size() > 1) text += fmt::format("\non {}s\n", lattice_name(one.split->lattice));
+    const Result<Mask> mask = regular_mask(one);
+    text += mask ? lattice_text(*mask)
+                 : fmt::format("\nno analysis on the lattice: {}\n", mask.error().text());
+  }
+  return text;
 }
 
 nlohmann::ordered_json summary_json(const Scheme& scheme) {
@@ -229,15 +244,28 @@ nlohmann::ordered_json describe_json(const Scheme& scheme) {
     if (scheme.rule(kind))
       json["rules"][std::string(rule_name(kind))] = rule_json(scheme, kind, *scheme.rule(kind));
   }
-  const Result<Mask> mask = regular_mask(scheme);
-  json.update(mask ? lattice_json(*mask) : Json{{"mask", nullptr}});
+  const std::vector<Scheme> lattices = lattice_schemes(scheme);
+  for (const Scheme& one : lattices) {
+    const Result<Mask> mask = regular_mask(one);
+    const Json found = mask ? lattice_json(*mask) : Json{{"mask", nullptr}};
+    if (lattices.size() == 1) {
+      json.update(found);
+      break;
+    }
+    json["lattices"].push_back({{"lattice", lattice_name(one.split->lattice)}});
+    json["lattices"].back().update(found);
+  }
   return json;
 }
 
 Result<std::string> describe_latex(const Scheme& scheme) {
-  const Result<Mask> mask = regular_mask(scheme);
-  if (!mask) return mask.error();
-  return lattice_latex(scheme.name, *mask);
+  std::string latex;
+  for (const Scheme& one : lattice_schemes(scheme)) {
+    const Result<Mask> mask = regular_mask(one);
+    if (!mask) return mask.error();
+    latex += (latex.empty() ? "" : "\n") + lattice_latex(label_on_lattice(scheme.name, one), *mask);
+  }
+  return latex;
 }
 
 }  // namespace limn

@@ -1,11 +1,9 @@
 #include "limn/scheme/lattice_schemes.h"
 
-#include <algorithm>
-#include <cassert>
+#include <vector>
 
 #include <fmt/core.h>
 
-#include "limn/scheme/check.h"
 #include "limn/scheme/stages.h"
 
 namespace limn {
@@ -13,10 +11,8 @@ namespace {
 
 Scheme on_lattice(const Scheme& scheme, Lattice lattice) {
   Scheme half = scheme;
-  half.stages->only = lattice;
+  restrict_stages(half, lattice);
   half.split = split_of_stages(*half.stages);
-  const std::string_view quads = lattice == Lattice::triangle ? "0" : "n";
-  half.lets.emplace_back(kQuads, Formula{Expression::parse(quads).value(), {}});
   std::erase_if(half.facts, [&](const Fact& fact) { return fact.lattice != lattice; });
   return half;
 }
@@ -25,6 +21,11 @@ Scheme on_lattice(const Scheme& scheme, Lattice lattice) {
 
 std::string_view lattice_name(Lattice lattice) {
   return lattice == Lattice::triangle ? "triangle" : "quad";
+}
+
+std::string label_on_lattice(const std::string& name, const Scheme& scheme) {
+  if (!scheme.stages || !scheme.stages->only) return name;
+  return fmt::format("{} on {}s", name, lattice_name(*scheme.stages->only));
 }
 
 std::vector<Scheme> lattice_schemes(const Scheme& scheme) {
@@ -36,8 +37,9 @@ Status check_one_lattice(const Scheme& scheme) {
   if (!scheme.split->mixed) return Done{};
   return Error{fmt::format("scheme '{}' has no single lattice: its meshes have triangles and quads",
                            scheme.name),
-               "limn eigen, regularity, artifacts, show and compare tell of either; --faces of a "
-               "vertex where both meet"};
+               fmt::format("a scheme file of its own has what it is on one: extends = \"{}\" and "
+                           "lattice = \"triangle\" or \"quad\"",
+                           scheme.name)};
 }
 
 }  // namespace limn

@@ -23,6 +23,13 @@ const Split* split_of_stages(const Stages& stages) {
   return find_split(stages.count % 2 == 0 ? "quad-dyadic" : "quad-dual");
 }
 
+void restrict_stages(Scheme& scheme, Lattice lattice) {
+  scheme.stages->only = lattice;
+  std::erase_if(scheme.lets, [](const auto& let) { return let.first == kQuads; });
+  const std::string_view quads = lattice == Lattice::triangle ? "0" : "n";
+  scheme.lets.emplace_back(kQuads, Formula{Expression::parse(quads).value(), {}});
+}
+
 Status settle_stages(Scheme& scheme) {
   Stages& stages = *scheme.stages;
   const bool linear = stages.first == Stages::First::linear;

@@ -45,9 +45,7 @@ void each_formula(const Scheme& scheme, const Visit& visit) {
 }
 
 /// Whether q is the number of quads at a vertex.
-bool knows_quads(const Scheme& scheme) {
-  return scheme.stages && scheme.stages->is_mixed();
-}
+bool knows_quads(const Scheme& scheme) { return scheme.stages && scheme.stages->is_mixed(); }
 
 std::string names_hint(const Scheme& scheme, const Definitions& definitions,
                        const std::string& unknown) {

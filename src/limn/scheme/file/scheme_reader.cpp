@@ -8,6 +8,7 @@
 
 #include "limn/base/fault_order.h"
 #include "limn/base/near_word.h"
+#include "limn/scheme/check.h"
 #include "limn/scheme/file/role_reader.h"
 #include "limn/scheme/file/scheme_reader.h"
 #include "limn/scheme/file/scheme_words.h"
@@ -37,6 +38,7 @@ class SchemeFileReader {
              [&](const toml::key& key, const toml::node& node) { read_header(key, node); });
     read_rules(root);
     if (extends_) inherit(*extends_);
+    if (lattice_ != nullptr) restrict_to_lattice(*lattice_);
     check_given_once();
     unread_.something = in_.faults() > 0;
     return {std::move(scheme_), std::move(unread_)};
@@ -120,6 +122,8 @@ class SchemeFileReader {
         extends_ = text;
       else
         unread_.everything = true;
+    } else if (name == "lattice") {
+      lattice_ = &node;
     } else if (name == "let") {
       in_.each(node, name, [&](const toml::key& k, const toml::node& v) { read_let(k, v); });
     } else if (name == "parameter") {
@@ -371,6 +375,22 @@ class SchemeFileReader {
         scheme_.parameters.push_back(std::move(parameter));
   }
 
+  /// A file may ask for what a scheme of both kinds of faces is on one.
+  void restrict_to_lattice(const toml::node& node) {
+    const std::optional<Lattice> lattice = read_lattice(in_, node);
+    if (!lattice || unread_.everything) return;
+    if (!scheme_.stages || scheme_.stages->first != Stages::First::linear)
+      return in_.fail(node, "a lattice is named, but there is only one",
+                      "it is for stages that begin linearly, on triangles and quads");
+    if (const auto taken = names_.find(std::string(kQuads)); taken != names_.end())
+      return in_.fail(
+          Error{fmt::format("'{}' cannot be the name of a let or a parameter here", kQuads),
+                "it is the number of quads at a vertex", in_.file(), taken->second.line,
+                taken->second.column});
+    restrict_stages(scheme_, *lattice);
+    scheme_.split = split_of_stages(*scheme_.stages);
+  }
+
   /// Rules follow from a mask or from factors, and stages are in place of them, so stating them too
   /// would say them twice.
   void check_given_once() {
@@ -407,6 +427,7 @@ class SchemeFileReader {
   Unread unread_;
   bool in_pair_ = false;  // while that is read
   std::optional<std::string> extends_;
+  const toml::node* lattice_ = nullptr;  // what the file says of it
   Place extends_place_;
   std::map<std::string, Place> names_;
 };

@@ -9,8 +9,8 @@
 namespace limn {
 
 std::vector<std::string> known_keys() {
-  std::vector<std::string> keys{"name",  "title",   "split", "weights",   "source",
-                                "notes", "extends", "let",   "parameter", "roles"};
+  std::vector<std::string> keys{"name",    "title",   "split", "weights",   "source", "notes",
+                                "extends", "lattice", "let",   "parameter", "roles"};
   for (int i = 0; i < kRuleKinds; ++i)
     if (const std::string name(rule_name(static_cast<RuleKind>(i))); !name.starts_with(kBoundary))
       keys.push_back(name);

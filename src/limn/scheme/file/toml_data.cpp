@@ -36,16 +36,6 @@ void read_valences(TomlReader& in, const toml::node& node, Fact& fact) {
                               kSmallestValence, kLargestStatedValence));
 }
 
-std::optional<Lattice> read_lattice(TomlReader& in, const toml::node& node) {
-  const std::string word = in.text(node, "lattice");
-  if (word == "triangle") return Lattice::triangle;
-  if (word == "quad") return Lattice::quad;
-  if (node.is_string())
-    in.fail(node, fmt::format("unknown lattice '{}'", word),
-            did_you_mean(word, {"triangle", "quad"}, "expected \"triangle\" or \"quad\""));
-  return std::nullopt;
-}
-
 void read_direction(TomlReader& in, const toml::node& node, Factors& factors) {
   std::optional<std::array<int, 2>> step;
   std::optional<Formula> count;
@@ -87,6 +77,16 @@ void check_shipped(TomlReader& in, const toml::node& node, const std::string& na
 }
 
 }  // namespace
+
+std::optional<Lattice> read_lattice(TomlReader& in, const toml::node& node) {
+  const std::string word = in.text(node, "lattice");
+  if (word == "triangle") return Lattice::triangle;
+  if (word == "quad") return Lattice::quad;
+  if (node.is_string())
+    in.fail(node, fmt::format("unknown lattice '{}'", word),
+            did_you_mean(word, {"triangle", "quad"}, "expected \"triangle\" or \"quad\""));
+  return std::nullopt;
+}
 
 Rows read_rows(TomlReader& in, const toml::node& node, std::string_view what) {
   Rows rows;

@@ -13,6 +13,8 @@ Factors read_factors(TomlReader& in, const toml::node& node);
 /// `read_pair` reads the rule of that name.
 Stages read_stages(TomlReader& in, const toml::node& node,
                    const std::function<Rule(const toml::node&)>& read_pair);
+/// "triangle" or "quad"; nothing, and a fault, where it is another word.
+std::optional<Lattice> read_lattice(TomlReader& in, const toml::node& node);
 /// One entry of [[facts]]: into scheme.facts, scheme.equivalences or scheme.stated_mask.
 void read_fact(TomlReader& in, const toml::node& node, Scheme& scheme);
 
