@@ -2,6 +2,7 @@
 
 #include <queue>
 
+#include "limn/mesh/pattern.h"
 #include "limn/mesh/split/split.h"
 
 #include "random_mesh.h"
@@ -68,6 +69,54 @@ TEST(CroppedStar, IsAStarWithoutTheCornersOfItsLastSquare) {
     }
   EXPECT_EQ(cropped_star_size(5, 0), 1);
   EXPECT_EQ(cropped_star_size(5, 1), 6);
+}
+
+TEST(SectorStar, IsRegularButForItsCentreAndItsSeams) {
+  constexpr Lattice kT = Lattice::triangle, kQ = Lattice::quad;
+  for (const std::vector<Lattice>& kinds : std::vector<std::vector<Lattice>>{
+           {kT, kT, kT, kQ, kQ}, {kT, kQ}, {kQ, kT, kQ, kT}, {kT, kT, kQ, kT, kQ, kQ, kQ}})
+    for (const bool open : {false, true}) {
+      const Sectors sectors{kinds, open};
+      const Index rings = 4, inner = sector_star_size(sectors, rings - 1);
+      const Mesh mesh = sector_star(sectors, rings);
+      EXPECT_EQ(mesh.check(), "");
+      EXPECT_EQ(mesh.vertex_count(), sector_star_size(sectors, rings));
+      EXPECT_EQ(mesh.origin(0), 0);
+      EXPECT_EQ(mesh.target(0), 1);
+      EXPECT_EQ(mesh.face_count(), static_cast<Index>(kinds.size()) * rings * rings);
+      EXPECT_EQ(mesh.valence(0), static_cast<Index>(kinds.size()) + (open ? 1 : 0));
+      Index h = mesh.halfedge_of_vertex(0);
+      for (const Lattice kind : kinds) {  // counterclockwise in this order
+        EXPECT_EQ(mesh.degree(mesh.face(h)), kind == kT ? 3 : 4);
+        h = mesh.rotate(h);
+      }
+      Index seams = 0, expected = 0;
+      for (Index v = 1; v < inner; ++v) {
+        if (mesh.is_boundary_vertex(v)) continue;
+        seams += mesh.valence(v) == 5 ? 1 : 0;
+        EXPECT_TRUE(mesh.valence(v) >= 4 && mesh.valence(v) <= 6);
+      }
+      for (std::size_t s = open ? 1 : 0; s < kinds.size(); ++s)
+        expected += kinds[s] != kinds[(s + kinds.size() - 1) % kinds.size()] ? rings - 1 : 0;
+      EXPECT_EQ(seams, expected);
+    }
+}
+
+/// A step of the split makes the star of the same sectors again.
+TEST(SectorStar, IsWhatQuadTriangleMakesOfIt) {
+  constexpr Lattice kT = Lattice::triangle, kQ = Lattice::quad;
+  for (const bool open : {false, true}) {
+    const Sectors sectors{{kT, kQ, kQ, kT, kT}, open};
+    const Mesh fine = find_split("quad-triangle")->apply(sector_star(sectors, 2), 0).mesh;
+    const Mesh expected = sector_star(sectors, 4);
+    EXPECT_EQ(fine.vertex_count(), expected.vertex_count());
+    EXPECT_EQ(fine.face_count(), expected.face_count());
+    std::vector<Index> places;
+    Index start = fine.halfedge_of_vertex(0);
+    const Index toward = sector_star_size(sectors, 2);  // the middle of edge 0
+    for (Index i = 0; i < 6 && fine.target(start) != toward; ++i) start = fine.rotate(start);
+    EXPECT_TRUE(Pattern(expected, expected.vertex_count()).match(fine, start, places));
+  }
 }
 
 TEST(Torus, HasTheFacesAndDirectionsOfItsHeader) {

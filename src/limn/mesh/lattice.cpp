@@ -29,41 +29,41 @@ class FaceList {
   Polygons polygons_;
 };
 
-// ring r of the triangle star: n sectors of r vertices; position k of sector s lies k steps of
-// r on the way from spoke s to spoke s+1. An open one, a fan, ends with a spoke of its own.
-struct TriangleRings {
-  Index n;
-  bool open = false;
-  [[nodiscard]] Index size(Index rings) const {
-    return 1 + n * (rings * (rings + 1) / 2) + (open ? rings : 0);
-  }
-  [[nodiscard]] Index vertex(Index s, Index r, Index k) const {
-    if (r == 0) return 0;
-    return size(r - 1) + (open ? s * r + k : (s * r + k) % (n * r));
-  }
-};
+Index ring_length(Lattice lattice, Index r) { return lattice == Lattice::triangle ? r : 2 * r; }
 
-// the quad star: sector s is a quadrant with x along spoke s and y along spoke s+1, ring r its
-// points with max(x, y) = r
-struct QuadRings {
-  Index n;
-  bool open = false;
+// ring r of a star: as many vertices in each sector as ring_length says. In a sector of triangles
+// position k lies k steps of r on the way from its spoke to the next one; a sector of quads is a
+// quadrant with x along its spoke and y along the next one, ring r its points with max(x, y) = r.
+// An open star, a fan, ends with a spoke of its own.
+class SectorRings {
+ public:
+  explicit SectorRings(const Sectors& sectors) : sectors_(sectors), before_{0} {
+    for (const Lattice lattice : sectors.lattices)
+      before_.push_back(before_.back() + ring_length(lattice, 1));
+  }
   [[nodiscard]] Index size(Index rings) const {
-    return 1 + n * rings * (rings + 1) + (open ? rings : 0);
+    return 1 + before_.back() * (rings * (rings + 1) / 2) + (sectors_.open ? rings : 0);
   }
-  [[nodiscard]] Index vertex(Index s, Index x, Index y) const {
-    const Index r = std::max(x, y);
+  [[nodiscard]] Index vertex(std::size_t s, Index r, Index k) const {
     if (r == 0) return 0;
-    const Index k = x == r ? y : 2 * r - x;
-    return size(r - 1) + (open ? 2 * r * s + k : (2 * r * s + k) % (2 * r * n));
+    const Index at = r * before_[s] + k;
+    return size(r - 1) + (sectors_.open ? at : at % (r * before_.back()));
   }
+  [[nodiscard]] Index vertex_at(std::size_t s, Index x, Index y) const {
+    const Index r = std::max(x, y);
+    return vertex(s, r, x == r ? y : 2 * r - x);
+  }
+
+ private:
+  const Sectors& sectors_;
+  std::vector<Index> before_;  // vertices of ring 1 before each sector, and all
 };
 
 // the same without corners: those of each square are in the ring beyond
 struct CroppedRings {
   Index n;
   [[nodiscard]] Index size(Index rings) const {
-    return rings == 0 ? 1 : QuadRings{n}.size(rings) - n;
+    return rings == 0 ? 1 : star_size(Lattice::quad, n, rings) - n;
   }
   [[nodiscard]] Index vertex(Index s, Index x, Index y) const {
     if (x == 0 && y == 0) return 0;
@@ -86,30 +86,32 @@ struct DualRings {
   }
 };
 
-Mesh triangle_star(Index n, Index rings, bool open) {
-  const TriangleRings at{n, open};
-  FaceList faces;
-  for (Index r = 1; r <= rings; ++r) {
-    for (Index s = 0; s < n; ++s) {
-      for (Index k = 0; k < r; ++k) {
-        faces.add({at.vertex(s, r - 1, k), at.vertex(s, r, k), at.vertex(s, r, k + 1)});
-        if (k + 1 < r)
-          faces.add({at.vertex(s, r - 1, k), at.vertex(s, r, k + 1), at.vertex(s, r - 1, k + 1)});
-      }
-    }
+// between ring r - 1 and ring r of a sector
+void add_triangles(const SectorRings& at, std::size_t s, Index r, FaceList& faces) {
+  for (Index k = 0; k < r; ++k) {
+    faces.add({at.vertex(s, r - 1, k), at.vertex(s, r, k), at.vertex(s, r, k + 1)});
+    if (k + 1 < r)
+      faces.add({at.vertex(s, r - 1, k), at.vertex(s, r, k + 1), at.vertex(s, r - 1, k + 1)});
   }
-  return faces.mesh(at.size(rings));
+}
+void add_quads(const SectorRings& at, std::size_t s, Index r, FaceList& faces) {
+  const auto add = [&](Index x, Index y) {
+    faces.add({at.vertex_at(s, x, y), at.vertex_at(s, x + 1, y), at.vertex_at(s, x + 1, y + 1),
+               at.vertex_at(s, x, y + 1)});
+  };
+  for (Index y = 0; y < r; ++y) add(r - 1, y);
+  for (Index x = r - 1; x-- > 0;) add(x, r - 1);
 }
 
 /// The star of two sectors, whose faces' corners do not tell which of two edges with the same ends
 /// they lie at: that of four sectors, of which opposite ones become one.
 Mesh triangle_star_of_two(Index rings) {
-  const Mesh four = triangle_star(4, rings, false);
-  const TriangleRings wide{4}, narrow{2};
+  const Mesh four = star(Lattice::triangle, 4, rings);
   const auto vertex = [&](Index v) {
     Index r = 0;
-    while (v >= wide.size(r)) ++r;
-    return r == 0 ? 0 : narrow.size(r - 1) + (v - wide.size(r - 1)) % (2 * r);
+    const auto wide = [](Index ring) { return star_size(Lattice::triangle, 4, ring); };
+    while (v >= wide(r)) ++r;
+    return r == 0 ? 0 : star_size(Lattice::triangle, 2, r - 1) + (v - wide(r - 1)) % (2 * r);
   };
   const auto halfedge = [&](Index h) {
     const Index face = h / 3;
@@ -120,7 +122,7 @@ Mesh triangle_star_of_two(Index rings) {
   };
   Mesh::Arrays arrays;
   arrays.degree = 3;
-  arrays.vertex_count = narrow.size(rings);
+  arrays.vertex_count = star_size(Lattice::triangle, 2, rings);
   const auto size = static_cast<std::size_t>(four.halfedge_count() / 2);
   arrays.origin.resize(size);
   arrays.twin.resize(size);
@@ -139,20 +141,8 @@ Mesh triangle_star_of_two(Index rings) {
   return Mesh::from_arrays(std::move(arrays));
 }
 
-Mesh quad_star(Index n, Index rings, bool open) {
-  const QuadRings at{n, open};
-  FaceList faces;
-  const auto add = [&](Index s, Index x, Index y) {
-    faces.add({at.vertex(s, x, y), at.vertex(s, x + 1, y), at.vertex(s, x + 1, y + 1),
-               at.vertex(s, x, y + 1)});
-  };
-  for (Index r = 0; r < rings; ++r) {
-    for (Index s = 0; s < n; ++s) {
-      for (Index y = 0; y <= r; ++y) add(s, r, y);
-      for (Index x = r; x-- > 0;) add(s, x, r);
-    }
-  }
-  return faces.mesh(at.size(rings));
+Sectors alike(Lattice lattice, Index sectors, bool open) {
+  return {std::vector<Lattice>(static_cast<std::size_t>(sectors), lattice), open};
 }
 
 }  // namespace
@@ -175,16 +165,29 @@ Mesh torus(Lattice lattice, Index nx, Index ny) {
   return faces.mesh(nx * ny);
 }
 
+Mesh sector_star(const Sectors& sectors, Index rings) {
+  assert(rings >= 1 && !sectors.lattices.empty());
+  if (!sectors.open && sectors.lattices == std::vector{Lattice::triangle, Lattice::triangle})
+    return triangle_star_of_two(rings);
+  const SectorRings at(sectors);
+  FaceList faces;
+  for (Index r = 1; r <= rings; ++r)
+    for (std::size_t s = 0; s < sectors.lattices.size(); ++s)
+      (sectors.lattices[s] == Lattice::triangle ? add_triangles : add_quads)(at, s, r, faces);
+  return faces.mesh(at.size(rings));
+}
+
+Index sector_star_size(const Sectors& sectors, Index rings) {
+  return SectorRings(sectors).size(rings);
+}
+
 Mesh star(Lattice lattice, Index n, Index rings) {
-  assert(n >= 2 && rings >= 1);
-  if (lattice == Lattice::quad) return quad_star(n, rings, false);
-  return n == 2 ? triangle_star_of_two(rings) : triangle_star(n, rings, false);
+  assert(n >= 2);
+  return sector_star(alike(lattice, n, false), rings);
 }
 
 Mesh fan(Lattice lattice, Index sectors, Index rings) {
-  assert(sectors >= 1 && rings >= 1);
-  return lattice == Lattice::triangle ? triangle_star(sectors, rings, true)
-                                      : quad_star(sectors, rings, true);
+  return sector_star(alike(lattice, sectors, true), rings);
 }
 
 Mesh cropped_star(Index n, Index rings) {
@@ -203,12 +206,11 @@ Mesh cropped_star(Index n, Index rings) {
 Index cropped_star_size(Index n, Index rings) { return CroppedRings{n}.size(rings); }
 
 Index star_size(Lattice lattice, Index n, Index rings) {
-  return lattice == Lattice::triangle ? TriangleRings{n}.size(rings) : QuadRings{n}.size(rings);
+  return 1 + n * ring_length(lattice, 1) * (rings * (rings + 1) / 2);
 }
 
 Index fan_size(Lattice lattice, Index sectors, Index rings) {
-  return lattice == Lattice::triangle ? TriangleRings{sectors, true}.size(rings)
-                                      : QuadRings{sectors, true}.size(rings);
+  return star_size(lattice, sectors, rings) + rings;
 }
 
 Mesh face_star(Index n, Index rings) {

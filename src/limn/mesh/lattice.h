@@ -31,6 +31,20 @@ using Twelfths = std::array<Index, 2>;
 /// size.
 [[nodiscard]] Twelfths torus_difference(Twelfths from, Twelfths to, Index nx, Index ny);
 
+/// The kinds of faces round a vertex, counterclockwise.
+struct Sectors {
+  std::vector<Lattice> lattices;  ///< at least one; of a closed star two or more
+  bool open = false;  ///< the vertex is on the boundary: before the first and after the last sector
+};
+
+/// The disc of `rings` rings round one vertex with such faces, each of which begins a sector of its
+/// lattice: what any surroundings become when triangles are cut into triangles and quads into
+/// quads. Inside, vertices are regular but for the centre and where sectors of different kinds
+/// meet: on spokes, with three triangles and two quads. Numbered as `star` and `fan`, which it is
+/// where all sectors are alike: ring r has r vertices in a sector of triangles, 2r in one of quads,
+/// from its first spoke on, and in an open star one more, on the last spoke.
+[[nodiscard]] Mesh sector_star(const Sectors& sectors, Index rings);
+
 /// The disc of `rings` rings round one vertex of valence n, every other interior vertex
 /// regular. Vertex 0 is the centre. Ring r of triangles holds n*r vertices, ring r of quads
 /// 2*n*r (all vertices of the faces that touch ring r-1); rings follow one another, each
@@ -59,8 +73,9 @@ using Twelfths = std::array<Index, 2>;
 /// diagonal one in the middle. Half-edge 0 has origin vertex 0.
 [[nodiscard]] Mesh face_star(Index n, Index rings);
 
-/// Number of vertices in rings 0 … rings of `star`, `cropped_star` and `fan`, or 1 … rings of
-/// `face_star`.
+/// Number of vertices in rings 0 … rings of `sector_star`, `star`, `cropped_star` and `fan`, or 1 …
+/// rings of `face_star`.
+[[nodiscard]] Index sector_star_size(const Sectors& sectors, Index rings);
 [[nodiscard]] Index star_size(Lattice lattice, Index n, Index rings);
 [[nodiscard]] Index cropped_star_size(Index n, Index rings);
 [[nodiscard]] Index fan_size(Lattice lattice, Index sectors, Index rings);
