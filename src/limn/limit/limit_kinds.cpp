@@ -1,9 +1,11 @@
 #include "limn/limit/limit_kinds.h"
 
 #include <algorithm>
+#include <functional>
 
 #include "limn/mesh/lattice.h"
 #include "limn/refine/star_step.h"
+#include "limn/scheme/lattice_schemes.h"
 #include "limn/scheme/seen_from.h"
 
 namespace limn {
@@ -23,29 +25,48 @@ SharedSites::SharedSites(const Mesh& mesh, std::vector<LimitSite>& sites) {
   sites.resize(kept);
 }
 
-bool LimitKinds::at_boundary(const Mesh& mesh, Index at) const {
-  return !scheme_.split->is_dual() && mesh.is_boundary_vertex(at);
+LimitKinds::LimitKinds(const Scheme& scheme, bool curvatures)
+    : scheme_(scheme), curvatures_(curvatures) {
+  for (Scheme& one : lattice_schemes(scheme))
+    lattices_.push_back(std::make_unique<OneLattice>(std::move(one)));
 }
 
-/// Edges at an interior vertex, corners of a face, or faces at a boundary vertex.
-int LimitKinds::size_of(const Mesh& mesh, Index at) const {
-  if (scheme_.split->is_dual()) return mesh.degree(mesh.face(at));
-  return mesh.valence(at) - (mesh.is_boundary_vertex(at) ? 1 : 0);
+PlaceKind LimitKinds::place_of(const Mesh& mesh, Index at) const {
+  if (scheme_.split->is_dual()) return {false, mesh.degree(mesh.face(at)), {}};
+  const bool boundary = mesh.is_boundary_vertex(at);
+  PlaceKind place{boundary, mesh.valence(at) - (boundary ? 1 : 0), {}};
+  if (!scheme_.split->mixed) return place;
+  Index h = mesh.halfedge_of_vertex(at);
+  for (int i = 0; i < place.size; ++i, h = mesh.rotate(h))  // other faces are quads a step later
+    place.faces.push_back(mesh.degree(mesh.face(h)) == 3 ? Lattice::triangle : Lattice::quad);
+  const auto other =
+      std::adjacent_find(place.faces.begin(), place.faces.end(), std::not_equal_to<>());
+  if (other == place.faces.end()) place.faces.resize(1);
+  return place;
+}
+
+std::optional<Sectors> LimitKinds::seam_of(const PlaceKind& place) {
+  if (place.faces.size() < 2) return std::nullopt;
+  return Sectors{place.faces, place.boundary};
+}
+
+LimitKinds::OneLattice& LimitKinds::lattice_of(const PlaceKind& place) const {
+  const bool second = !place.faces.empty() && place.faces.front() == Lattice::quad;
+  return *lattices_[second ? 1 : 0];
 }
 
 Status LimitKinds::prepare(const Mesh& mesh, std::vector<LimitSite>& sites,
                            std::vector<LimitPoints::Refused>* refused, const SharedSites& shared) {
   std::size_t kept = 0;
   for (const LimitSite& site : sites) {
-    const bool boundary = at_boundary(mesh, site.at);
-    const int size = size_of(mesh, site.at);
-    const Result<const LimitKind*> kind = find(boundary, size);
+    const PlaceKind place = place_of(mesh, site.at);
+    const Result<const LimitKind*> kind = find(place);
     if (kind) {
       sites[kept++] = site;
       continue;
     }
     Error error = kind.error();
-    if (refused != nullptr && check_rules(boundary, size)) {
+    if (refused != nullptr && check_rules(place)) {
       refused->push_back({site.result, error.message});
       for (const Index v : shared.others(site.result)) refused->push_back({v, error.message});
       continue;
@@ -57,61 +78,81 @@ Status LimitKinds::prepare(const Mesh& mesh, std::vector<LimitSite>& sites,
   return Done{};
 }
 
-Result<const LimitKind*> LimitKinds::find(bool boundary, int size) {
-  std::map<int, Result<LimitKind>>& kinds = kinds_[boundary ? 1 : 0];
-  auto found = kinds.find(size);
-  if (found == kinds.end()) found = kinds.emplace(size, make(boundary, size)).first;
+Result<const LimitKind*> LimitKinds::find(const PlaceKind& place) {
+  auto found = kinds_.find(place);
+  if (found == kinds_.end()) found = kinds_.emplace(place, make(place)).first;
   if (!found->second) return found->second.error();
   return &*found->second;
 }
 
-Status LimitKinds::check_rules(bool boundary, int size) const {
+Status LimitKinds::check_rules(const PlaceKind& place) const {
+  if (const std::optional<Sectors> seam = seam_of(place)) {
+    if (seam->open) return Done{};  // stages need no rules there
+    const auto quads =
+        static_cast<int>(std::count(seam->lattices.begin(), seam->lattices.end(), Lattice::quad));
+    const Result<Row<double>> row =
+        tabulate_row<double>(scheme_, RuleKind::vertex, place.size, quads);
+    return row ? Status(Done{}) : row.error();
+  }
+  const Scheme& scheme = lattice_of(place).scheme;
   const auto check = [&](RuleKind kind, int n) -> Status {
-    const Result<Row<double>> row = tabulate_row<double>(scheme_, kind, n);
+    const Result<Row<double>> row = tabulate_row<double>(scheme, kind, n);
     if (!row) return row.error();
     return Done{};
   };
-  const Split& split = *scheme_.split;
+  const Split& split = *scheme.split;
   if (split.is_dual())
-    return split.births.corners ? check(RuleKind::corner, size) : check(RuleKind::edge, 0);
-  if (!boundary) return check(RuleKind::vertex, size);
-  if (Status status = check(RuleKind::boundary_vertex, size + 1); !status) return status;
+    return split.births.corners ? check(RuleKind::corner, place.size) : check(RuleKind::edge, 0);
+  if (!place.boundary) return check(RuleKind::vertex, place.size);
+  if (Status status = check(RuleKind::boundary_vertex, place.size + 1); !status) return status;
   const bool thirds = split.births.thirds || split.odd_step_cut == 3;
-  return thirds ? check(RuleKind::boundary_edge_end, size + 1) : check(RuleKind::boundary_edge, 0);
+  return thirds ? check(RuleKind::boundary_edge_end, place.size + 1)
+                : check(RuleKind::boundary_edge, 0);
 }
 
-Pattern LimitKinds::pattern(bool boundary, int size, int shape) const {
-  const Split& split = *scheme_.split;
-  if (boundary) return {fan(split.lattice, size, shape), fan_size(split.lattice, size, shape - 1)};
+Pattern LimitKinds::pattern(const PlaceKind& place, int shape) const {
+  if (const std::optional<Sectors> seam = seam_of(place))
+    return {sector_star(*seam, shape), sector_star_size(*seam, shape - 1)};
+  const Split& split = *lattice_of(place).scheme.split;
+  const int size = place.size;
+  if (place.boundary)
+    return {fan(split.lattice, size, shape), fan_size(split.lattice, size, shape - 1)};
   return {split_star(split, size, shape), split_star_size(split, size, shape - 1)};
 }
 
-Result<LimitKind> LimitKinds::make(bool boundary, int size) {
-  if (Status status = check_rules(boundary, size); !status) return status.error();
-  Result<LimitStencil> limit = boundary ? approx_boundary_limit_stencil(scheme_, size)
-                                        : approx_limit_stencil(analysis_, size);
+Result<LimitKind> LimitKinds::make(const PlaceKind& place) {
+  if (Status status = check_rules(place); !status) return status.error();
+  OneLattice& lattice = lattice_of(place);
+  const std::optional<Sectors> seam = seam_of(place);
+  Result<LimitStencil> limit = seam ? approx_sector_limit_stencil(scheme_, *seam)
+                               : place.boundary
+                                   ? approx_boundary_limit_stencil(lattice.scheme, place.size)
+                                   : approx_limit_stencil(lattice.analysis, place.size);
   if (!limit) return limit.error();
   // What is inside must be regular: rules that are seen from an end or a corner see one ring
   // farther; and of a cropped star the corners, which have rules, count to the ring beyond.
-  const int corners = boundary ? 0 : least_star_rings(*scheme_.split) - 1;
-  const int more = (has_rules_seen_from(scheme_) ? 1 : 0) + corners;
+  const int corners = place.boundary ? 0 : least_star_rings(*lattice.scheme.split) - 1;
+  const int more = (has_rules_seen_from(lattice.scheme) ? 1 : 0) + corners;
   const int shape = limit->rings + more;
   rings_ = std::max(rings_, limit->rings);
-  LimitKind kind{std::move(*limit), shape, pattern(boundary, size, shape), {}, {}};
+  LimitKind kind{std::move(*limit), shape, pattern(place, shape), {}, {}};
   if (!curvatures_) return kind;
-  kind.no_curvature = NoCurvature::boundary;
-  if (boundary) return kind;
-  // what is not known of the curvature takes nothing from the limit
-  kind.no_curvature = NoCurvature::unknown;
-  Result<VertexCurvature> curvature = approx_curvature_stencil(scheme_, analysis_, size);
-  if (!curvature) return kind;
+  kind.no_curvature = place.boundary ? NoCurvature::boundary : NoCurvature::unknown;
+  if (!place.boundary && !seam) add_curvature(lattice, place, more, kind);
+  return kind;
+}
+
+/// What is not known of the curvature takes nothing from the limit.
+void LimitKinds::add_curvature(OneLattice& lattice, const PlaceKind& place, int more,
+                               LimitKind& kind) {
+  Result<VertexCurvature> curvature =
+      approx_curvature_stencil(lattice.scheme, lattice.analysis, place.size);
+  if (!curvature) return;
   kind.no_curvature = curvature->missing;
-  if (!curvature->stencil) return kind;
+  if (!curvature->stencil) return;
   const int rings = std::max(kind.limit.rings, curvature->stencil->rings);
   rings_ = std::max(rings_, rings);
-  kind.curvature =
-      LimitKind::Curved{*std::move(curvature->stencil), pattern(boundary, size, rings + more)};
-  return kind;
+  kind.curvature = LimitKind::Curved{*std::move(curvature->stencil), pattern(place, rings + more)};
 }
 
 }  // namespace limn

@@ -6,9 +6,11 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
+#include <tuple>
 #include <unordered_map>
 #include <vector>
 
@@ -54,36 +56,59 @@ class SharedSites {
   std::unordered_map<Index, std::vector<Index>> others_;
 };
 
+/// What kind a place is of: at the boundary or not, of so many faces (dual splits: a face of so
+/// many corners), and where a scheme has both kinds of faces which ones, counterclockwise from the
+/// place's own half-edge; one stands for all that are alike.
+struct PlaceKind {
+  bool boundary = false;
+  int size = 0;
+  std::vector<Lattice> faces = {};  ///< empty: all of the scheme's one lattice
+
+  friend bool operator<(const PlaceKind& a, const PlaceKind& b) {
+    return std::tie(a.boundary, a.size, a.faces) < std::tie(b.boundary, b.size, b.faces);
+  }
+};
+
 /// The kinds of a scheme, found when they are met.
 class LimitKinds {
  public:
-  LimitKinds(const Scheme& scheme, bool curvatures)
-      : scheme_(scheme), curvatures_(curvatures), analysis_(scheme) {}
+  LimitKinds(const Scheme& scheme, bool curvatures);
+  LimitKinds(const LimitKinds&) = delete;  // the lattices' analyses refer to schemes in it
+  LimitKinds& operator=(const LimitKinds&) = delete;
 
   /// Finds those of the sites. Without `refused`, fails at the first vertex that has none; with it,
   /// such sites move there, each with its reason. Fails where a rule is missing.
   Status prepare(const Mesh& mesh, std::vector<LimitSite>& sites,
                  std::vector<LimitPoints::Refused>* refused, const SharedSites& shared);
-  /// At the boundary or not; of so many faces (dual splits: a face of so many corners).
-  Result<const LimitKind*> find(bool boundary, int size);
+  Result<const LimitKind*> find(const PlaceKind& place);
   /// Of a site that is prepared for.
   [[nodiscard]] const LimitKind& at(const Mesh& mesh, Index at) const {
-    return *kinds_[at_boundary(mesh, at) ? 1 : 0].at(size_of(mesh, at));
+    return *kinds_.at(place_of(mesh, at));
   }
-  [[nodiscard]] bool at_boundary(const Mesh& mesh, Index at) const;
   [[nodiscard]] int rings() const { return rings_; }  ///< of the widest of them
 
  private:
-  [[nodiscard]] int size_of(const Mesh& mesh, Index at) const;
+  /// What a scheme is on one lattice.
+  struct OneLattice {
+    explicit OneLattice(Scheme own) : scheme(std::move(own)), analysis(scheme) {}
+    Scheme scheme;
+    FrequencyAnalysis analysis;
+  };
+
+  [[nodiscard]] PlaceKind place_of(const Mesh& mesh, Index at) const;
+  /// Where faces of both kinds meet; nothing elsewhere.
+  [[nodiscard]] static std::optional<Sectors> seam_of(const PlaceKind& place);
+  [[nodiscard]] OneLattice& lattice_of(const PlaceKind& place) const;
   /// That the scheme has the rules of a vertex (dual splits: a face) of this kind.
-  [[nodiscard]] Status check_rules(bool boundary, int size) const;
-  [[nodiscard]] Result<LimitKind> make(bool boundary, int size);
-  [[nodiscard]] Pattern pattern(bool boundary, int size, int shape) const;
+  [[nodiscard]] Status check_rules(const PlaceKind& place) const;
+  [[nodiscard]] Result<LimitKind> make(const PlaceKind& place);
+  void add_curvature(OneLattice& lattice, const PlaceKind& place, int more, LimitKind& kind);
+  [[nodiscard]] Pattern pattern(const PlaceKind& place, int shape) const;
 
   const Scheme& scheme_;
   bool curvatures_;
-  FrequencyAnalysis analysis_;
-  std::array<std::map<int, Result<LimitKind>>, 2> kinds_;  // interior, boundary; by size
+  std::vector<std::unique_ptr<OneLattice>> lattices_;  // one, or triangles and quads
+  std::map<PlaceKind, Result<LimitKind>> kinds_;
   int rings_ = 1;
 };
 

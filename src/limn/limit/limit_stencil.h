@@ -7,6 +7,7 @@
 #include <optional>
 #include <vector>
 
+#include "limn/mesh/lattice.h"
 #include "limn/spectrum/eigenvectors.h"
 
 namespace limn {
@@ -34,9 +35,14 @@ struct LimitStencil {
 /// reason is the verdict's).
 [[nodiscard]] Result<LimitStencil> approx_limit_stencil(FrequencyAnalysis& analysis, int n);
 
-/// At a boundary vertex of `faces` ≥ 1 faces, from the dense matrix of its fan. Fails where the
-/// scheme has no boundary rules or does not converge there, and where more than 1000 vertices
-/// control the surface. For splits that keep the old vertices. Cost: the cube of their number.
+/// At the centre of a star, or a fan at the boundary, of such sectors, from its dense matrix; no
+/// curvature. Fails as `sector_matrix` (sector_matrix.h) does and where the scheme does not
+/// converge there. Cost: the cube of the number of vertices that control the surface.
+[[nodiscard]] Result<LimitStencil> approx_sector_limit_stencil(const Scheme& scheme,
+                                                               const Sectors& sectors);
+
+/// The same at a boundary vertex of `faces` ≥ 1 faces of the scheme's lattice. For splits that keep
+/// the old vertices. Fails also where the scheme has two lattices.
 [[nodiscard]] Result<LimitStencil> approx_boundary_limit_stencil(const Scheme& scheme, int faces);
 
 }  // namespace limn

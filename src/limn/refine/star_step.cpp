@@ -2,7 +2,6 @@
 
 #include <cassert>
 
-#include "limn/mesh/lattice.h"
 #include "limn/mesh/pattern.h"
 
 namespace limn {
@@ -53,16 +52,19 @@ StarStep star_step(const Split& split, int n, int rings) {
   return step;
 }
 
-FanStep fan_step(const Split& split, int sectors, int rings) {
-  const Mesh inner = fan(split.lattice, sectors, rings);
-  FanStep step;
-  step.coarse = fan(split.lattice, sectors, rings + kMargin);
+SectorStep sector_step(const Split& split, const Sectors& sectors, int rings) {
+  const Mesh inner = sector_star(sectors, rings);
+  SectorStep step;
+  step.coarse = sector_star(sectors, rings + kMargin);
   step.size = inner.vertex_count();
   step.fine.push_back(split.apply(step.coarse, 0));
   // the boundary of a trisecting split moves in every second step only
-  if (split.boundary_rests()) step.fine.push_back(split.apply(step.fine.front().mesh, 1));
+  if (sectors.open && split.boundary_rests())
+    step.fine.push_back(split.apply(step.fine.front().mesh, 1));
   const Mesh& last = step.fine.back().mesh;
-  const bool found = Pattern(inner, 0).match(last, last.halfedge_of_vertex(0), step.images);
+  const Index start = sectors.open ? last.halfedge_of_vertex(0)
+                                   : refined_start(split, step.coarse, step.fine.back());
+  const bool found = Pattern(inner, 0).match(last, start, step.images);
   assert(found);
   (void)found;
   return step;

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "limn/mesh/lattice.h"
 #include "limn/mesh/split/split.h"
 
 namespace limn {
@@ -28,15 +29,17 @@ struct StarStep {
 /// that no image's stencil meets the rim.
 [[nodiscard]] StarStep star_step(const Split& split, int n, int rings);
 
-/// The same of a fan: one step, or two where the boundary moves in every second one only.
-struct FanStep {
+/// The same of a star or fan of sectors: one step, or two where the boundary moves in every second
+/// one only.
+struct SectorStep {
   Mesh coarse;
   std::vector<SplitResult> fine;
   Index size = 0;
   std::vector<Index> images;  ///< vertices of fine.back()
 };
 
-/// sectors ≥ 1, rings ≥ 1; for splits that keep the old vertices.
-[[nodiscard]] FanStep fan_step(const Split& split, int sectors, int rings);
+/// Sectors as for `sector_star`, of lattices that the split takes; rings ≥ 1. For splits that keep
+/// the old vertices; of a closed star, those that do not turn.
+[[nodiscard]] SectorStep sector_step(const Split& split, const Sectors& sectors, int rings);
 
 }  // namespace limn

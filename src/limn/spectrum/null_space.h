@@ -1,5 +1,5 @@
 #pragma once
-/// Null vectors of small matrices. Private to eigenvectors and limit_stencil.
+/// Null vectors of small matrices. Private to eigenvectors and sector_matrix.
 
 #include <Eigen/Dense>
 #include <algorithm>

@@ -73,7 +73,7 @@ Status LimitReader::search(const Mesh& mesh, int steps_made, bool closed,
 Result<Index> LimitReader::regular_rings(bool open) {
   const Lattice lattice = scheme_.split->lattice;
   const int size = open ? half_plane_sectors(lattice) : plane_sectors(lattice);
-  const Result<const LimitKind*> kind = kinds_.find(open, size);
+  const Result<const LimitKind*> kind = kinds_.find({open, size});
   if (!kind) return kind.error();
   return (*kind)->shape;
 }
