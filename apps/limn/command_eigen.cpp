@@ -12,6 +12,8 @@
 #include "limn/report/eigen/eigen_formula_report.h"
 #include "limn/report/eigen/eigen_report.h"
 #include "limn/report/eigen/eigenvector_report.h"
+#include "limn/report/eigen/faces_report.h"
+#include "limn/scheme/lattice_schemes.h"
 #include "limn/spectrum/eigencomponents.h"
 #include "limn/spectrum/least_valence.h"
 #include "options/scheme_argument.h"
@@ -28,6 +30,7 @@ constexpr int kFineSectors = 125;   // drawn with all steps; four times as many 
 struct EigenOptions {
   SchemeOptions scheme;
   std::string valence = "3..12";
+  std::string faces;
   int rings = 0;
   bool vectors = false;
   std::string map, chart, table;
@@ -68,7 +71,8 @@ class Output {
         scheme_(scheme),
         regular_(find_regular_part(scheme)),
         map_steps_(map_steps),
-        text_(printable(scheme.name) + "\n" + regular_part_text(regular_) + eigen_heading()) {}
+        text_(printable(label_on_lattice(scheme.name, scheme)) + "\n" +
+              regular_part_text(regular_) + eigen_heading()) {}
 
   void add(const FrequencyBlocks& blocks) {
     const Eigencomponents components = approx_eigencomponents(blocks, regular_);
@@ -91,7 +95,8 @@ class Output {
     all_.push_back(components);
   }
 
-  [[nodiscard]] Status finish() const {
+  /// Writes the files that were asked for.
+  [[nodiscard]] Status write() const {
     if (!options_.map.empty())
       if (Status status = characteristic_maps_figure(scheme_.name, maps_).write(options_.map);
           !status)
@@ -103,14 +108,12 @@ class Output {
     if (!options_.table.empty())
       if (Status status = write_eigenvalues(options_.table, scheme_.name, table); !status)
         return status;
-    if (options_.json)
-      print_json({{"scheme", scheme_.name},
-                  {"regular_part", regular_part_json(regular_)},
-                  {"valences", list_}});
-    else
-      print_text(text_ + eigen_legend());
     return Done{};
   }
+  [[nodiscard]] nlohmann::ordered_json json() const {
+    return {{"regular_part", regular_part_json(regular_)}, {"valences", list_}};
+  }
+  [[nodiscard]] const std::string& text() const { return text_; }
 
  private:
   /// Judged with all steps, a map may be drawn with fewer.
@@ -132,20 +135,90 @@ class Output {
   std::vector<Eigencomponents> all_;
 };
 
+/// What is said of each lattice, in one object: its own where there is one lattice.
+class LatticeObjects {
+ public:
+  LatticeObjects(const std::string& name, bool several) : several_(several) {
+    object_["scheme"] = name;
+  }
+  void add(const Scheme& scheme, const nlohmann::ordered_json& found) {
+    if (!several_) return object_.update(found);
+    nlohmann::ordered_json one{{"lattice", lattice_name(scheme.split->lattice)}};
+    one.update(found);
+    one.erase("scheme");
+    object_["lattices"].push_back(std::move(one));
+  }
+  [[nodiscard]] const nlohmann::ordered_json& object() const { return object_; }
+
+ private:
+  bool several_;
+  nlohmann::ordered_json object_;
+};
+
 /// Parameters that the command line gives a value have it in the formulas too.
 int print_formulas(const EigenOptions& options) {
   const Result<Scheme> scheme = options.scheme.load();
   if (!scheme) return report(scheme.error());
   const std::set<std::string> given =
       given_parameters(options.scheme.name, options.scheme.parameters);
-  const Result<EigenFormulas> formulas = eigen_formulas(*scheme, given, options.rings);
-  if (!formulas) return report(formulas.error());
+  const std::vector<Scheme> lattices = lattice_schemes(*scheme);
+  LatticeObjects json(scheme->name, lattices.size() > 1);
+  std::string text;
+  for (const Scheme& one : lattices) {
+    const Result<EigenFormulas> formulas = eigen_formulas(one, given, options.rings);
+    if (!formulas) return report(formulas.error());
+    json.add(one, eigen_formulas_json(scheme->name, *formulas));
+    text += (text.empty() ? "" : "\n") +
+            eigen_formulas_text(label_on_lattice(scheme->name, one), *formulas,
+                                options.latex ? Notation::latex : Notation::text);
+  }
   if (options.json)
-    print_json(eigen_formulas_json(scheme->name, *formulas));
+    print_json(json.object());
   else
-    print_text(eigen_formulas_text(scheme->name, *formulas,
-                                   options.latex ? Notation::latex : Notation::text));
+    print_text(text);
   return kDone;
+}
+
+/// "3,3,4,3,4": the corners of each face round a vertex, counterclockwise.
+Result<Sectors> read_faces(const std::string& text) {
+  constexpr std::size_t kLeast = 3, kMost = 100;
+  const Error wrong{
+      fmt::format("--faces: '{}' is no list of faces", text),
+      fmt::format("the corners of each, 3 or 4, counterclockwise round the vertex, {} "
+                  "to {} faces, as 3,3,4,3,4",
+                  kLeast, kMost)};
+  Sectors sectors;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const bool comma = i % 2 != 0;
+    if (comma ? text[i] != ',' || i + 1 == text.size() : text[i] != '3' && text[i] != '4')
+      return wrong;
+    if (!comma) sectors.lattices.push_back(text[i] == '3' ? Lattice::triangle : Lattice::quad);
+  }
+  if (sectors.lattices.size() < kLeast || sectors.lattices.size() > kMost) return wrong;
+  return sectors;
+}
+
+int analyse_faces(const EigenOptions& options) {
+  const Result<Sectors> sectors = read_faces(options.faces);
+  if (!sectors) return report(sectors.error());
+  const Result<Scheme> scheme = options.scheme.load();
+  if (!scheme) return report(scheme.error());
+  Result<SectorSpectrum> spectrum = approx_sector_spectrum(*scheme, *sectors);
+  if (!spectrum) {
+    spectrum.error().message = "--faces: " + spectrum.error().message;
+    return report(spectrum.error());
+  }
+  if (options.json)
+    print_json(faces_json(scheme->name, *spectrum));
+  else
+    print_text(faces_text(printable(scheme->name), *spectrum));
+  return kDone;
+}
+
+/// Files hold one lattice's numbers.
+Status check_files(const EigenOptions& options, const Scheme& scheme) {
+  if (options.map.empty() && options.chart.empty() && options.table.empty()) return Done{};
+  return check_one_lattice(scheme);
 }
 
 int analyse(const EigenOptions& options) {
@@ -163,16 +236,30 @@ int analyse(const EigenOptions& options) {
   const Result<Valences> range = read_valences(options.valence, 2);
   if (!range) return report(range.error());
   if (Status status = check_map(options, *range); !status) return report(status.error());
-  FrequencyAnalysis analysis(*scheme, options.rings);
-  Output output(options, *scheme, drawn_steps(sectors_of(*range)));
+  if (Status status = check_files(options, *scheme); !status) return report(status.error());
   ProgressLine line;
-  for (int n = range->first; n <= range->last; ++n) {
-    line.show(fmt::format("valence {}", n));
-    const Result<FrequencyBlocks> blocks = analysis.blocks(n);
-    if (!blocks) return report(blocks.error());
-    output.add(*blocks);
+  const std::vector<Scheme> lattices = lattice_schemes(*scheme);
+  LatticeObjects json(scheme->name, lattices.size() > 1);
+  std::string text;
+  for (const Scheme& one : lattices) {
+    FrequencyAnalysis analysis(one, options.rings);
+    Output output(options, one, drawn_steps(sectors_of(*range)));
+    for (int n = range->first; n <= range->last; ++n) {
+      line.show(fmt::format("valence {}", n));
+      const Result<FrequencyBlocks> blocks = analysis.blocks(n);
+      if (!blocks) return report(blocks.error());
+      output.add(*blocks);
+    }
+    if (Status status = output.write(); !status) return report(status.error());
+    json.add(one, output.json());
+    text += output.text() + (lattices.size() > 1 ? "\n" : "");
   }
-  if (Status status = output.finish(); !status) return report(status.error());
+  if (lattices.size() > 1)
+    text += "where triangles meet quads: --faces 3,3,3,4,4, the faces round a vertex\n";
+  if (options.json)
+    print_json(json.object());
+  else
+    print_text(text + eigen_legend());
   return kDone;
 }
 
@@ -190,6 +277,13 @@ void declare_eigen(CLI::App& parser, Action& action) {
                        "a valence, or a range of them; from 2 on, of faces (dual splits) from 3 on")
           ->type_name("N or A..B")
           ->capture_default_str();
+  CLI::Option* const faces =
+      command
+          ->add_option("--faces", options->faces,
+                       "in place of valences the faces round a vertex, by their corners, where "
+                       "triangles meet quads")
+          ->type_name("LIST")
+          ->excludes(valence);
   command
       ->add_option("--rings", options->rings,
                    "analyse so many rings; 0: as many as control the surface")
@@ -214,12 +308,14 @@ void declare_eigen(CLI::App& parser, Action& action) {
           ->add_option("--table", options->table,
                        "also write the eigenvalues over the valences to FILE (.csv, .json or .tex)")
           ->type_name("FILE");
+  for (CLI::Option* const other : {vectors, map, chart, table}) faces->excludes(other);
   options->scheme.declare_parameters(*command);
   CLI::Option* const json = command->add_flag("--json", options->json, "print one JSON object");
   CLI::Option* const formulas =
       command
           ->add_flag("--formulas", options->formulas, "closed formulas, for all valences at once")
           ->excludes(valence)
+          ->excludes(faces)
           ->excludes(vectors)
           ->excludes(map)
           ->excludes(chart)
@@ -232,9 +328,13 @@ void declare_eigen(CLI::App& parser, Action& action) {
       "         limn eigen catmull-clark --valence 5 --vectors\n"
       "         limn eigen sqrt3 --valence 3..10 --map maps.pdf\n"
       "         limn eigen butterfly --valence 3..20 --chart chart.svg --table numbers.csv\n"
-      "         limn eigen catmull-clark --formulas");
+      "         limn eigen catmull-clark --formulas\n"
+      "         limn eigen quad-triangle --faces 3,3,4,3,4");
   command->callback([&action, options] {
-    action = [options] { return options->formulas ? print_formulas(*options) : analyse(*options); };
+    action = [options] {
+      if (!options->faces.empty()) return analyse_faces(*options);
+      return options->formulas ? print_formulas(*options) : analyse(*options);
+    };
   });
 }
 
