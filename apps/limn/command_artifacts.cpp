@@ -12,6 +12,7 @@
 #include "limn/report/lattice/artifact_figures.h"
 #include "options/number_option.h"
 #include "options/scheme_argument.h"
+#include "output/lattice_objects.h"
 
 namespace limn::app {
 namespace {
@@ -60,31 +61,52 @@ Result<double> read_tolerance(const std::string& text) {
   return tolerance;
 }
 
-Result<std::vector<NamedAnalysis>> load(const ArtifactOptions& options) {
-  std::vector<NamedAnalysis> list;
+/// The schemes of a command line, each with one lattice or two.
+struct Loaded {
+  struct One {
+    std::string label;
+    std::vector<Scheme> lattices;
+  };
+  std::vector<One> schemes;
+  std::vector<NamedAnalysis> analyses;  ///< of all lattices, in this order
+};
+
+Result<Loaded> load(const ArtifactOptions& options) {
+  Loaded loaded;
   for (const std::string& name : options.schemes) {
     const Result<Scheme> scheme = scheme_argument(name, options.parameters.parameters);
     if (!scheme) return scheme.error();
-    const Result<Mask> mask = regular_mask(*scheme);
-    if (!mask) return mask.error();
-    Result<ArtifactAnalysis> analysis = ArtifactAnalysis::of(*mask);
-    if (!analysis) {
-      analysis.error().file = scheme->file;
-      return analysis.error();
+    if (options.map)
+      if (Status status = check_one_lattice(*scheme); !status) return status.error();
+    loaded.schemes.push_back({scheme_label(name, *scheme), lattice_schemes(*scheme)});
+    for (const Scheme& one : loaded.schemes.back().lattices) {
+      const Result<Mask> mask = regular_mask(one);
+      if (!mask) return mask.error();
+      Result<ArtifactAnalysis> analysis = ArtifactAnalysis::of(*mask);
+      if (!analysis) {
+        analysis.error().file = scheme->file;
+        return analysis.error();
+      }
+      loaded.analyses.push_back(
+          {label_on_lattice(loaded.schemes.back().label, one), *std::move(analysis)});
     }
-    list.push_back({scheme_label(name, *scheme), *std::move(analysis)});
   }
-  return list;
+  return loaded;
 }
 
 /// One scheme's object, or {"schemes": […]} of several.
 template <class Make>
-int print_all(const std::vector<NamedAnalysis>& schemes, Make make) {
+int print_all(const Loaded& loaded, Make make) {
   nlohmann::ordered_json list = nlohmann::ordered_json::array();
-  for (const NamedAnalysis& scheme : schemes) {
-    const Result<nlohmann::ordered_json> json = make(scheme);
-    if (!json) return report(json.error());
-    list.push_back(*json);
+  auto analysis = loaded.analyses.begin();
+  for (const auto& [label, lattices] : loaded.schemes) {
+    LatticeObjects object(label, lattices.size() > 1);
+    for (const Scheme& one : lattices) {
+      const Result<nlohmann::ordered_json> json = make(*analysis++);
+      if (!json) return report(json.error());
+      object.add(one, *json);
+    }
+    list.push_back(object.object());
   }
   if (list.size() == 1)
     print_json(list.front());
@@ -148,15 +170,15 @@ int analyse(const ArtifactOptions& options) {
     return report(
         {"--steps and --stages say where magnitudes are taken: --frequency or --map is missing"});
   if (Status status = check_map(options); !status) return report(status.error());
-  const Result<std::vector<NamedAnalysis>> schemes = load(options);
-  if (!schemes) return report(schemes.error());
+  const Result<Loaded> loaded = load(options);
+  if (!loaded) return report(loaded.error());
   if (options.map)
-    if (Status status = write_artifact_map(*options.map, schemes->front(), options.stage());
+    if (Status status = write_artifact_map(*options.map, loaded->analyses.front(), options.stage());
         !status)
       return report(status.error());
-  if (!options.json) return print_all_text(*schemes, options, *f, *tolerance);
+  if (!options.json) return print_all_text(loaded->analyses, options, *f, *tolerance);
   SamplingDensities densities;
-  return print_all(*schemes, [&](const NamedAnalysis& scheme) {
+  return print_all(*loaded, [&](const NamedAnalysis& scheme) {
     return analysis_json(scheme, options, *f, *tolerance, densities);
   });
 }

@@ -8,6 +8,7 @@
 #include "limn/figure/space/visibility.h"
 #include "limn/report/compare/compare_report.h"
 #include "limn/report/compare/field.h"
+#include "limn/scheme/lattice_schemes.h"
 #include "options/control_mesh.h"
 #include "options/number_option.h"
 #include "options/scheme_argument.h"
@@ -99,6 +100,17 @@ void print(const CompareOptions& options, const Comparison& comparison,
                                                : compare_text(comparison, options.differences));
 }
 
+/// Each lattice beside the others. Surfaces over a mesh are those of the scheme itself.
+std::vector<LabelledScheme> by_lattices(const std::vector<LabelledScheme>& schemes) {
+  std::vector<LabelledScheme> list;
+  for (const auto& [label, scheme] : schemes)
+    for (Scheme& one : lattice_schemes(scheme)) {
+      std::string name = label_on_lattice(label, one);
+      list.push_back({std::move(name), std::move(one)});
+    }
+  return list;
+}
+
 int compare(const CompareOptions& options) {
   if (Status status = check(options); !status) return report(status.error());
   const Result<Valences> valences = read_valences(options.valence);
@@ -108,6 +120,7 @@ int compare(const CompareOptions& options) {
   if (!named) return report(named.error());
   std::vector<LabelledScheme> schemes;
   for (NamedScheme& one : *named) schemes.push_back({one.label, std::move(one.scheme)});
+  if (options.mesh.empty()) schemes = by_lattices(schemes);
 
   ProgressLine line;
   Comparison comparison{.tolerance = options.tolerance};

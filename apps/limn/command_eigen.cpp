@@ -18,6 +18,7 @@
 #include "limn/spectrum/least_valence.h"
 #include "options/scheme_argument.h"
 #include "options/valences.h"
+#include "output/lattice_objects.h"
 
 namespace limn::app {
 namespace {
@@ -133,26 +134,6 @@ class Output {
   std::string text_;
   std::vector<CharacteristicMap> maps_;
   std::vector<Eigencomponents> all_;
-};
-
-/// What is said of each lattice, in one object: its own where there is one lattice.
-class LatticeObjects {
- public:
-  LatticeObjects(const std::string& name, bool several) : several_(several) {
-    object_["scheme"] = name;
-  }
-  void add(const Scheme& scheme, const nlohmann::ordered_json& found) {
-    if (!several_) return object_.update(found);
-    nlohmann::ordered_json one{{"lattice", lattice_name(scheme.split->lattice)}};
-    one.update(found);
-    one.erase("scheme");
-    object_["lattices"].push_back(std::move(one));
-  }
-  [[nodiscard]] const nlohmann::ordered_json& object() const { return object_; }
-
- private:
-  bool several_;
-  nlohmann::ordered_json object_;
 };
 
 /// Parameters that the command line gives a value have it in the formulas too.

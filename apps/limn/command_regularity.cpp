@@ -10,6 +10,7 @@
 #include "limn/report/lattice/regularity_report.h"
 #include "options/number_option.h"
 #include "options/time_option.h"
+#include "output/lattice_objects.h"
 
 namespace limn::app {
 namespace {
@@ -26,21 +27,29 @@ struct RegularityCommand {
 int analyse(const RegularityCommand& command) {
   const Result<Scheme> scheme = command.scheme.load();
   if (!scheme) return report(scheme.error());
-  const Result<Mask> mask = regular_mask(*scheme);
-  if (!mask) return report(mask.error());
   ProgressLine line;
   RegularityOptions options = command.options;
   options.seconds = time_limit(command.seconds);
   options.progress = [&line](const std::string& what) { line.show(what); };
-  Result<Regularity> regularity = enclose_regularity(*mask, options);
-  if (!regularity) {
-    regularity.error().file = scheme->file;
-    return report(regularity.error());
+  const std::vector<Scheme> lattices = lattice_schemes(*scheme);
+  LatticeObjects json(scheme->name, lattices.size() > 1);
+  std::string text;
+  for (const Scheme& one : lattices) {
+    const Result<Mask> mask = regular_mask(one);
+    if (!mask) return report(mask.error());
+    Result<Regularity> regularity = enclose_regularity(*mask, options);
+    if (!regularity) {
+      regularity.error().file = scheme->file;
+      return report(regularity.error());
+    }
+    json.add(one, regularity_json(scheme->name, *regularity));
+    text += (text.empty() ? "" : "\n") +
+            regularity_text(printable(label_on_lattice(scheme->name, one)), *regularity);
   }
   if (command.json)
-    print_json(regularity_json(scheme->name, *regularity));
+    print_json(json.object());
   else
-    print_text(regularity_text(printable(scheme->name), *regularity));
+    print_text(text);
   return kDone;
 }
 

@@ -5,6 +5,7 @@
 #include "limn/regular/regular_mask.h"
 #include "limn/report/scheme_report.h"
 #include "limn/scheme/file/shipped_files.h"
+#include "limn/scheme/lattice_schemes.h"
 #include "limn/scheme/scheme_size.h"
 #include "limn/scheme/scope.h"
 #include "limn/scheme/shipped_scheme.h"
@@ -111,7 +112,9 @@ void find_features(ReadText& read) {
   };
   const std::string none = "the scheme has no rules for meshes, only a mask";
   const bool by_rules = has_rules && !scheme.mask && !scheme.factors;
-  add("eigen", by_rules || staged, none);
+  const Status one_lattice = check_one_lattice(scheme);
+  add("eigen", (by_rules || staged) && one_lattice.ok(),
+      one_lattice ? none : one_lattice.error().message);
   add("refine", has_rules || staged, none);
   add("boundary", has_boundary, "the scheme has no boundary rules");
   add("sharpness",

@@ -16,8 +16,9 @@ namespace limn {
 /// [{"name", "value", "range", "meaning"}], "lets": {name: expression}, "same_as": [{"scheme",
 /// "with": {parameter: expression}, "source"}], "rules": {rule:
 /// [{"when", "weights": [{"role", "walk", "positions", "weight"}]}]}, and what
-/// lattice_json says; "mask" is null where there is none}. Weights and coefficients are strings,
-/// exact.
+/// lattice_json says; "mask" is null where there is none}. Where the scheme has two lattices
+/// (lattice_schemes.h) that is in "lattices": [{"lattice": "triangle" or "quad", "mask", …}].
+/// Weights and coefficients are strings, exact.
 [[nodiscard]] nlohmann::ordered_json describe_json(const Scheme& scheme);
 
 /// LaTeX for a paper: mask, factors, limit stencil and artifact formulas (needs amsmath). Fails

@@ -97,6 +97,7 @@ SchemeRecord approx_record(const std::string& label, const Scheme& scheme,
       density_of(analysis, options.tolerance, ArtifactMeasure::mean_energy);
   begin("eigencomponents and proofs of C1");
   return {.label = label,
+          .lattice = scheme.stages ? scheme.stages->only : std::nullopt,
           .split = std::string(scheme.split->name),
           .interpolating = mask ? Result<bool>(interpolates(*mask)) : mask.error(),
           .regularity = std::move(regularity),

@@ -3,6 +3,7 @@
 /// not have is an error in its place, with the reason.
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -38,6 +39,8 @@ struct ValenceRecord {
 
 struct SchemeRecord {
   std::string label;  ///< what the scheme is called in reports
+  /// Of a scheme with two lattices, which of them the record is of (lattice_schemes.h).
+  std::optional<Lattice> lattice;
   std::string split;
   Result<bool> interpolating;  ///< on the regular lattice: old points stay where they are
   Result<Regularity> regularity;

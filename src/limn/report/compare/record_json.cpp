@@ -6,6 +6,7 @@
 #include "limn/report/json_number.h"
 #include "limn/report/lattice/artifact_report.h"
 #include "limn/report/lattice/regularity_report.h"
+#include "limn/scheme/lattice_schemes.h"
 
 namespace limn {
 namespace {
@@ -29,6 +30,7 @@ Json json_of(const Result<T>& result, Make make) {
 
 nlohmann::ordered_json record_json(const SchemeRecord& record) {
   Json json{{"scheme", record.label}, {"split", record.split}};
+  if (record.lattice) json["lattice"] = lattice_name(*record.lattice);
   json["interpolating"] = json_of(record.interpolating, [](bool yes) { return yes; });
   json["regularity"] = json_of(record.regularity, [&](const Regularity& regularity) {
     return regularity_json(record.label, regularity);

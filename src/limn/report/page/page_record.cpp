@@ -9,6 +9,7 @@
 #include "limn/report/compare/record_json.h"
 #include "limn/report/eigen/eigen_formula_report.h"
 #include "limn/report/scheme_report.h"
+#include "limn/scheme/lattice_schemes.h"
 
 namespace limn {
 namespace {
@@ -77,12 +78,22 @@ nlohmann::ordered_json page_record_json(const std::string& label, const Scheme& 
   record.regularity.seconds = options.seconds;
   record.progress = options.progress;
   Json json{{"scheme", scheme_json(label, scheme)}, {"show", describe_json(scheme)}};
-  json["record"] = record_json(approx_record(label, scheme, record));
-  say("formulas");
-  json["formulas"] = formulas_json(scheme, options.given);
-  say("proofs");
-  add_certificate(scheme, options, json);
-  json["facts"] = facts_json(scheme);
+  const std::vector<Scheme> lattices = lattice_schemes(scheme);
+  for (const Scheme& one : lattices) {
+    Json found;
+    found["record"] = record_json(approx_record(label_on_lattice(label, one), one, record));
+    say("formulas");
+    found["formulas"] = formulas_json(one, options.given);
+    say("proofs");
+    add_certificate(one, options, found);
+    found["facts"] = facts_json(one);
+    if (lattices.size() == 1) {
+      json.update(found);
+      break;
+    }
+    json["lattices"].push_back({{"lattice", lattice_name(one.split->lattice)}});
+    json["lattices"].back().update(found);
+  }
   return json;
 }
 

@@ -23,8 +23,9 @@ struct PageRecordOptions {
 /// {"eigen": eigen_formulas_json or null, "reason", "lattice_latex": describe_latex or null},
 /// "certificate": certify::answers_json or null, "certificate_reason", "facts": [{"valences":
 /// [first, last], "source", "values": {key: expression}}]}. "reason" says why something is null,
-/// and is empty where nothing is. `label`: what reports call it. Cost: mostly that of regularity
-/// and proofs.
+/// and is empty where nothing is. Of a scheme with two lattices (lattice_schemes.h) "lattices":
+/// [{"lattice": "triangle" or "quad", "record", …, "facts"}] stands for what follows "show".
+/// `label`: what reports call it. Cost: mostly that of regularity and proofs.
 [[nodiscard]] nlohmann::ordered_json page_record_json(const std::string& label,
                                                       const Scheme& scheme,
                                                       const PageRecordOptions& options = {});
