@@ -137,10 +137,11 @@ void check_names(const Scheme& scheme, const Unread& unread, Faults& faults) {
   const Definitions definitions = definitions_of(scheme);
   if (!unread.tables) check_known(scheme, definitions, unread, faults);
   if (const auto taken = definitions.find(kQuads);
-      taken != definitions.end() && knows_quads(scheme))
-    faults.add(at_name(*taken->second, {},
-                       fmt::format("'{}' cannot be the name of a let or a parameter here", kQuads),
-                       "it is the number of quads at a vertex"));
+      taken != definitions.end() && knows_quads(scheme)) {
+    const Place& place = taken->second->place;
+    faults.add({fmt::format("'{}' cannot be the name of a let or a parameter here", kQuads),
+                "it is the number of quads at a vertex", place.file, place.line, place.column});
+  }
   const Definitions left = unresolved(definitions, [](const std::string&) { return false; });
   if (!left.empty()) faults.add(circle_in(left));
 }

@@ -75,9 +75,11 @@ class SchemeFileReader {
     roles_.use_split(scheme_.split, scheme_.split == nullptr);
     if (in_.unharmed_since(before) && scheme_.split == nullptr)
       in_.fail(*node, fmt::format("unknown split '{}'", name), did_you_mean(name, known, hint));
-    if (scheme_.split != nullptr && scheme_.split->mixed)
+    if (scheme_.split != nullptr && scheme_.split->mixed) {
       in_.fail(*node, fmt::format("the split {} is one of stages", name),
                fmt::format("leave it out: it follows from stages whose first is \"{}\"", kLinear));
+      scheme_.split = nullptr;
+    }
   }
 
   void read_weights(const toml::table& root) {
