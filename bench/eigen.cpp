@@ -37,7 +37,7 @@ void dense(benchmark::State& state, const std::string& name) {
 [[maybe_unused]] const bool kRows = [] {
   for (const std::string& name : limn::shipped_schemes()) {
     const limn::Scheme scheme = limn::find_scheme(name).value();
-    if (scheme.mask || scheme.factors) continue;
+    if (scheme.mask || scheme.factors || scheme.split->mixed) continue;
     benchmark::RegisterBenchmark(("blocks/" + name).c_str(), blocks, name)
         ->Arg(24)
         ->Arg(200)

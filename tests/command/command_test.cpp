@@ -51,7 +51,8 @@ TEST(Command, ListsTheShippedSchemes) {
                            "optimal-low",
                            "box-spline-triangle",
                            "box-spline-quad",
-                           "b-spline-quad"})
+                           "b-spline-quad",
+                           "quad-triangle"})
     EXPECT_NE(text.out.find("\n" + std::string(name) + " "), text.out.find(name)) << name;
 }
 
@@ -78,6 +79,35 @@ TEST(Command, ShowsStagesAtTheParametersGiven) {
   EXPECT_EQ(json.at("stages").at("times"), 2);
   expect_refused(folder.limn("show b-spline-quad -p degree=10"), {"range"});
   expect_refused(folder.limn("show b-spline-quad -p degree=5/2"), {"number of averagings"});
+}
+
+TEST(Command, TellsOfBothLattices) {
+  const Folder folder;
+  const nlohmann::json shown = parsed(folder.limn("show quad-triangle --json"));
+  EXPECT_EQ(shown.at("split"), "quad-triangle");
+  EXPECT_EQ(shown.at("stages").at("first"), "linear");
+  EXPECT_FALSE(shown.contains("mask"));
+  for (const std::string job :
+       {"show", "eigen --valence 5", "regularity", "artifacts -f 0.2,0.1"}) {
+    const std::string command =
+        job.substr(0, job.find(' ')) + " quad-triangle" +
+        (job.find(' ') == std::string::npos ? "" : job.substr(job.find(' ')));
+    const nlohmann::json json = parsed(folder.limn(command + " --json"));
+    ASSERT_EQ(json.at("lattices").size(), 2U) << job;
+    EXPECT_EQ(json.at("lattices")[0].at("lattice"), "triangle") << job;
+    EXPECT_EQ(json.at("lattices")[1].at("lattice"), "quad") << job;
+    const Outcome text = folder.limn(command);
+    EXPECT_NE(text.out.find("on triangles"), std::string::npos) << text.out;
+    EXPECT_NE(text.out.find("on quads"), std::string::npos) << text.out;
+  }
+  // either by itself, from a file
+  folder.write("half.toml", "extends = \"quad-triangle\"\nlattice = \"quad\"\n");
+  const nlohmann::json half = parsed(folder.limn("eigen half.toml --valence 5 --json"));
+  const nlohmann::json both = parsed(folder.limn("eigen quad-triangle --valence 5 --json"));
+  EXPECT_EQ(half.at("valences"), both.at("lattices")[1].at("valences"));
+  EXPECT_EQ(folder.limn("certify half.toml --valence 5").code, 0);
+  expect_refused(folder.limn("certify quad-triangle --valence 5"), {"no single lattice"});
+  expect_refused(folder.limn("eigen quad-triangle --table t.csv"), {"no single lattice"});
 }
 
 TEST(Command, ShowsTheMaskAtTheParametersGiven) {

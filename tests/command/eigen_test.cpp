@@ -97,6 +97,29 @@ TEST(EigenCommand, DrawsCharacteristicMaps) {
   EXPECT_NE(refused.err.find(".svg"), std::string::npos) << refused.err;
 }
 
+TEST(EigenCommand, TakesTheFacesRoundAVertex) {
+  const Folder folder;
+  const Outcome outcome = folder.limn("eigen quad-triangle --faces 3,3,3,4,4 --json");
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  const nlohmann::json json = nlohmann::json::parse(outcome.out);
+  EXPECT_EQ(json.at("faces"), (nlohmann::json{3, 3, 3, 4, 4}));
+  EXPECT_EQ(json.at("matrix").size(), json.at("eigenvalues").size());
+  EXPECT_NEAR(json.at("eigenvalues")[0].at("value")[0], 1, 1e-12);
+  for (const std::size_t i : {1U, 2U})
+    EXPECT_NEAR(json.at("eigenvalues")[i].at("modulus"), .5, 1e-12);
+  EXPECT_NEAR(json.at("tangent")[0], .5, 1e-12);
+  EXPECT_EQ(json.at("verdict").at("convergent"), "yes");
+  EXPECT_EQ(json.at("verdict").at("c1_necessary"), "yes");
+  const Outcome text = folder.limn("eigen quad-triangle --faces 3,3,4,3,4");
+  EXPECT_NE(text.out.find("C1: necessary   yes"), std::string::npos) << text.out;
+  EXPECT_EQ(folder.limn("eigen loop --faces 3,3,3,3,3").code, 0);
+  expect_refused(folder.limn("eigen loop --faces 3,3,4"), {"--faces", "triangles alone"});
+  expect_refused(folder.limn("eigen sqrt3 --faces 3,3,3"), {"--faces", "sqrt3"});
+  for (const char* list : {"3", "3,3", "3,3,5", "3;3;3", "3,,3", "3,3,3,", "x"})
+    expect_refused(folder.limn("eigen quad-triangle --faces '" + std::string(list) + "'"),
+                   {"--faces", "no list of faces"});
+}
+
 TEST(EigenCommand, RefusesBadValencesAndSchemes) {
   const Folder folder;
   const auto refused = [&](const std::string& arguments, const std::string& part) {

@@ -60,7 +60,8 @@ TEST(PageCore, EigenvaluesAreTheCommands) {
     const json command = command_json("eigen " + name);
     PageCore core;
     const int id = load(core, name);
-    if (command.is_discarded()) {  // a scheme without rules there: both refuse
+    // a scheme without rules there: both refuse; the page shows one lattice alone
+    if (command.is_discarded() || command.contains("lattices")) {
       EXPECT_FALSE(parsed(core.eigen(id, 3, true)).at("ok")) << name;
       continue;
     }
