@@ -64,3 +64,5 @@ def mesh_of(scheme):
 
 
 SHIPPED = limn.schemes()
+# without those of triangles and quads in one mesh, whose analyses are of either lattice
+ONE_LATTICE = [name for name in SHIPPED if limn.Scheme(name).split != "quad-triangle"]

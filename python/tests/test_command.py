@@ -6,10 +6,10 @@ import numpy as np
 import pytest
 
 import limn
-from conftest import QUADS, SHIPPED, TRIANGLES, mesh_of
+from conftest import ONE_LATTICE, QUADS, SHIPPED, TRIANGLES, mesh_of
 
 
-@pytest.mark.parametrize("name", SHIPPED)
+@pytest.mark.parametrize("name", ONE_LATTICE)
 def test_eigen(command, name):
     scheme = limn.Scheme(name)
     words = ("eigen", name, "--valence", "3..12")
@@ -19,7 +19,7 @@ def test_eigen(command, name):
         assert scheme.regular_part() == printed["regular_part"]
 
 
-@pytest.mark.parametrize("name", SHIPPED)
+@pytest.mark.parametrize("name", ONE_LATTICE)
 def test_regularity(command, name):
     command.agrees(
         lambda: limn.Scheme(name).regularity(budget=200, seconds=None),
@@ -27,7 +27,7 @@ def test_regularity(command, name):
     )
 
 
-@pytest.mark.parametrize("name", SHIPPED)
+@pytest.mark.parametrize("name", ONE_LATTICE)
 def test_artifacts(command, name):
     scheme = limn.Scheme(name)
     words = ("artifacts", name, "--frequency", "0.2,0.1")
@@ -41,6 +41,15 @@ def test_sampling_and_stages(command, name):
     assert scheme.sampling_density(2) == command("artifacts", name, "--tolerance", 2)
     printed = command("artifacts", name, "--frequency", "0.1,0.2", "--stages", 1)
     assert scheme.artifacts((0.1, 0.2), stages=1) == printed
+
+
+def test_one_of_two_lattices(command):
+    both = command("eigen", "quad-triangle", "--valence", 5)["lattices"]
+    for found in both:
+        scheme = limn.Scheme(f'extends = "quad-triangle"\nlattice = "{found["lattice"]}"\n')
+        assert scheme.eigen(5) == found["valences"][0]
+    with pytest.raises(limn.Error, match="no single lattice"):
+        limn.Scheme("quad-triangle").eigen(5)
 
 
 @pytest.mark.parametrize("name", SHIPPED)
