@@ -20,6 +20,7 @@
 #include "limn/limit/limit_curvature.h"
 #include "limn/limit/limit_sites.h"
 #include "limn/limit/partial_rules.h"
+#include "limn/mesh/lattice.h"
 #include "limn/refine/linear_form.h"
 
 namespace limn {

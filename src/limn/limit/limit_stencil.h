@@ -7,10 +7,11 @@
 #include <optional>
 #include <vector>
 
-#include "limn/mesh/lattice.h"
 #include "limn/spectrum/eigenvectors.h"
 
 namespace limn {
+
+struct Sectors;  // mesh/lattice.h
 
 /// Weights over the vertices of a star (dual splits: a face star) or, at the boundary, of a fan;
 /// numbered as in mesh/lattice.h.
