@@ -3,6 +3,7 @@
 #include "limn/regular/smoothness/second_differences.h"
 #include "limn/report/eigen/eigen_figures.h"
 #include "limn/scheme/check.h"
+#include "limn/scheme/lattice_schemes.h"
 #include "limn/spectrum/eigencomponents.h"
 #include "limn/study/c1_answers.h"
 #include "papers/barthe_parts.h"
@@ -20,10 +21,8 @@ struct Study {
   std::vector<certify::Answer> proofs;    // of C1, likewise
 };
 
-Result<Study> study(const std::string& name) {
-  Result<Scheme> scheme = find_scheme(name);
-  if (!scheme) return scheme.error();
-  Study result{std::move(*scheme), {}, {}, {}};
+Result<Study> study(Scheme scheme) {
+  Study result{std::move(scheme), {}, {}, {}};
   if (!has_rules(result.scheme)) return result;
   result.regular = find_regular_part(result.scheme);
   result.proofs = c1_answers(result.scheme, kSmallestValence, kLastValence);
@@ -133,8 +132,18 @@ Status add_schemes(PaperPage& page) {
       "regular surface round it has bounded curvature. “C1: necessary” is what C1 needs of the "
       "eigenvalues; it does not suffice. The last two columns compare an eigenvalue with tangent²: "
       "flat is less, bounded equal, unbounded greater.");
+  std::vector<std::pair<std::string, Scheme>> schemes;
   for (const std::string& name : shipped_schemes()) {
-    const Result<Study> found = study(name);
+    const Result<Scheme> scheme = find_scheme(name);
+    if (!scheme) return scheme.error();
+    for (Scheme& one : lattice_schemes(*scheme)) {
+      const bool alone = !one.stages || !one.stages->only;
+      const std::string_view lattice = lattice_name(one.split->lattice);
+      schemes.emplace_back(alone ? name : fmt::format("{}-on-{}s", name, lattice), std::move(one));
+    }
+  }
+  for (auto& [name, scheme] : schemes) {
+    const Result<Study> found = study(std::move(scheme));
     if (!found) return found.error();
     if (found->valences.empty()) continue;
     const DataTable numbers = eigenvalue_table(found->valences);

@@ -16,8 +16,8 @@ Mesh control_mesh(const Scheme& scheme) {
 }
 
 TEST(RefineEstimate, BoundsTheCountsAndIsNearThem) {
-  for (const std::string name :
-       {"loop", "catmull-clark", "doo-sabin", "sqrt3", "four-eight", "loop-ternary"}) {
+  for (const std::string name : {"loop", "catmull-clark", "doo-sabin", "sqrt3", "four-eight",
+                                 "loop-ternary", "quad-triangle"}) {
     const Scheme scheme = find_scheme(name).value();
     const Mesh mesh = control_mesh(scheme);
     for (int levels = 0; levels <= 4; ++levels) {
