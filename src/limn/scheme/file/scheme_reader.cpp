@@ -325,21 +325,6 @@ class SchemeFileReader {
     return result;
   }
 
-  /// "extends 'a.toml': a.toml:3:1: what is wrong", or where that file only extends what is wrong,
-  /// "extends 'a.toml', which extends 'b.toml': b.toml:3:1: what is wrong". Of a longer chain the
-  /// first file and the last.
-  static std::string fault_of_base(const std::string& name, const Error& fault) {
-    constexpr std::string_view extends = "extends '", by_way = "', which extends '",
-                               far = "' and, by way of others, '";
-    if (!fault.message.starts_with(extends))
-      return fmt::format("{}{}': {}", extends, name, fault.text());
-    std::string rest = fault.message.substr(extends.size());
-    for (const std::string_view link : {by_way, far})
-      if (const std::size_t at = rest.find(link); at != std::string::npos)
-        return fmt::format("{}{}{}{}", extends, name, far, rest.substr(at + link.size()));
-    return fmt::format("{}{}{}{}", extends, name, by_way, rest);
-  }
-
   /// Takes from the extended scheme what this file does not state.
   void inherit(const std::string& name) {
     const auto fail = [&](std::string message, std::string hint = {}) {

@@ -4,6 +4,8 @@
 #include <array>
 #include <cctype>
 
+#include <fmt/core.h>
+
 #include "limn/scheme/role.h"
 
 namespace limn {
@@ -44,6 +46,18 @@ bool is_reserved(std::string_view name) {
   constexpr std::array<std::string_view, 9> reserved{"n",    "k",   "pi", "cos", "sin",
                                                      "sqrt", "and", "or", "not"};
   return std::find(reserved.begin(), reserved.end(), name) != reserved.end();
+}
+
+std::string fault_of_base(const std::string& name, const Error& fault) {
+  constexpr std::string_view extends = "extends '", by_way = "', which extends '",
+                             far = "' and, by way of others, '";
+  if (!fault.message.starts_with(extends))
+    return fmt::format("{}{}': {}", extends, name, fault.text());
+  std::string rest = fault.message.substr(extends.size());
+  for (const std::string_view link : {by_way, far})
+    if (const std::size_t at = rest.find(link); at != std::string::npos)
+      return fmt::format("{}{}{}{}", extends, name, far, rest.substr(at + link.size()));
+  return fmt::format("{}{}{}{}", extends, name, by_way, rest);
 }
 
 }  // namespace limn

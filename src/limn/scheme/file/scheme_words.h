@@ -5,6 +5,8 @@
 #include <string_view>
 #include <vector>
 
+#include "limn/base/error.h"
+
 namespace limn {
 
 inline constexpr std::string_view kBoundary = "boundary.";  ///< of rules in the table [boundary]
@@ -19,5 +21,10 @@ inline constexpr std::string_view kBoundary = "boundary.";  ///< of rules in the
 [[nodiscard]] bool is_identifier(std::string_view name);
 /// … and no word of expressions.
 [[nodiscard]] bool is_reserved(std::string_view name);
+
+/// "extends 'a.toml': a.toml:3:1: what is wrong", or where that file only extends what is wrong,
+/// "extends 'a.toml', which extends 'b.toml': b.toml:3:1: what is wrong". Of a longer chain the
+/// first file and the last.
+[[nodiscard]] std::string fault_of_base(const std::string& name, const Error& fault);
 
 }  // namespace limn
