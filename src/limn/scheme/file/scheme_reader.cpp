@@ -370,10 +370,9 @@ class SchemeFileReader {
       return in_.fail(node, "a lattice is named, but there is only one",
                       "it is for stages that begin linearly, on triangles and quads");
     if (const auto taken = names_.find(std::string(kQuads)); taken != names_.end())
-      return in_.fail(
-          Error{fmt::format("'{}' cannot be the name of a let or a parameter here", kQuads),
-                "it is the number of quads at a vertex", in_.file(), taken->second.line,
-                taken->second.column});
+      in_.fail(Error{fmt::format("'{}' cannot be the name of a let or a parameter here", kQuads),
+                     "it is the number of quads at a vertex", in_.file(), taken->second.line,
+                     taken->second.column});
     restrict_stages(scheme_, *lattice);
     scheme_.split = split_of_stages(*scheme_.stages);
   }
