@@ -129,6 +129,23 @@ TEST(QuadTriangle, GivesSomeVerticesAsItGivesAll) {
   }
 }
 
+/// With their own weights at vertices of one kind, also extraordinary ones.
+TEST(QuadTriangle, IsLoopsOrCatmullAndClarksWithTheirOwnWeights) {
+  Scheme own = shipped(kName);
+  ASSERT_TRUE(set_parameter(own, "own=1").ok());
+  for (unsigned seed = 0; seed < 20; ++seed) {
+    for (const auto& [name, mesh] :
+         {std::pair{"loop", RandomMesh(seed).triangles()}, {"catmull-clark", random_quads(seed)}}) {
+      const std::vector<Point3> points = random_points(mesh.vertex_count(), seed);
+      const auto theirs = refine<Point3>(shipped(name), mesh, points, 2);
+      if (!theirs) continue;  // it has no rule at valence 2
+      const auto ours = refine<Point3>(own, mesh, points, 2);
+      ASSERT_TRUE(ours.ok()) << ours.error().text();
+      expect_near(ours->values, theirs->values);
+    }
+  }
+}
+
 /// Twice two averagings: the second pair smooths what the first has made.
 TEST(QuadTriangle, MaySmoothTwice) {
   Scheme twice = shipped(kName);

@@ -208,17 +208,32 @@ class RuleMutants {
     }
   }
 
-  /// The same of a pair that knows q: everywhere, on either lattice alone, and at a seam.
+  /// Whether a case of a pair that knows q applies at some vertex for which `holds(n, q)`.
+  template <class Holds>
+  [[nodiscard]] bool applies_where(const RuleCase& rule_case, Holds holds) const {
+    for (int n = 3; n <= 7; ++n)
+      for (int q = 0; q <= n; ++q) {
+        const Result<const RuleCase*> taken = applicable_case(scheme_, kind_, n, q);
+        if (holds(n, q) && taken.ok() && *taken == &rule_case) return true;
+      }
+    return false;
+  }
+
+  /// The same of such a pair: everywhere, on either lattice alone, and at a seam.
   void exchange_in_mixed_pair(const RuleCase& rule_case, std::size_t i, std::size_t j) {
+    using Where = std::pair<std::string, bool (*)(int n, int q)>;
+    static const std::vector<Where> places{
+        {"(q > 0)", [](int, int q) { return q > 0; }},
+        {"(q == 0)", [](int, int q) { return q == 0; }},
+        {"(q == n)", [](int n, int q) { return q == n; }},
+        {"(n == 5)*(q == 2)", [](int n, int q) { return n == 5 && q == 2; }}};
     const Weight &more = rule_case.weights[i], &less = rule_case.weights[j];
     const auto share = [](const Weight& weight) -> std::string {
       if (pair_role(weight) == PairRole::self) return "";
       return pair_role(weight) == PairRole::ring ? "/n" : "/(q + (q == 0))";
     };
-    const bool opposite =
-        pair_role(more) == PairRole::diagonal || pair_role(less) == PairRole::diagonal;
-    for (const std::string where : {"(q > 0)", "(q == 0)", "(q == n)", "(n == 5)*(q == 2)"}) {
-      if (opposite && where == "(q == 0)") continue;  // there is none
+    for (const auto& [where, holds] : places) {
+      if (!applies_where(rule_case, holds)) continue;
       const std::string amount = where + "*" + kAmount;
       Scheme mutant = scheme_;
       increase(weight_of(mutant, i), amount + share(more));

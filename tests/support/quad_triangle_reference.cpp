@@ -1,6 +1,8 @@
 #include "support/quad_triangle_reference.h"
 
+#include <cmath>
 #include <map>
+#include <numbers>
 #include <set>
 #include <utility>
 
@@ -54,7 +56,8 @@ struct Round {
 
 }  // namespace
 
-std::vector<double> quad_triangle_reference_step(const Mesh& mesh, const std::vector<double>& old) {
+std::vector<double> quad_triangle_reference_step(const Mesh& mesh, const std::vector<double>& old,
+                                                 double own) {
   const CutFaces made = cut(mesh, old);
   std::vector<Round> round(made.values.size());
   for (const std::vector<Vertex>& face : made.faces)
@@ -66,7 +69,7 @@ std::vector<double> quad_triangle_reference_step(const Mesh& mesh, const std::ve
   std::vector<double> fresh = made.values;
   for (Vertex v = 0; v < fresh.size(); ++v) {
     const Round& at = round[v];
-    double weights = 1, sum = made.values[v], rim = 0;
+    double weights = 1, sum = made.values[v], rim = 0, neighbours = 0, corners = 0, n = 0;
     std::size_t on_rim = 0;
     for (auto side = at.sides.begin(); side != at.sides.end(); side = at.sides.upper_bound(*side)) {
       if (at.sides.count(*side) % 2 != 0) {
@@ -77,12 +80,25 @@ std::vector<double> quad_triangle_reference_step(const Mesh& mesh, const std::ve
       const auto edges = static_cast<double>((at.sides.count(*side) + 1) / 2);
       weights += edges / 2;
       sum += edges * made.values[*side] / 2;
+      neighbours += edges * made.values[*side];
+      n += edges;
     }
     for (const Vertex w : at.opposite) {
       weights += 1.0 / 4;
       sum += made.values[w] / 4;
+      corners += made.values[w];
     }
+    if (at.sides.empty()) continue;
     fresh[v] = on_rim > 0 ? made.values[v] / 2 + rim / 4 : sum / weights;
+    if (on_rim > 0) continue;
+    if (at.opposite.empty()) {
+      const double lambda = 3 / 8. + std::cos(2 * std::numbers::pi / n) / 4;
+      const double self = 1 - 2 * (5 / 8. - lambda * lambda);  // half of it comes from neighbours
+      fresh[v] += own * (self * made.values[v] + (1 - self) / n * neighbours - fresh[v]);
+    } else if (static_cast<double>(at.opposite.size()) == n) {
+      const double mean = (n - 3) / n * made.values[v] + (2 * neighbours + corners) / (n * n);
+      fresh[v] += own * (mean - fresh[v]);
+    }
   }
   return fresh;
 }

@@ -411,7 +411,8 @@ std::vector<double> reference_step(const std::string& scheme, std::optional<doub
     return corner_reference_step(scheme, parameter, mesh, births, old);
   if (scheme == "b-spline-quad")
     return averaging_reference_step(3, parameter.value_or(0), mesh, old);
-  if (scheme == "quad-triangle") return quad_triangle_reference_step(mesh, old);
+  if (scheme == "quad-triangle")
+    return quad_triangle_reference_step(mesh, old, parameter.value_or(0));
   Reference reference(mesh, births, old);
   if (scheme == "catmull-clark" || scheme == "box-spline-quad") return reference.catmull_clark();
   if (scheme == "catmull-clark, smooth triangles")

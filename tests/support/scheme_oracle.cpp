@@ -50,6 +50,7 @@ std::optional<Setting> other_setting(const std::string& scheme) {
   if (scheme == "butterfly-ternary") return Setting{"mu", 1, 9};
   if (scheme == "loop-type") return Setting{"b", 2, 5};
   if (scheme == "b-spline-quad") return Setting{"stam", 1, 2};
+  if (scheme == "quad-triangle") return Setting{"own", 1, 2};
   return std::nullopt;
 }
 

@@ -31,18 +31,29 @@ LimitKinds::LimitKinds(const Scheme& scheme, bool curvatures)
     lattices_.push_back(std::make_unique<OneLattice>(std::move(one)));
 }
 
-PlaceKind LimitKinds::place_of(const Mesh& mesh, Index at) const {
-  if (scheme_.split->is_dual()) return {false, mesh.degree(mesh.face(at)), {}};
+LimitKinds::Located LimitKinds::locate(const Mesh& mesh, Index at) const {
+  if (scheme_.split->is_dual()) return {{false, mesh.degree(mesh.face(at)), {}}, at};
   const bool boundary = mesh.is_boundary_vertex(at);
+  Index start = mesh.halfedge_of_vertex(at), h = start;
   PlaceKind place{boundary, mesh.valence(at) - (boundary ? 1 : 0), {}};
-  if (!scheme_.split->mixed) return place;
-  Index h = mesh.halfedge_of_vertex(at);
+  if (!scheme_.split->mixed) return {std::move(place), start};
+  std::vector<Lattice>& faces = place.faces;
   for (int i = 0; i < place.size; ++i, h = mesh.rotate(h))  // other faces are quads a step later
-    place.faces.push_back(mesh.degree(mesh.face(h)) == 3 ? Lattice::triangle : Lattice::quad);
-  const auto other =
-      std::adjacent_find(place.faces.begin(), place.faces.end(), std::not_equal_to<>());
-  if (other == place.faces.end()) place.faces.resize(1);
-  return place;
+    faces.push_back(mesh.degree(mesh.face(h)) == 3 ? Lattice::triangle : Lattice::quad);
+  if (std::adjacent_find(faces.begin(), faces.end(), std::not_equal_to<>()) == faces.end()) {
+    faces.resize(1);
+    return {std::move(place), start};
+  }
+  std::vector<Lattice> turned = faces;
+  h = start;
+  for (int i = 1; i < place.size && !boundary; ++i) {
+    std::rotate(turned.begin(), turned.begin() + 1, turned.end());
+    h = mesh.rotate(h);
+    if (turned >= faces) continue;
+    faces = turned;
+    start = h;
+  }
+  return {std::move(place), start};
 }
 
 std::optional<Sectors> LimitKinds::seam_of(const PlaceKind& place) {
@@ -59,7 +70,7 @@ Status LimitKinds::prepare(const Mesh& mesh, std::vector<LimitSite>& sites,
                            std::vector<LimitPoints::Refused>* refused, const SharedSites& shared) {
   std::size_t kept = 0;
   for (const LimitSite& site : sites) {
-    const PlaceKind place = place_of(mesh, site.at);
+    const PlaceKind place = locate(mesh, site.at).place;
     const Result<const LimitKind*> kind = find(place);
     if (kind) {
       sites[kept++] = site;

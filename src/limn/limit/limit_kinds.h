@@ -59,7 +59,7 @@ class SharedSites {
 
 /// What kind a place is of: at the boundary or not, of so many faces (dual splits: a face of so
 /// many corners), and where a scheme has both kinds of faces which ones, counterclockwise from the
-/// place's own half-edge; one stands for all that are alike.
+/// place's start; one stands for all that are alike.
 struct PlaceKind {
   bool boundary = false;
   int size = 0;
@@ -82,10 +82,16 @@ class LimitKinds {
   Status prepare(const Mesh& mesh, std::vector<LimitSite>& sites,
                  std::vector<LimitPoints::Refused>* refused, const SharedSites& shared);
   Result<const LimitKind*> find(const PlaceKind& place);
-  /// Of a site that is prepared for.
-  [[nodiscard]] const LimitKind& at(const Mesh& mesh, Index at) const {
-    return *kinds_.at(place_of(mesh, at));
-  }
+  /// The kind of a place, and the half-edge from which its surroundings are numbered: on the
+  /// boundary the one that lies there; inside, where faces differ, that from which they are least.
+  struct Located {
+    PlaceKind place;
+    Index start;
+  };
+  /// Of a vertex, or (dual splits) of a face, named by a half-edge.
+  [[nodiscard]] Located locate(const Mesh& mesh, Index at) const;
+  /// Of a place that is prepared for.
+  [[nodiscard]] const LimitKind& at(const PlaceKind& place) const { return *kinds_.at(place); }
   [[nodiscard]] int rings() const { return rings_; }  ///< of the widest of them
 
  private:
@@ -96,7 +102,6 @@ class LimitKinds {
     FrequencyAnalysis analysis;
   };
 
-  [[nodiscard]] PlaceKind place_of(const Mesh& mesh, Index at) const;
   /// Where faces of both kinds meet; nothing elsewhere.
   [[nodiscard]] static std::optional<Sectors> seam_of(const PlaceKind& place);
   [[nodiscard]] OneLattice& lattice_of(const PlaceKind& place) const;
@@ -236,8 +241,9 @@ class LimitSearch {
 
   State visit(const Mesh& mesh, const std::vector<Value>& values, LimitSite& site,
               std::vector<Index>& neighbourhood) {
-    const LimitKind& kind = kinds_.at(mesh, site.at);
-    const Index start = dual_ ? site.at : mesh.halfedge_of_vertex(site.at);
+    const LimitKinds::Located located = kinds_.locate(mesh, site.at);
+    const LimitKind& kind = kinds_.at(located.place);
+    const Index start = located.start;
     const LimitPlace<Value> place{
         kind, mesh, values, start, neighbourhood, site.result, shared_.others(site.result)};
     if (!site.has_limit && kind.pattern.match(mesh, start, neighbourhood)) {
