@@ -162,7 +162,7 @@ TEST(MixedLimit, IsThatOfFinerLevels) {
     for (Index v = 0; v < mesh.vertex_count(); ++v) open += mesh.is_boundary_vertex(v) ? 1 : 0;
     seams += mesh.uniform_degree() == 0 ? 1 : 0;
   }
-  EXPECT_GT(compared, 1000);
+  EXPECT_GT(compared, 500);
   EXPECT_GT(open, 0);
   EXPECT_GT(seams, 5);
 }
