@@ -147,8 +147,7 @@ TEST(Command, RefinesWithEverySchemeIntoEveryFormat) {
     if (name.substr(0, 10) == "box-spline") continue;
     for (const std::string format : {"obj", "off", "ply", "stl", "glb"}) {
       const Split& split = *find_scheme(name)->split;
-      const bool closed_only = split.is_dual() && split.births.edges;
-      const std::string mesh = split.any_polygons && !closed_only ? kQuads : kBracket;
+      const std::string mesh = split.any_polygons ? kQuads : kBracket;
       const Outcome outcome =
           folder.limn("refine " + mesh + " -s " + name + " -n 2 -o out." + format);
       EXPECT_EQ(outcome.code, 0) << name << " " << format << " " << outcome.err;

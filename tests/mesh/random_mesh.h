@@ -247,9 +247,6 @@ inline Mesh random_quads(unsigned seed) {
 
 /// Any mesh that the split takes.
 inline Mesh random_control(const Split& split, unsigned seed) {
-  if (split.is_dual() && split.births.edges)  // closed ones only
-    for (;; seed += 7919)
-      if (Mesh mesh = RandomMesh(seed).polygons(); !mesh.has_boundary()) return mesh;
   if (split.mixed && seed % 4 != 0) return RandomMesh(seed).mixed();
   if (split.any_polygons) return RandomMesh(seed).polygons();
   return split.lattice == Lattice::quad ? random_quads(seed) : RandomMesh(seed).triangles();

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "limn/mesh/split/split.h"
 #include "random_mesh.h"
@@ -289,19 +290,53 @@ TEST(MidEdge, CubeGivesTheCuboctahedron) {
   EXPECT_EQ(quads, 6);
 }
 
-/// Where no edge has both ends on the boundary nothing parts.
-TEST(MidEdge, GivesBoundaryVerticesNoFace) {
+TEST(MidEdge, ClosesBoundaryVerticesInEvenSteps) {
+  const Split& midedge = *find_split("midedge");
   const Mesh mesh = star(Lattice::quad, 4, 3);
-  const SplitResult refined = find_split("midedge")->apply(mesh, 0);
+  const SplitResult refined = midedge.apply(mesh, 0);
   EXPECT_EQ(refined.mesh.check(), "");
-  EXPECT_EQ(refined.mesh.face_count(), mesh.face_count() + 25);
-  // two quads side by side part, each with a vertex of its own on the edge between them
-  const SplitResult two =
-      find_split("midedge")->apply(must_build(6, {{0, 1, 2, 3}, {1, 4, 5, 2}}), 0);
-  EXPECT_EQ(two.mesh.check(), "");
-  EXPECT_EQ(two.births.from_edges, 8);
-  EXPECT_EQ(two.births.edges.size(), 8U);
-  EXPECT_EQ(boundary_loops(two.mesh), 2);
+  // 24 vertices are on the boundary, 4 of them corners
+  EXPECT_EQ(refined.mesh.face_count(), mesh.face_count() + 25 + 20);
+  EXPECT_EQ(refined.births.from_edges, mesh.edge_count());
+  const SplitResult twice = midedge.apply(refined.mesh, 1);
+  EXPECT_EQ(twice.mesh.check(), "");
+  EXPECT_EQ(twice.births.from_edges, mesh.halfedge_count());
+  EXPECT_TRUE(twice.births.edges.empty());
+}
+
+/// Two quads side by side: an odd step that no even one has prepared parts them, each with a vertex
+/// of its own on the edge between them; in their turn the steps keep a quad for that edge.
+TEST(MidEdge, KeepsTogetherWhatAnEdgeFromBoundaryToBoundaryJoins) {
+  const Split& midedge = *find_split("midedge");
+  const Mesh mesh = must_build(6, {{0, 1, 2, 3}, {1, 4, 5, 2}});
+  const SplitResult parted = midedge.apply(mesh, 1);
+  EXPECT_EQ(parted.mesh.check(), "");
+  EXPECT_EQ(parted.births.from_edges, 8);
+  EXPECT_EQ(parted.births.edges.size(), 8U);
+  EXPECT_EQ(boundary_loops(parted.mesh), 2);
+  const Mesh once = midedge.apply(mesh, 0).mesh, twice = midedge.apply(once, 1).mesh;
+  EXPECT_EQ(once.face_count(), 4);
+  EXPECT_EQ(twice.face_count(), 3);
+  EXPECT_EQ(boundary_loops(twice), 1);
+}
+
+TEST(MidEdge, AFaceByItselfShrinks) {
+  const Split& midedge = *find_split("midedge");
+  Mesh mesh = must_build(4, {{0, 1, 2, 3}});
+  for (int step = 0; step < 4; ++step) {
+    mesh = midedge.apply(mesh, step).mesh;
+    EXPECT_EQ(mesh.face_count(), 1);
+    EXPECT_EQ(mesh.vertex_count(), 4);
+  }
+}
+
+/// How often each degree of a face, and each valence of a vertex inside and at the boundary, is.
+std::map<std::pair<int, Index>, int> degrees_and_valences(const Mesh& mesh) {
+  std::map<std::pair<int, Index>, int> count;
+  for (Index f = 0; f < mesh.face_count(); ++f) ++count[{0, mesh.degree(f)}];
+  for (Index v = 0; v < mesh.vertex_count(); ++v)
+    if (!mesh.is_isolated(v)) ++count[{mesh.is_boundary_vertex(v) ? 1 : 2, mesh.valence(v)}];
+  return count;
 }
 
 TEST(MidEdge, TwoStepsAreOneOfQuadDual) {
@@ -316,6 +351,7 @@ TEST(MidEdge, TwoStepsAreOneOfQuadDual) {
     RC_ASSERT(twice.face_count() == dual.face_count());
     RC_ASSERT(twice.edge_count() == dual.edge_count());
     RC_ASSERT(twice.vertex_count() == dual.vertex_count());
+    RC_ASSERT(degrees_and_valences(twice) == degrees_and_valences(dual));
   }));
 }
 

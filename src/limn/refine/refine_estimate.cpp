@@ -37,10 +37,14 @@ Counts after_step(const Split& split, const Counts& c, int step) {
     return r;
   }
   if (split.is_dual() && split.births.edges) {
+    // even steps close each boundary vertex by a face, odd ones lose these and have up to three
+    // boundary edges for one
+    const double boundary = 2 * c.edges - c.halfedges;
+    const bool closes = step % 2 == 0;
     r.vertices = c.edges;
     r.faces = c.vertices + c.faces;
-    r.halfedges = 2 * c.halfedges;
-    r.edges = c.halfedges;
+    r.halfedges = 2 * c.halfedges + (closes ? boundary : 0);
+    r.edges = c.halfedges + (closes ? 1 : 1.5) * boundary;
     return r;
   }
   if (split.births.corners) {
@@ -156,11 +160,6 @@ Status check_refinable(const Scheme& scheme, const Mesh& mesh, int levels,
   const Split& split = *scheme.split;
   if (levels < 0) return Error{fmt::format("{} is no number of levels", levels), "give 0 or more"};
   if (Status status = check_faces(scheme, mesh); !status) return status;
-  // what new vertices of edges alone leave at a boundary falls apart (split_midedge.cpp)
-  if (split.is_dual() && split.births.edges && mesh.has_boundary())
-    return Error{fmt::format("scheme '{}' refines closed meshes only, and this one has a boundary",
-                             scheme.name),
-                 "doo-sabin, another dual scheme, takes meshes with boundaries"};
   const Forecast result = forecast(split, mesh, levels, bytes_per_value);
   if (result.last.halfedges > kLargestHalfedgeCount)
     return Error{

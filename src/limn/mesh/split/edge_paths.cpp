@@ -241,13 +241,25 @@ class DualPaths {
   [[nodiscard]] static Index beyond(const Mesh& fine, Index h) {
     return fine.twin(h) == kNone ? kNone : fine.face(fine.twin(h));
   }
+  /// Of the vertex at the origin of h, amid the surface: the new half-edge across one of its
+  /// corners, which keeps the number of the old one that comes to the vertex there. At the boundary
+  /// not every face has a child.
+  [[nodiscard]] Index across_a_corner(Index h, const Mesh& fine) const {
+    for (Index count = mesh_.valence(mesh_.origin(h)); count > 0; --count, h = mesh_.rotate(h)) {
+      const Index before = mesh_.prev(h);
+      if (before < fine.halfedge_count() && fine.origin(before) == mesh_.edge(before) &&
+          fine.target(before) == mesh_.edge(h))
+        return before;
+    }
+    return mesh_.prev(h);
+  }
   /// Old faces keep their numbers. Of a vertex, the face round it; at the boundary there is none.
   [[nodiscard]] Place child(const Place& place, const SplitResult& fine) const {
     if (place.is_face) return place;
     if (mesh_.is_boundary_vertex(place.index)) return {true, kNone};
     const Index h = mesh_.halfedge_of_vertex(place.index);
     // across corners new edges run (midedge), or along old ones: then it is next to an edge's face
-    if (fine.births.from_edges > 0) return {true, beyond(fine.mesh, mesh_.prev(h))};
+    if (fine.births.from_edges > 0) return {true, beyond(fine.mesh, across_a_corner(h, fine.mesh))};
     const Index quad = beyond(fine.mesh, h);
     for (Index g = fine.mesh.face_begin(quad); g < fine.mesh.face_begin(quad + 1); ++g)
       if (fine.mesh.origin(g) == h) return {true, beyond(fine.mesh, g)};

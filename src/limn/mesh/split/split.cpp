@@ -53,7 +53,7 @@ const std::vector<Split>& splits() {
        .dilation = kSqrt2,
        .apply = detail::split_quad_sqrt2},
       {.name = "midedge",
-       .description = "a face for each face and inner vertex; vertices from edges",
+       .description = "a face for each face and vertex; vertices from edges",
        .lattice = Lattice::quad,
        .any_polygons = true,
        .births = {.edges = true},

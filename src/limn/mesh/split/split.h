@@ -24,7 +24,7 @@ struct Births {
   /// Every edge is cut in three and has two children: 2e near the origin of halfedge_of_edge(e),
   /// 2e + 1 near its target.
   bool thirds = false;
-  std::vector<Index> edges;  ///< the boundary edges that have a child, or empty: all edges have
+  std::vector<Index> edges;  ///< those that have a child, or empty: the first `from_edges` edges
   /// A trisected boundary edge has two children, each named by the (boundary) half-edge it lies on
   /// and the end it is near: 2*halfedge + end with end 0 at the origin, 1 at the target.
   std::vector<Index> edge_ends;
