@@ -12,7 +12,15 @@
 
 namespace limn::peers {
 
-enum class Method { loop, catmull_clark, sqrt3, doo_sabin, modified_butterfly };
+enum class Method {
+  loop,
+  catmull_clark,
+  sqrt3,
+  doo_sabin,
+  modified_butterfly,
+  interpolating_sqrt3,
+  midedge
+};
 
 /// The numbers that hold the positions.
 enum class Precision { single_float, double_float };

@@ -36,7 +36,9 @@ class CgalPeer final : public Peer {
       case Method::catmull_clark: return subdivide::CatmullClark_subdivision(mesh_, steps);
       case Method::sqrt3: return subdivide::Sqrt3_subdivision(mesh_, steps);
       case Method::doo_sabin: return subdivide::DooSabin_subdivision(mesh_, steps);
-      case Method::modified_butterfly: break;
+      case Method::modified_butterfly:
+      case Method::interpolating_sqrt3:
+      case Method::midedge: break;
     }
   }
 
@@ -66,7 +68,9 @@ class CgalPeer final : public Peer {
 }  // namespace
 
 std::unique_ptr<Peer> cgal_peer(Method method, const Polygons& control) {
-  if (method == Method::modified_butterfly) return nullptr;
+  if (method == Method::modified_butterfly || method == Method::interpolating_sqrt3 ||
+      method == Method::midedge)
+    return nullptr;
   return std::make_unique<CgalPeer>(method, control);
 }
 

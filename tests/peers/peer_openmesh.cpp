@@ -13,7 +13,9 @@
 #include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>
 #include <OpenMesh/Tools/Subdivider/Uniform/CatmullClarkT.hh>
 #include <OpenMesh/Tools/Subdivider/Uniform/LoopT.hh>
+#include <OpenMesh/Tools/Subdivider/Uniform/MidpointT.hh>
 #include <OpenMesh/Tools/Subdivider/Uniform/ModifiedButterFlyT.hh>
+#include <OpenMesh/Tools/Subdivider/Uniform/Sqrt3InterpolatingSubdividerLabsikGreinerT.hh>
 #include <OpenMesh/Tools/Subdivider/Uniform/Sqrt3T.hh>
 #pragma GCC diagnostic pop
 
@@ -91,6 +93,11 @@ std::unique_ptr<Peer> make_peer(Method method, const Polygons& control) {
     case Method::modified_butterfly:
       return std::make_unique<
           OpenMeshPeer<Triangles, uniform::ModifiedButterflyT<Triangles, Real>>>(control);
+    case Method::interpolating_sqrt3:
+      return std::make_unique<
+          OpenMeshPeer<Triangles, uniform::InterpolatingSqrt3LGT<Triangles, Real>>>(control);
+    case Method::midedge:
+      return std::make_unique<OpenMeshPeer<Polys, uniform::MidpointT<Polys, Real>>>(control);
     case Method::doo_sabin: break;
   }
   return nullptr;
