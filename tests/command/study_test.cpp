@@ -1,5 +1,9 @@
 #include <gtest/gtest.h>
 
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+
 #include <nlohmann/json.hpp>
 
 #include "run_command.h"
@@ -79,6 +83,30 @@ TEST(StudyCommand, WritesSchemesWithCertificatesThatHold) {
   EXPECT_GE(studied, lower - 0.15);
   EXPECT_NE(folder.read("out/front.svg").find("<svg"), std::string::npos);
   EXPECT_EQ(json.at("compare")[0].at("label"), "loop");
+}
+
+std::string content_of(const std::filesystem::path& path) {
+  std::ifstream file(path);
+  return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+}
+
+TEST(StudyCommand, FoundSchemesHaveCertificatesOfTheirTexts) {
+  const Folder folder;
+  int schemes = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(LIMN_SCHEMES "/../studies/found")) {
+    std::filesystem::path path = entry.path();
+    if (path.extension() != ".toml") continue;
+    ++schemes;
+    const std::string text = content_of(path);
+    path.replace_extension(".certificate.json");
+    const nlohmann::json certificate = nlohmann::json::parse(content_of(path));
+    EXPECT_EQ(certificate.at("texts").at(0).at("text"), text) << path;
+    const Outcome checked = folder.limn("certify --check '" + path.string() + "' --json");
+    ASSERT_EQ(checked.code, 0) << checked.err;
+    for (const auto& valence : nlohmann::json::parse(checked.out).at("valences"))
+      EXPECT_EQ(valence.at("c1"), "proved") << path;
+  }
+  EXPECT_GE(schemes, 5);
 }
 
 TEST(StudyCommand, RefusesAChangedStudy) {
