@@ -85,8 +85,8 @@ TEST(SectorSpectrum, BeginsAtASeamWithOneAndTwoHalves) {
 TEST(SectorSpectrum, IsTheSameFromAnyFaceOn) {
   const auto moduli = [](const std::vector<Lattice>& kinds) {
     std::vector<double> list;
-    for (const auto& value : approx_sector_spectrum(scheme(), {kinds, false})->eigenvalues)
-      list.push_back(std::abs(value));
+    const SectorSpectrum spectrum = approx_sector_spectrum(scheme(), {kinds, false}).value();
+    for (const auto& value : spectrum.eigenvalues) list.push_back(std::abs(value));
     return list;
   };
   std::vector<Lattice> kinds{kT, kT, kQ, kT, kQ};

@@ -8,6 +8,7 @@
 
 #include "limn/regular/regular_mask.h"
 #include "regular/wave_oracle.h"
+#include "support/shipped.h"
 
 namespace limn::test {
 namespace {
