@@ -106,7 +106,7 @@ struct Factors {
 /// B-spline of degree `count` + 1 there. A linear cut is quad-triangle's, and so is the split: the
 /// number of averagings is even, and `pair` may depend on how many quads a vertex has.
 struct Stages {
-  enum class First { bilinear, linear };
+  enum class First { bilinear, linear };  ///< cuts: all faces into quads; triangles into triangles
   First first = First::bilinear;  ///< the cut
   /// Of a linear cut: meshes have faces of this lattice alone, and the split is its dyadic one
   /// (lattice_schemes.h); nothing: they have both.
