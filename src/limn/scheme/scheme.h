@@ -100,13 +100,13 @@ struct Factors {
 /// are averaged, from vertices to faces and from faces to vertices in turn. Two averagings together
 /// give each vertex what `pair` says, a last one each face the mean of its corners
 /// (refine/staged_step.h has the boundary).
-///
 /// A bilinear cut is quad-dyadic's; after an even number of averagings that is the split, after an
 /// odd one quad-dual. Where `pair` is the mean of means on quads, they are the tensor product
-/// B-spline of degree `count` + 1 there. A linear cut is quad-triangle's, and so is the split: the
-/// number of averagings is even, and `pair` may depend on how many quads a vertex has.
+/// B-spline of degree `count` + 1 there. A linear cut is quad-triangle's, and so is the split.
 struct Stages {
-  enum class First { bilinear, linear };  ///< cuts: all faces into quads; triangles into triangles
+  /// Cuts all faces into quads; or triangles into triangles, and then the number of averagings is
+  /// even, and `pair` may depend on how many quads a vertex has.
+  enum class First { bilinear, linear };
   First first = First::bilinear;  ///< the cut
   /// Of a linear cut: meshes have faces of this lattice alone, and the split is its dyadic one
   /// (lattice_schemes.h); nothing: they have both.
