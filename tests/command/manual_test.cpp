@@ -25,7 +25,7 @@ std::vector<std::string> commands(const Folder& folder) {
 std::set<std::string> options(const Folder& folder, const std::string& command) {
   const std::string help = folder.limn(command + " --help").out;
   std::set<std::string> names;
-  const std::regex line("\\n  (-[a-z])?,?(--[a-z-]+)?");
+  const std::regex line("\\n  (-[a-z])?,?(--[a-z0-9-]+)?");
   for (std::sregex_iterator it(help.begin(), help.end(), line), end; it != end; ++it)
     for (const int part : {1, 2})
       if ((*it)[part].matched) names.insert((*it)[part]);
