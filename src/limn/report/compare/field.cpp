@@ -5,6 +5,7 @@
 #include <map>
 
 #include <fmt/core.h>
+#include <fmt/ranges.h>
 
 #include "limn/base/printable.h"
 #include "limn/mesh/split/split.h"
@@ -39,21 +40,29 @@ std::string kind_of(const SchemeRecord& scheme) {
                      interpolating ? "interpolating" : "approximating");
 }
 
-/// Schemes at one place share labels, a few names in each.
-void add_point(ChartPanel::Series& series, double x, double y, const std::string& name) {
-  constexpr auto kNames = 3;  // of a label
-  const auto near = [](double a, double b) { return std::abs(a - b) < 1e-6; };
-  for (std::size_t i = 0; i < series.x.size(); ++i) {
-    std::string& label = series.labels[i];
-    if (!near(series.x[i], x) || !near(series.y[i], y)) continue;
-    if (std::count(label.begin(), label.end(), ',') + 1 >= kNames) continue;
-    label += ", " + name;
-    return;
+/// Points of one kind, each with the names of the schemes that lie there.
+struct Points {
+  ChartPanel::Series series;
+  std::vector<std::vector<std::string>> names;
+
+  void add(double x, double y, const std::string& name) {
+    const auto near = [](double a, double b) { return std::abs(a - b) < 1e-6; };
+    for (std::size_t i = 0; i < names.size(); ++i)
+      if (near(series.x[i], x) && near(series.y[i], y)) return names[i].push_back(name);
+    series.x.push_back(x);
+    series.y.push_back(y);
+    names.push_back({name});
   }
-  series.x.push_back(x);
-  series.y.push_back(y);
-  series.labels.push_back(name);
-}
+
+  /// A few names, and how many more; the table has them all.
+  [[nodiscard]] std::string label(std::size_t i) const {
+    constexpr std::ptrdiff_t kShown = 2;
+    const auto count = static_cast<std::ptrdiff_t>(names[i].size());
+    if (count <= kShown + 1) return fmt::format("{}", fmt::join(names[i], ", "));
+    const auto begin = names[i].begin();
+    return fmt::format("{} and {} more", fmt::join(begin, begin + kShown, ", "), count - kShown);
+  }
+};
 
 }  // namespace
 
@@ -89,12 +98,14 @@ Figure field_figure(const Comparison& comparison) {
                        "control edges per wavelength for {:g} % of artifacts, worst direction",
                        comparison.tolerance),
                    .y_label = "Hölder exponent on the regular lattice"};
-  std::map<std::string, ChartPanel::Series> kinds;
+  std::map<std::string, Points> kinds;
   for (const SchemeRecord& scheme : comparison.schemes)
     if (scheme.sampling && scheme.regularity)
-      add_point(kinds[kind_of(scheme)], scheme.sampling->worst.edges_per_wavelength,
-                std::max(scheme.regularity->holder.lower, 0.0), scheme.label);
-  for (auto& [name, series] : kinds) {
+      kinds[kind_of(scheme)].add(scheme.sampling->worst.edges_per_wavelength,
+                                 std::max(scheme.regularity->holder.lower, 0.0), scheme.label);
+  for (auto& [name, points] : kinds) {
+    ChartPanel::Series& series = points.series;
+    for (std::size_t i = 0; i < points.names.size(); ++i) series.labels.push_back(points.label(i));
     series.name = name;
     series.markers = true;
     series.line = false;
