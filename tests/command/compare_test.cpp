@@ -93,7 +93,8 @@ TEST(CompareCommand, MapsTheField) {
   const Folder folder;
   const Outcome names = folder.limn("schemes --json");
   std::size_t lines = 0;
-  for (const Json& one : Json::parse(names.out).at("schemes"))
+  const Json list = Json::parse(names.out);
+  for (const Json& one : list.at("schemes"))
     lines += lattice_schemes(find_scheme(one.at("name")).value()).size();
   const Outcome outcome =
       folder.limn("compare --all loop-type:b=2/5 --markdown --time 0.1 --valence 4 -o field.svg");

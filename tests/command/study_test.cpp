@@ -103,7 +103,8 @@ TEST(StudyCommand, FoundSchemesHaveCertificatesOfTheirTexts) {
     EXPECT_EQ(certificate.at("texts").at(0).at("text"), text) << path;
     const Outcome checked = folder.limn("certify --check '" + path.string() + "' --json");
     ASSERT_EQ(checked.code, 0) << checked.err;
-    for (const auto& valence : nlohmann::json::parse(checked.out).at("valences"))
+    const nlohmann::json answers = nlohmann::json::parse(checked.out);
+    for (const auto& valence : answers.at("valences"))
       EXPECT_EQ(valence.at("c1"), "proved") << path;
   }
   EXPECT_GE(schemes, 5);
