@@ -147,8 +147,9 @@ void declare_certify(CLI::App& parser, Action& action) {
       command->add_option("--valence", chosen->valence, "a valence or a range, as 3..50")
           ->capture_default_str();
   command->add_flag("--all", chosen->all, "every valence from 3 on at once");
-  command->add_flag("--c1-only", chosen->c1_only,
-                    "leave curvature undecided, whose proof is most of the work for long fractions");
+  command->add_flag(
+      "--c1-only", chosen->c1_only,
+      "leave curvature undecided, whose proof is most of the work for long fractions");
   command->add_option("-o,--output", chosen->output, "where the certificate is written, as JSON");
   CLI::Option* check_option =
       command->add_option("--check", chosen->check,
