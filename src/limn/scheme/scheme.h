@@ -95,17 +95,17 @@ struct Factors {
   Place place;                 ///< of the table
 };
 
+/// @enum Stages::First
+/// Cuts all faces into quads; or triangles into triangles, and then averagings are even in number.
+
 /// A step as a sequence of averagings [ZorinSchroeder2001; Stam2001; StamLoop2003]. The mesh is
 /// cut: old vertices stay, edges give their middles, faces the means of their corners. Then values
-/// are averaged, from vertices to faces and from faces to vertices in turn. Two averagings together
-/// give each vertex what `pair` says, a last one each face the mean of its corners
-/// (refine/staged_step.h has the boundary).
-/// A bilinear cut is quad-dyadic's; after an even number of averagings that is the split, after an
-/// odd one quad-dual. Where `pair` is the mean of means on quads, they are the tensor product
-/// B-spline of degree `count` + 1 there. A linear cut is quad-triangle's, and so is the split.
+/// go from vertices to faces and back. Two averagings together give each vertex what `pair` says, a
+/// last one each face its corners' mean (boundary: refine/staged_step.h). A bilinear cut is
+/// quad-dyadic's, and so is the split; after an odd number quad-dual. Where `pair` is the mean of
+/// means on quads they are the tensor B-spline of degree `count` + 1. A linear cut is
+/// quad-triangle's, and so is the split; `pair` may depend on how many quads a vertex has.
 struct Stages {
-  /// Cuts all faces into quads; or triangles into triangles, and then the number of averagings is
-  /// even, and `pair` may depend on how many quads a vertex has.
   enum class First { bilinear, linear };
   First first = First::bilinear;  ///< the cut
   /// Of a linear cut: meshes have faces of this lattice alone, and the split is its dyadic one
