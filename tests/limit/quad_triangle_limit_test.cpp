@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "limit/wavy_points.h"
 #include "limn/limit/limit_points.h"
 #include "limn/limit/sector_spectrum.h"
 #include "limn/refine/refine.h"
@@ -18,15 +19,6 @@ namespace {
 constexpr Lattice kT = Lattice::triangle, kQ = Lattice::quad;
 
 const Scheme& scheme() { return shipped("quad-triangle"); }
-
-double length(const Point3& a) { return std::sqrt(a.x * a.x + a.y * a.y + a.z * a.z); }
-
-std::vector<Point3> points_of(const Mesh& mesh) {
-  std::vector<Point3> points;
-  for (Index v = 0; v < mesh.vertex_count(); ++v)
-    points.push_back({std::sin(v), std::cos(3.0 * v), std::sin(5.0 * v)});
-  return points;
-}
 
 /// In the plane, counterclockwise, with its sectors alike in angle, and bent a little.
 std::vector<Point3> bent_star(const Sectors& sectors, Index rings) {

@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "limit/wavy_points.h"
 #include "limn/limit/limit_points.h"
 #include "limn/refine/refine.h"
 #include "mesh/random_mesh.h"
@@ -12,15 +13,6 @@
 
 namespace limn::test {
 namespace {
-
-double length(const Point3& a) { return std::sqrt(a.x * a.x + a.y * a.y + a.z * a.z); }
-
-std::vector<Point3> points_of(const Mesh& mesh) {
-  std::vector<Point3> points;
-  for (Index v = 0; v < mesh.vertex_count(); ++v)
-    points.push_back({std::sin(v), std::cos(3.0 * v), std::sin(5.0 * v)});
-  return points;
-}
 
 /// Also at boundaries. Old vertices keep their numbers.
 TEST(StagedLimit, IsThatOfFinerLevels) {

@@ -13,18 +13,12 @@
 #include "support/random_points.h"
 #include "support/reference_step.h"
 #include "support/shipped.h"
+#include "support/valences.h"
 
 namespace limn::test {
 namespace {
 
 bool is_mask_only(const Scheme& scheme) { return scheme.name.starts_with("box-spline"); }
-
-/// The modified butterfly's weights are those of valence 3 and more.
-bool has_vertex_of_valence_two(const Mesh& mesh) {
-  for (Index v = 0; v < mesh.vertex_count(); ++v)
-    if (!mesh.is_isolated(v) && !mesh.is_boundary_vertex(v) && mesh.valence(v) < 3) return true;
-  return false;
-}
 
 Mesh control_mesh(const Scheme& scheme, unsigned seed) {
   if (is_mask_only(scheme))
@@ -32,7 +26,7 @@ Mesh control_mesh(const Scheme& scheme, unsigned seed) {
                  3 + static_cast<Index>(seed / 5 % 5));
   for (;; ++seed) {
     Mesh mesh = random_control(*scheme.split, seed);
-    if (!has_vertex_of_valence_two(mesh)) return mesh;
+    if (!has_inner_vertex_of_valence_two(mesh)) return mesh;
   }
 }
 

@@ -9,15 +9,10 @@
 #include "mesh/random_mesh.h"
 #include "support/random_points.h"
 #include "support/shipped.h"
+#include "support/valences.h"
 
 namespace limn::test {
 namespace {
-
-bool has_inner_vertex_of_valence_two(const Mesh& mesh) {
-  for (Index v = 0; v < mesh.vertex_count(); ++v)
-    if (!mesh.is_isolated(v) && !mesh.is_boundary_vertex(v) && mesh.valence(v) < 3) return true;
-  return false;
-}
 
 /// Every corner of the control mesh gives (previous + 2 own + next)/4, whatever lies beyond its
 /// face: no point of a closing edge is left.

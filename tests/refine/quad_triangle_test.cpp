@@ -4,33 +4,19 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <random>
 
 #include "limn/refine/refine.h"
 #include "limn/regular/regular_mask.h"
 #include "limn/scheme/scope.h"
 #include "mesh/random_mesh.h"
 #include "support/quad_triangle_reference.h"
+#include "support/random_points.h"
 #include "support/shipped.h"
 
 namespace limn::test {
 namespace {
 
 const std::string kName = "quad-triangle";
-
-std::vector<Point3> random_points(Index count, unsigned seed) {
-  std::mt19937 random(seed);
-  std::uniform_real_distribution<double> uniform(-1, 1);
-  std::vector<Point3> points;
-  points.reserve(static_cast<std::size_t>(count));
-  for (Index i = 0; i < count; ++i)
-    points.push_back({uniform(random), uniform(random), uniform(random)});
-  return points;
-}
-
-double distance(Point3 a, Point3 b) {
-  return std::max({std::abs(a.x - b.x), std::abs(a.y - b.y), std::abs(a.z - b.z)});
-}
 
 void expect_near(const std::vector<Point3>& a, const std::vector<Point3>& b) {
   ASSERT_EQ(a.size(), b.size());

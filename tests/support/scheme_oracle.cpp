@@ -13,6 +13,7 @@
 #include "support/frequency.h"
 #include "support/reference_step.h"
 #include "support/torus_forms.h"
+#include "support/valences.h"
 
 namespace limn::test {
 namespace {
@@ -56,12 +57,6 @@ std::optional<Setting> other_setting(const std::string& scheme) {
 
 bool is_mask_only(const std::string& scheme) { return scheme.starts_with("box-spline"); }
 
-bool has_vertex_of_valence_two(const Mesh& mesh) {
-  for (Index v = 0; v < mesh.vertex_count(); ++v)
-    if (!mesh.is_isolated(v) && !mesh.is_boundary_vertex(v) && mesh.valence(v) < 3) return true;
-  return false;
-}
-
 Mesh octahedron() {
   return must_build(
       6, {{0, 1, 2}, {0, 2, 3}, {0, 3, 4}, {0, 4, 1}, {5, 2, 1}, {5, 3, 2}, {5, 4, 3}, {5, 1, 4}});
@@ -100,7 +95,7 @@ Deck deck(const Scheme& scheme) {
   int wanted = kRandomMeshes;
   for (unsigned seed = 0; wanted > 0; ++seed) {
     Mesh mesh = triangles ? RandomMesh(seed).triangles() : RandomMesh(seed).polygons();
-    if (has_vertex_of_valence_two(mesh)) continue;
+    if (has_inner_vertex_of_valence_two(mesh)) continue;
     meshes.emplace_back("random mesh " + std::to_string(seed), std::move(mesh));
     --wanted;
   }
