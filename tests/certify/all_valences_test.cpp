@@ -53,7 +53,8 @@ TEST_P(ProvedForAll, FoundAndChecked) {
 
 INSTANTIATE_TEST_SUITE_P(Schemes, ProvedForAll,
                          testing::Values("loop", "loop-warren", "loop-ternary", "catmull-clark",
-                                         "sqrt3", "doo-sabin", "laplacian-loop", "optimal"));
+                                         "sqrt3", "doo-sabin", "laplacian-loop", "optimal",
+                                         "catmull-clark-bounded"));
 
 TEST(AllValences, ALaterStartIsProvedToo) {
   const Scheme scheme = scheme_of("catmull-clark");

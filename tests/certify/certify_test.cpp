@@ -241,6 +241,8 @@ TEST(Certify, ProvesCurvature) {
   EXPECT_EQ(answer("loop", 7), CurvatureAnswer::unbounded);  // saddle > tangent²
   EXPECT_EQ(answer("catmull-clark", 4), CurvatureAnswer::bounded);
   EXPECT_EQ(answer("catmull-clark", 5), CurvatureAnswer::unbounded);
+  for (const int n : {3, 5, 8, 12})
+    EXPECT_EQ(answer("catmull-clark-bounded", n), CurvatureAnswer::bounded) << n;
   EXPECT_EQ(answer("sqrt3", 6), CurvatureAnswer::bounded);
   EXPECT_EQ(answer("doo-sabin", 4), CurvatureAnswer::bounded);
   EXPECT_EQ(answer("doo-sabin", 5), CurvatureAnswer::unbounded);  // a Jordan block

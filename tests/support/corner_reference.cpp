@@ -289,7 +289,9 @@ class Reference {
     if (first && second) return (bounded_from(h, false) + bounded_from(t, false)) / 2;
     if (first) return bounded_from(h, false);
     if (second) return bounded_from(t, false);
-    return (from(h) + to(h) + bounded_face(mesh_.face(h)) + bounded_face(mesh_.face(t))) / 4;
+    double wings = 0;
+    for (const Index side : {h, t}) wings += from(prev(side)) + to(next(side));
+    return (6 * (from(h) + to(h)) + wings) / 16;
   }
 
   [[nodiscard]] double bounded_vertex(Index v) const {
@@ -297,14 +299,14 @@ class Reference {
     const Index first = mesh_.halfedge_of_vertex(v);
     if (mesh_.is_boundary_vertex(v)) return (6 * at(v) + to(first) + at(beyond(first, false))) / 8;
     const int n = mesh_.valence(v);
-    double neighbours = 0, faces = 0;
+    double neighbours = 0, opposites = 0;
     Index h = first;
     do {
       neighbours += to(h) / n;
-      faces += bounded_face(mesh_.face(h)) / n;
+      opposites += (to(next(h)) + from(prev(prev(h)))) / (2 * n);
       h = mesh_.rotate(h);
     } while (h != first);
-    return (2 * at(v) + neighbours + faces) / 4;
+    return (9 * at(v) + 6 * neighbours + opposites) / 16;
   }
 
   const Mesh& mesh_;
