@@ -220,6 +220,8 @@ def repair_mesh(
     ``weld``: join vertices within so much of the diagonal (True: 1e-6; 0: in one place); ``drop``
     degenerate and repeated faces; ``cut`` where faces are more than one sheet; ``orient`` them
     alike; ``triangulate``: cut polygons into triangles. ``.missing["done"]`` lists what was done.
+    ``.tags`` holds sharp what was cut, as ``limn refine --repair`` does, so that the sheets stay
+    together: ``scheme.refine(*mended, 3, **mended.tags)``.
     """
     if not (weld is not None and weld is not False or drop or cut or orient or triangulate):
         weld, drop, cut, orient = 0.0, True, True, True
@@ -227,7 +229,8 @@ def repair_mesh(
     if distance is not None and not 0 <= distance <= 1:
         raise Error(f"weld {weld} is not from 0 to 1")
     made = _limn.repair_mesh(vertices, faces, distance, drop, cut, orient, triangulate)
-    return Surface._of({"vertices": made[0], "faces": made[1], "missing": {"done": made[2]}})
+    names = ("vertices", "faces", "sharp")
+    return Surface._of({**dict(zip(names, made)), "missing": {"done": made[3]}})
 
 
 def set_thread_limit(threads: int) -> None:

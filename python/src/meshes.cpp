@@ -12,6 +12,7 @@
 #include "limn/mesh/mesh_limits.h"
 #include "limn/mesh/polygon/triangulate.h"
 #include "limn/mesh/repair/repair.h"
+#include "limn/mesh/sharpness/cuts.h"
 #include "limn/report/mesh_check_report.h"
 #include "limn/surface/tags_file.h"
 #include "module.h"
@@ -116,10 +117,22 @@ py::object check_file(const std::string& path) {
       {path, std::move(file.polygons), std::move(file.source), {}, std::move(file.dropped)});
 }
 
-/// (V, F, [what was done]).
+/// What holds the copies of cut vertices together; nothing where the mesh has more faults.
+SharpnessTags tags_of_cuts(const Repaired& repaired) {
+  const Cuts cuts = cuts_of(repaired);
+  if (cuts.empty()) return {};
+  const Result<Mesh> mesh = Mesh::build(repaired.polygons);
+  if (!mesh) return {};
+  Sharpness sharpness;
+  hold_cuts(*mesh, cuts, sharpness);
+  return limn::tags_of(*mesh, sharpness);
+}
+
+/// (V, F, tags, [what was done]).
 py::tuple mend(const py::object& vertices, const py::object& faces, const RepairOptions& options,
                bool triangulate) {
   Polygons polygons = polygons_of(vertices, faces);
+  SharpnessTags tags;
   py::list done;
   if (options.any()) {
     Repaired repaired =
@@ -131,6 +144,7 @@ py::tuple mend(const py::object& vertices, const py::object& faces, const Repair
       one["text"] = to_str(step.text);
       done.append(one);
     }
+    tags = without_gil([&] { return tags_of_cuts(repaired); });
     polygons = std::move(repaired.polygons);
   }
   if (triangulate) {
@@ -140,7 +154,7 @@ py::tuple mend(const py::object& vertices, const py::object& faces, const Repair
   }
   return py::make_tuple(points_array(std::move(polygons.positions)),
                         faces_object(std::move(polygons.face_begin), std::move(polygons.corners)),
-                        done);
+                        tags_dict(tags), done);
 }
 
 }  // namespace

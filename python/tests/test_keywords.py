@@ -216,6 +216,31 @@ def test_repairs(command, tmp_path, mesh, words, keywords):
     )
 
 
+def book():
+    """Four quads at one edge."""
+    ends = [(0, 0), (1, 0), (0, 2), (-1, 0.5), (0.3, -1)]
+    V = np.array([[x, y, z] for x, y in ends for z in (0.0, 1.0)])
+    return V, np.array([[0, 1, 2 * i + 3, 2 * i + 2] for i in range(4)])
+
+
+@pytest.mark.parametrize("mesh", [book(), bow_tie()])
+@pytest.mark.parametrize("boundary", [None, "edgeOnly", "edgeAndCorner"])
+def test_what_was_cut_is_refined_as_by_the_command(command, tmp_path, mesh, boundary):
+    path, out = tmp_path / "sheets.obj", tmp_path / "fine.ply"
+    limn.write_mesh(path, *mesh)
+    words = ["--boundary", boundary] if boundary else []
+    command("refine", path, "-s", "catmull-clark", "-n", "2", "--repair", "-o", out, *words)
+    mended = limn.repair_mesh(*mesh)
+    assert mended.tags
+    scheme = limn.Scheme("catmull-clark")
+    fine = scheme.refine(*mended, 2, boundary=boundary, **mended.tags)
+    expected = limn.read_mesh(out)
+    assert np.allclose(fine.vertices, expected.vertices, atol=1e-12)
+    if boundary != "edgeAndCorner":  # which holds all corners of the book's sheets
+        plain = scheme.refine(*mended, 2, boundary=boundary)
+        assert not np.allclose(plain.vertices, expected.vertices, atol=1e-3)
+
+
 def test_what_is_not_asked_for_is_not_repaired():
     V, F = faulty_mesh()
     assert len(limn.repair_mesh(V, F, drop=True).vertices) == 24
