@@ -45,20 +45,40 @@ that      = "c1"
 certified = true
 [method]
 kind   = "pareto"
-points = 40
+points = 24
 batch  = 8
 [[compare]]
 scheme = "loop"
 """
 
 
-@pytest.fixture
-def study_file(tmp_path):
-    (tmp_path / "in").mkdir()
-    (tmp_path / "in" / "mine.toml").write_text(SCHEME)
-    path = tmp_path / "in" / "s.toml"
+def written(folder):
+    (folder / "in").mkdir()
+    (folder / "in" / "mine.toml").write_text(SCHEME)
+    path = folder / "in" / "s.toml"
     path.write_text(STUDY.format(scheme="mine.toml"))
     return path
+
+
+@pytest.fixture
+def study_file(tmp_path):
+    return written(tmp_path)
+
+
+class Whole:
+    """The study made once, here, by threads: what all others, in folders beside it, have to give."""
+
+    def __init__(self, folder):
+        self.folder = folder
+        self.file = written(folder)
+        self.seen = []
+        self.found = limn.study(self.file, folder / "whole", csv=True, progress=self.seen.append)
+        self.kept = kept(folder / "whole")
+
+
+@pytest.fixture(scope="module")
+def whole(tmp_path_factory):
+    return Whole(tmp_path_factory.mktemp("whole"))
 
 
 def kept(folder):
@@ -77,24 +97,23 @@ def kept(folder):
     return rows, files
 
 
-def test_is_what_the_command_does(study_file, tmp_path, command, monkeypatch):
-    monkeypatch.chdir(tmp_path)
-    seen = []
-    found = limn.study(study_file, "one/out", csv=True, progress=seen.append)
-    printed = command("study", study_file, "-o", "one/again", "--csv")
-    assert found["points"] == printed["points"] >= 40
-    assert kept(tmp_path / "one" / "out") == kept(tmp_path / "one" / "again")
+def test_is_what_the_command_does(whole, command, monkeypatch):
+    monkeypatch.chdir(whole.folder.parent)
+    found, last = whole.found, whole.seen[-1]
+    printed = command("study", whole.file, "-o", f"{whole.folder.name}/again", "--csv")
+    assert found["points"] == printed["points"] >= 24
+    assert kept(whole.folder / "again") == whole.kept
     assert [point["objectives"] for point in found["best"]] == [
         point["objectives"] for point in printed["best"]
     ]
-    assert seen[-1]["done"] == found["points"] and seen[-1]["feasible"] == found["feasible"]
+    assert last["done"] == found["points"] and last["feasible"] == found["feasible"]
     assert str(found).startswith("Loop type: ")
     assert limn.study_quantities() == command("study", "--quantities")["quantities"]
 
 
-def test_stops_and_goes_on(study_file, tmp_path):
-    whole = limn.study(study_file, tmp_path / "whole")
-    nothing = limn.study(study_file, tmp_path / "parts", seconds=0)
+def test_stops_and_goes_on(whole):
+    parts = whole.folder / "parts"
+    nothing = limn.study(whole.file, parts, seconds=0)
     assert not nothing["finished"] and nothing["evaluated"] == 0
 
     class Enough(Exception):
@@ -105,10 +124,10 @@ def test_stops_and_goes_on(study_file, tmp_path):
             raise Enough
 
     with pytest.raises(Enough):
-        limn.study(study_file, tmp_path / "parts", progress=stop)
-    rest = limn.study(study_file, tmp_path / "parts")
-    assert 0 < rest["evaluated"] <= whole["evaluated"] - 13
-    assert kept(tmp_path / "parts") == kept(tmp_path / "whole")
+        limn.study(whole.file, parts, progress=stop)
+    rest = limn.study(whole.file, parts, csv=True)
+    assert 0 < rest["evaluated"] <= whole.found["evaluated"] - 13
+    assert kept(parts) == whole.kept
 
 
 def test_pickles_with_its_files(study_file, tmp_path):
@@ -150,8 +169,8 @@ def cluster():
 
 
 @pytest.mark.filterwarnings("ignore")
-def test_a_worker_is_killed_and_nothing_changes(study_file, tmp_path, cluster):
-    alone = limn.study(study_file, tmp_path / "alone", csv=True)
+def test_a_worker_is_killed_and_nothing_changes(whole, cluster):
+    alone, many = whole.found, whole.folder / "many"
     killed = []
 
     with distributed.Client(cluster) as client:
@@ -161,22 +180,25 @@ def test_a_worker_is_killed_and_nothing_changes(study_file, tmp_path, cluster):
                 killed.extend(list(client.run(os.getpid).values())[:1])
                 os.kill(killed[0], signal.SIGKILL)
 
-        found = limn.study(study_file, tmp_path / "many", client=client, csv=True, progress=kill)
+        found = limn.study(whole.file, many, client=client, csv=True, progress=kill)
         assert killed and killed[0] not in client.run(os.getpid).values()
     assert found["points"] == alone["points"] and found["evaluated"] == alone["evaluated"]
-    assert kept(tmp_path / "many") == kept(tmp_path / "alone")
+    assert kept(many) == whole.kept
 
 
 @pytest.mark.filterwarnings("ignore")
-def test_the_command_leaves_it_to_workers(study_file, tmp_path, command, cluster):
+def test_the_command_leaves_it_to_workers(whole, cluster):
+    there = whole.folder / "there"
     environment = {**os.environ, "LIMN_PYTHON": sys.executable}
-    words = [os.environ["LIMN_COMMAND"], "study", str(study_file), "--csv", "-o"]
-    for folder, more in (("here", []), ("there", ["--dask", cluster.scheduler_address])):
-        done = subprocess.run(
-            [*words, tmp_path / folder, *more], env=environment, capture_output=True, check=False
-        )
-        assert done.returncode == 0, done.stderr.decode()
-    assert kept(tmp_path / "there") == kept(tmp_path / "here")
+    words = [os.environ["LIMN_COMMAND"], "study", str(whole.file), "--csv"]
+    done = subprocess.run(
+        [*words, "-o", there, "--dask", cluster.scheduler_address],
+        env=environment,
+        capture_output=True,
+        check=False,
+    )
+    assert done.returncode == 0, done.stderr.decode()
+    assert kept(there) == whole.kept
 
 
 def test_the_command_says_what_is_missing(study_file, tmp_path):
