@@ -8,6 +8,7 @@
 
 #include <fmt/core.h>
 
+#include "limn/base/large_vector.h"
 #include "limn/base/parallel.h"
 #include "limn/fast/kernel/patch_step.h"
 #include "limn/fast/kernel/row_step.h"
@@ -232,9 +233,9 @@ template void FastRefiner::evaluate_limit<double>(const Limit&, std::span<const 
 Polygons refined_polygons(const FastRefiner& refiner, std::vector<Point3> positions) {
   Polygons polygons;
   polygons.positions = std::move(positions);
-  polygons.corners.resize(static_cast<std::size_t>(refiner.corner_count()));
+  polygons.corners = large_vector<Index>(static_cast<std::size_t>(refiner.corner_count()));
   refiner.write_faces(polygons.corners);
-  polygons.face_begin.resize(static_cast<std::size_t>(refiner.face_count()) + 1);
+  polygons.face_begin = large_vector<Index>(static_cast<std::size_t>(refiner.face_count()) + 1);
   refiner.write_face_begin(polygons.face_begin);
   return polygons;
 }
@@ -243,7 +244,8 @@ Result<Polygons> fast_refine(const Scheme& scheme, Mesh control,
                              const std::vector<Point3>& positions, int levels) {
   Result<FastRefiner> refiner = FastRefiner::make(scheme, std::move(control), levels);
   if (!refiner) return refiner.error();
-  std::vector<Point3> fine(static_cast<std::size_t>(refiner->vertex_count()));
+  std::vector<Point3> fine =
+      large_vector<Point3>(static_cast<std::size_t>(refiner->vertex_count()));
   refiner->evaluate<double>(numbers_of(positions), numbers_of(fine));
   return refined_polygons(*refiner, std::move(fine));
 }

@@ -5,6 +5,7 @@
 
 #include <fmt/core.h>
 
+#include "limn/base/large_vector.h"
 #include "limn/fast/fast_refiner.h"
 #include "limn/mesh/split/heritage.h"
 #include "limn/refine/crease_step.h"
@@ -119,7 +120,7 @@ TextureCoordinates texture_of_column(std::vector<Index> corners, const Column& c
   TextureCoordinates result;
   result.type = type;
   result.of_corner = std::move(corners);
-  result.points.reserve(column.size());
+  reserve_large(result.points, column.size());
   for (const Point3& p : column) result.points.push_back({p.x, p.y});
   return result;
 }
@@ -162,7 +163,7 @@ Result<TextureCoordinates> quick_texture(const Scheme& scheme, const Mesh& contr
   Result<FastRefiner> refiner =
       FastRefiner::make(scheme, std::move(cut.mesh), levels, std::move(cut.sharpness));
   if (!refiner) return refiner.error();
-  std::vector<Point3> points(at(refiner->vertex_count()));
+  std::vector<Point3> points = large_vector<Point3>(at(refiner->vertex_count()));
   refiner->evaluate<double>(numbers_of(std::as_const(cut.points)), numbers_of(points));
   std::vector<bool> without;
   if (const std::vector<bool> of_control = faces_without(control, texture); !of_control.empty()) {

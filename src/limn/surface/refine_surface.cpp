@@ -6,6 +6,7 @@
 
 #include <fmt/core.h>
 
+#include "limn/base/large_vector.h"
 #include "limn/fast/fast_limit.h"
 #include "limn/fast/fast_refiner.h"
 #include "limn/limit/crease_limit.h"
@@ -148,7 +149,8 @@ class Work {
   /// they are in surface_, and the result is empty.
   Result<Refined<Point3>> refined_mesh() {
     if (quick_) {
-      std::vector<Point3> points(static_cast<std::size_t>(refiner_->vertex_count()));
+      std::vector<Point3> points =
+          large_vector<Point3>(static_cast<std::size_t>(refiner_->vertex_count()));
       refiner_->evaluate<double>(numbers_of(points_), numbers_of(points));
       Polygons fine = refined_polygons(*refiner_, std::move(points));
       if (Status status = quick_attributes(fine); !status) return status.error();
@@ -267,14 +269,14 @@ class Work {
     std::optional<Column> texture;
     add_columns(control_, columns, texture);
     for (std::size_t i = 1; i < columns.smooth.size(); ++i) {
-      Column column(fine.positions.size());
+      Column column = large_vector<Point3>(fine.positions.size());
       refiner_->evaluate<double>(numbers_of(std::as_const(columns.smooth[i])), numbers_of(column));
       columns.smooth[i] = std::move(column);
     }
     take_columns(columns, texture ? fine.corners : std::vector<Index>());
     std::vector<Index> face_of;
     if (options_.attributes->has_labels()) {
-      face_of.resize(static_cast<std::size_t>(refiner_->face_count()));
+      face_of = large_vector<Index>(static_cast<std::size_t>(refiner_->face_count()));
       refiner_->write_parents(face_of);
     }
     hand_down(face_of);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "limn/base/large_vector.h"
 #include "limn/mesh/sharpness/cut_mesh.h"
 #include "limn/mesh/sharpness/resting_with.h"
 
@@ -133,7 +134,8 @@ class Corners {
   TextureMesh& out_;
 };
 
-/// Of each vertex of a cut mesh the first of the same original with the same point.
+/// Of each vertex of a cut mesh the first of the same original with the same point; empty where it
+/// is each itself, and none is isolated.
 std::vector<Index> first_with_point(const Mesh& cut, const std::vector<Index>& originals,
                                     const TextureCoordinates& texture) {
   std::vector<Index> first(originals.size()), order;
@@ -145,9 +147,13 @@ std::vector<Index> first_with_point(const Mesh& cut, const std::vector<Index>& o
     return std::pair{originals[at(v)], texture.of_corner[at(cut.halfedge_of_vertex(v))]};
   };
   std::stable_sort(order.begin(), order.end(), [&](Index a, Index b) { return key(a) < key(b); });
-  for (std::size_t i = 1; i < order.size(); ++i)
-    if (key(order[i]) == key(order[i - 1])) first[at(order[i])] = first[at(order[i - 1])];
-  return first;
+  bool merged = order.size() < first.size();
+  for (std::size_t i = 1; i < order.size(); ++i) {
+    if (key(order[i]) != key(order[i - 1])) continue;
+    first[at(order[i])] = first[at(order[i - 1])];
+    merged = true;
+  }
+  return merged ? first : std::vector<Index>();
 }
 
 /// The sharpness of the cut mesh.
@@ -222,11 +228,17 @@ std::vector<bool> faces_without(const Mesh& mesh, const TextureCoordinates& text
   return without;
 }
 
-TextureCoordinates texture_of(const Polygons& polygons, const std::vector<Index>& first,
+TextureCoordinates texture_of(Polygons polygons, const std::vector<Index>& first,
                               const std::vector<bool>& without, NumberType type) {
   TextureCoordinates result;
   result.type = type;
-  result.of_corner.reserve(polygons.corners.size());
+  reserve_large(result.points, polygons.positions.size());
+  if (first.empty() && without.empty()) {
+    for (const Point3& p : polygons.positions) result.points.push_back({p.x, p.y});
+    result.of_corner = std::move(polygons.corners);
+    return result;
+  }
+  reserve_large(result.of_corner, polygons.corners.size());
   std::vector<Index> number(polygons.positions.size(), kNone);
   for (Index f = 0; f < polygons.face_count(); ++f)
     for (Index c = polygons.face_begin[at(f)]; c < polygons.face_begin[at(f + 1)]; ++c) {

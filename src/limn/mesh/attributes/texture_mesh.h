@@ -22,7 +22,8 @@ struct TextureMesh {
   std::vector<Point3> points;  ///< of each of its vertices, u, v and 0
   Sharpness sharpness;         ///< that of the mesh, and corners as the rule says
   /// Of each of its vertices the first that is the same vertex of the mesh with the same point of
-  /// the texture: itself, but where fans apart from one another name one point. These rest.
+  /// the texture: itself, but where fans apart from one another name one point. These rest. Empty
+  /// where each is itself and has a face.
   std::vector<Index> first;
 };
 /// Of `boundaries` and `all`, which do not follow from corners alone, nothing is made a corner.
@@ -34,10 +35,10 @@ struct TextureMesh {
 [[nodiscard]] std::vector<bool> faces_without(const Mesh& mesh, const TextureCoordinates& texture);
 
 /// The vertices of a texture mesh, refined or not, as texture coordinates, but of faces that are
-/// `without`: polygons whose positions are u, v and 0. Points are numbered as they are met; `first`
-/// is TextureMesh::first: what was one point of the texture is one again. Cost O(H).
-[[nodiscard]] TextureCoordinates texture_of(const Polygons& polygons,
-                                            const std::vector<Index>& first,
+/// `without`: polygons whose positions are u, v and 0. `first` is TextureMesh::first: what was one
+/// point of the texture is one again. Points are numbered as vertices are, or, where some of these
+/// are no point of their own or faces are without, as they are met. Cost O(H), O(V) in the first.
+[[nodiscard]] TextureCoordinates texture_of(Polygons polygons, const std::vector<Index>& first,
                                             const std::vector<bool>& without, NumberType type);
 
 }  // namespace limn
