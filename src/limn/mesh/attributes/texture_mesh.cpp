@@ -44,6 +44,7 @@ class Corners {
   void classify(Index v, const std::vector<Index>& copies, bool at_seam) {
     if (rule_ >= TextureRule::boundaries) return;
     std::vector<Fan> fans;
+    fans.reserve(copies.size());
     for (const Index copy : copies) fans.push_back(fan_of(copy));
     if (!at_seam) {
       if (mesh_.is_boundary_vertex(v) && fans[0].faces == 1 && rule_ != TextureRule::none)
@@ -90,6 +91,7 @@ class Corners {
   }
   static std::size_t points_of(const std::vector<Fan>& fans) {
     std::vector<Index> points;
+    points.reserve(fans.size());
     for (const Fan& fan : fans) points.push_back(fan.point);
     std::sort(points.begin(), points.end());
     return static_cast<std::size_t>(std::unique(points.begin(), points.end()) - points.begin());
