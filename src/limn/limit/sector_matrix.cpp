@@ -71,6 +71,7 @@ std::string place_text(const Sectors& sectors) {
   if (alike == sectors.lattices.end())
     return fmt::format("{} of {} faces", vertex, sectors.lattices.size());
   std::vector<int> corners;
+  corners.reserve(sectors.lattices.size());
   for (const Lattice lattice : sectors.lattices)
     corners.push_back(lattice == Lattice::triangle ? 3 : 4);
   return fmt::format("{} of the faces {}", vertex, fmt::join(corners, ", "));

@@ -51,7 +51,7 @@ Ball::Ball(const Rational& value) : Ball() {
 Ball::Ball(const Ball& other) : Ball() { arb_set(Access::of(*this), Access::of(other)); }
 Ball::Ball(Ball&& other) noexcept : Ball() { arb_swap(Access::of(*this), Access::of(other)); }
 Ball& Ball::operator=(const Ball& other) {
-  arb_set(Access::of(*this), Access::of(other));
+  if (this != &other) arb_set(Access::of(*this), Access::of(other));
   return *this;
 }
 Ball& Ball::operator=(Ball&& other) noexcept {

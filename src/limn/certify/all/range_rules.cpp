@@ -28,7 +28,7 @@ Result<PowerBall> value_of(const Polynomial& formula) {
   for (const auto& [monomial, coefficient] : formula.terms()) {
     PowerBall product(coefficient);
     for (const auto& [indeterminate, exponent] : monomial) {
-      const Result<PowerBall> factor = value_of(indeterminate);
+      Result<PowerBall> factor = value_of(indeterminate);
       if (!factor) return factor;
       for (int i = 0; i < std::abs(exponent); ++i)
         product = exponent > 0 ? product * *factor : product / *factor;
@@ -39,9 +39,9 @@ Result<PowerBall> value_of(const Polynomial& formula) {
 }
 
 Result<PowerBall> value_of(const Symbolic& formula) {
-  const Result<PowerBall> numerator = value_of(formula.numerator());
+  Result<PowerBall> numerator = value_of(formula.numerator());
   if (!numerator) return numerator;
-  const Result<PowerBall> denominator = value_of(formula.denominator());
+  Result<PowerBall> denominator = value_of(formula.denominator());
   if (!denominator) return denominator;
   return Arithmetic<PowerBall>::divide(*numerator, *denominator);
 }

@@ -166,6 +166,7 @@ class GridFamily final : public Family {
 
   [[nodiscard]] std::vector<StarShape> kinds() const {
     std::vector<StarShape> kinds;
+    kinds.reserve(groups_.size());
     for (const ZoneGroup& group : groups_) kinds.push_back(group.kind);
     return kinds;
   }

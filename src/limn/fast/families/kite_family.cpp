@@ -189,6 +189,7 @@ class KiteFamily final : public Family {
     if (level == first_) return fast::plan_one_rings(control_, {}, level, reader);
     const KiteLayout at = layout(level);
     std::vector<Index> numbers;
+    numbers.reserve(static_cast<std::size_t>(control_.halfedge_count()));
     for (Index h = 0; h < control_.halfedge_count(); ++h) numbers.push_back(at.point(h, 0, 0));
     for (const Index v : at.isolated()) numbers.push_back(v);
     return fast::plan_one_rings(split_.apply(control_, 0).mesh, numbers, level, reader);

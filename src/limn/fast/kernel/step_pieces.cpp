@@ -63,6 +63,7 @@ StepPieces::StepPieces(const StepPlan& plan, const PatchProgram& program, Index 
 
 std::vector<Index> StepPieces::run_sizes() const {
   std::vector<Index> sizes;
+  sizes.reserve(plan_->patches.shape.runs.size());
   for (const std::vector<FinePoint>& run : plan_->patches.shape.runs)
     sizes.push_back(static_cast<Index>(run.size()));
   return sizes;

@@ -53,6 +53,7 @@ std::vector<PagePoint> middles_of_labels(const NetPanel& panel, const PageOf& pa
   for (const NetPanel::Arrow& arrow : panel.arrows)
     around.lines.push_back({page(arrow.from), page(arrow.to)});
   std::vector<LabelWish> wishes;
+  wishes.reserve(panel.labels.size());
   for (const NetPanel::Label& label : panel.labels)
     wishes.push_back({page(label.at), text_width(label.text, {.size = kLabelText}), kLabelText});
   return label_places(wishes, around);

@@ -204,6 +204,7 @@ std::vector<std::vector<SpaceCurve>> reflection_lines(const SeenSurface& surface
   const MirrorPieces pieces(surface, lights);
   const auto count = static_cast<std::size_t>(lights.count());
   std::vector<MirroredLights::HalfPlane> half_planes;
+  half_planes.reserve(count);
   for (int line = 0; line < lights.count(); ++line) half_planes.push_back(lights.half_plane(line));
   std::vector<std::vector<SpaceSegment>> segments(count);
   for (const std::array<int, 3>& triangle : surface.triangles) {

@@ -359,7 +359,7 @@ Status read_ply(std::string_view content, bool by_word, const ReadOptions& optio
                                     mesh.source.file, options.keep_faults),
                          header, options, mesh);
   }
-  const Status status = read_elements(AsciiBody(in, by_word), header, options, mesh);
+  Status status = read_elements(AsciiBody(in, by_word), header, options, mesh);
   if (status || by_word) return status;
   MeshFile other;
   other.source.file = mesh.source.file;
