@@ -45,7 +45,7 @@ that      = "c1"
 certified = true
 [method]
 kind   = "pareto"
-points = 24
+points = 40
 batch  = 8
 [[compare]]
 scheme = "loop"
@@ -101,7 +101,7 @@ def test_is_what_the_command_does(whole, command, monkeypatch):
     monkeypatch.chdir(whole.folder.parent)
     found, last = whole.found, whole.seen[-1]
     printed = command("study", whole.file, "-o", f"{whole.folder.name}/again", "--csv")
-    assert found["points"] == printed["points"] >= 24
+    assert found["points"] == printed["points"] >= 40
     assert kept(whole.folder / "again") == whole.kept
     assert [point["objectives"] for point in found["best"]] == [
         point["objectives"] for point in printed["best"]

@@ -238,6 +238,7 @@ check('texture: a checker, the mesh\'s own coordinates, a picture that is droppe
   }
   await page.selectOption('[data-test=scheme]', 'catmull-clark');
   await dropFile(page, 'squares.obj', squares);
+  await until(page, () => document.querySelector('[data-test=mesh]').value === 'squares.obj');
   // the link follows the state after a moment: an older one would bring the older state back
   await until(page, () => location.hash.includes('scheme=catmull-clark') && location.hash.includes('obj='));
   await page.evaluate(() => (location.hash = location.hash.replace(/&camera=[^&]*/, '') + '&camera=0.00,0.00,2.90'));
