@@ -6,7 +6,6 @@
 #include <fmt/core.h>
 
 #include "limn/base/large_vector.h"
-#include "limn/fast/fast_refiner.h"
 #include "limn/mesh/split/heritage.h"
 #include "limn/refine/crease_step.h"
 
@@ -167,12 +166,16 @@ Result<TextureCoordinates> quick_texture(const Scheme& scheme, const Mesh& contr
   refiner->evaluate<double>(numbers_of(std::as_const(cut.points)), numbers_of(points));
   std::vector<bool> without;
   if (const std::vector<bool> of_control = faces_without(control, texture); !of_control.empty()) {
-    std::vector<Index> face_of(at(refiner->face_count()));
-    refiner->write_parents(face_of);
-    for (const Index f : face_of) without.push_back(of_control[at(f)]);
+    for (const Index f : parents_of(*refiner)) without.push_back(of_control[at(f)]);
   }
   return texture_of(refined_polygons(*refiner, std::move(points)), cut.first, without,
                     texture.type);
+}
+
+std::vector<Index> parents_of(const FastRefiner& refiner) {
+  std::vector<Index> face_of = large_vector<Index>(at(refiner.face_count()));
+  refiner.write_parents(face_of);
+  return face_of;
 }
 
 void hand_down_labels(const MeshAttributes& control, const std::vector<Index>& face_of,

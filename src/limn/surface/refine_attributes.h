@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "limn/fast/fast_refiner.h"
 #include "limn/mesh/attributes/attributes.h"
 #include "limn/mesh/attributes/texture_mesh.h"
 #include "limn/refine/refine_columns.h"
@@ -56,6 +57,9 @@ namespace detail {
                                                        const Sharpness& sharpness,
                                                        const TextureCoordinates& texture,
                                                        TextureRule rule, int levels);
+
+/// Of each face of the result, the face of the control mesh that it lies in. Cost O(F).
+[[nodiscard]] std::vector<Index> parents_of(const FastRefiner& refiner);
 
 /// Labels and material files of faces that lie in the control faces `face_of`.
 void hand_down_labels(const MeshAttributes& control, const std::vector<Index>& face_of,

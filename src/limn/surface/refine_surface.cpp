@@ -175,9 +175,8 @@ class Work {
   void find_holes() {
     const std::vector<bool>& holes = options_.sharpness.holes;
     if (holes.empty()) return;
-    std::vector<Index> face_of(static_cast<std::size_t>(refiner_->face_count()));
-    refiner_->write_parents(face_of);
-    for (const Index f : face_of) holes_.push_back(holes[static_cast<std::size_t>(f)]);
+    for (const Index f : detail::parents_of(*refiner_))
+      holes_.push_back(holes[static_cast<std::size_t>(f)]);
   }
 
   /// The quick engine's mesh; nothing where two edges of it have the same ends, so that polygons do
@@ -275,10 +274,7 @@ class Work {
     }
     take_columns(columns, texture ? fine.corners : std::vector<Index>());
     std::vector<Index> face_of;
-    if (options_.attributes->has_labels()) {
-      face_of = large_vector<Index>(static_cast<std::size_t>(refiner_->face_count()));
-      refiner_->write_parents(face_of);
-    }
+    if (options_.attributes->has_labels()) face_of = detail::parents_of(*refiner_);
     hand_down(face_of);
     const TextureCoordinates& coordinates = options_.attributes->texture;
     if (coordinates.empty() || texture || options_.levels == 0) return Done{};
