@@ -1,11 +1,17 @@
 import { readFileSync } from 'node:fs';
 import { resolve } from 'node:path';
+import { pathToFileURL } from 'node:url';
 import { deflateSync } from 'node:zlib';
-import { defineConfig, type Plugin } from 'vite';
+import { build, defineConfig, type Plugin, type Rollup } from 'vite';
+import type { Core } from './src/core/api';
 import { toBase85 } from './src/core/base85';
+import { catalogueOf } from './src/core/catalogue';
 
 // The folder with limn_core.mjs and limn_core.wasm (web/core builds them).
 const coreFolder = resolve(__dirname, process.env.LIMN_CORE_DIR ?? '../../build/page/core');
+const coreScript = resolve(coreFolder, 'limn_core.mjs');
+const coreBytes = (): Buffer => readFileSync(resolve(coreFolder, 'limn_core.wasm'));
+const target = 'es2022';
 
 const policy = [
   "default-src 'none'",
@@ -18,15 +24,42 @@ const policy = [
   "base-uri 'none'",
 ].join('; ');
 
-const packed = (bytes: Uint8Array): Buffer => deflateSync(bytes, { level: 9 });
+/** One script with all that it imports. */
+async function bundled(entry: string, format: 'es' | 'iife'): Promise<string> {
+  const made = (await build({
+    configFile: false,
+    logLevel: 'warn',
+    resolve: { alias: { 'limn-core': coreScript } },
+    build: { target, write: false, modulePreload: false, chunkSizeWarningLimit: 4000,
+      rollupOptions: { input: resolve(__dirname, entry), preserveEntrySignatures: 'strict', output: { format } } },
+  })) as Rollup.RollupOutput;
+  return made.output[0].code;
+}
 
-// Puts scripts, styles and the core into the one HTML file, and the policy that forbids the network. The program is
-// deflated like the core: a line of script inflates it and imports it from a blob.
+/** What the core says that it ships, as a module. */
+function catalogue(): Plugin {
+  const name = 'limn-catalogue';
+  return {
+    name,
+    resolveId: (id) => (id === name ? `\0${name}` : undefined),
+    async load(id) {
+      if (id !== `\0${name}`) return undefined;
+      // Emscripten's script asks for it under Node.
+      Object.assign(globalThis, { __dirname: coreFolder });
+      const { default: make } = (await import(pathToFileURL(coreScript).href)) as typeof import('limn-core');
+      const core = (await make({ wasmBinary: coreBytes() })) as unknown as Core;
+      return `export default JSON.parse(${JSON.stringify(JSON.stringify(catalogueOf(core)))});`;
+    },
+  };
+}
+
+// Puts scripts, styles and the core into the one HTML file, and the policy that forbids the network. All parts are deflated; the loader
+// inflates them.
 function oneFile(): Plugin {
   return {
     name: 'limn-one-file',
     enforce: 'post',
-    generateBundle(_options, bundle) {
+    async generateBundle(_options, bundle) {
       const html = Object.values(bundle).find((item) => item.fileName.endsWith('.html'));
       if (!html || html.type !== 'asset') return;
       let page = String(html.source);
@@ -40,14 +73,19 @@ function oneFile(): Plugin {
       page = page.replace(/<script type="module"[^>]*><\/script>/, '').replace(/<link rel="stylesheet"[^>]*>/g, '');
       page = page.replace('<meta charset="utf-8">',
         () => `<meta charset="utf-8">\n<meta http-equiv="Content-Security-Policy" content="${policy}">`);
-      const wasm = toBase85(packed(readFileSync(resolve(coreFolder, 'limn_core.wasm'))));
-      const loader = readFileSync(resolve(__dirname, 'src/loader.js'), 'utf8');
-      page = page.replace('</body>', () => `<script type="text/plain" id="core">${wasm}</script>\n` +
-        `<script type="text/plain" id="program">${packed(new TextEncoder().encode(program)).toString('base64')}</script>\n` +
-        `<script>${loader}</script>\n</body>`);
+      const code = (text: string): Uint8Array => new TextEncoder().encode(text);
+      const element = (id: string, bytes: Uint8Array): string => {
+        const text = toBase85(deflateSync(bytes, { level: 9 }));
+        this.info(`${id}: ${bytes.length} bytes, packed ${text.length}`);
+        return `<script type="text/plain" id="${id}">${text}</script>\n`;
+      };
+      const parts = [element('worker', code(await bundled('src/core/worker.ts', 'iife'))), element('program', code(program)),
+        `<script>${await bundled('src/loader.ts', 'iife')}</script>\n`,
+        element('core', coreBytes()), element('painter', code(await bundled('src/space/gl_painter.ts', 'es'))), element('later', code(await bundled('src/later.ts', 'es')))];
+      page = page.replace('</body>', () => `${parts.join('')}</body>`);
       html.source = page;
       const size = Buffer.byteLength(page);
-      this.info(`index.html: ${size} bytes (core ${wasm.length}, program ${program.length} before deflation)`);
+      this.info(`index.html: ${size} bytes`);
       if (size > 2_000_000) this.error(`index.html has ${size} bytes; 2000000 are allowed`);
     },
   };
@@ -55,9 +93,7 @@ function oneFile(): Plugin {
 
 export default defineConfig({
   base: './',
-  resolve: { alias: { 'limn-core': resolve(coreFolder, 'limn_core.mjs') } },
-  build: { target: 'es2022', assetsInlineLimit: 1e9, cssCodeSplit: false, modulePreload: false, chunkSizeWarningLimit: 4000 },
-  worker: { format: 'iife' },
-  plugins: [oneFile()],
+  build: { target, assetsInlineLimit: 1e9, cssCodeSplit: false, modulePreload: false, chunkSizeWarningLimit: 4000 },
+  plugins: [catalogue(), oneFile()],
   test: { include: ['test/unit/**/*.test.ts'], testTimeout: 30_000 },
 } as Parameters<typeof defineConfig>[0]);

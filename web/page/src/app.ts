@@ -1,8 +1,7 @@
 // What the views share: the state, the core, the last good scheme and mesh, and how one view tells the others.
 import { superseded, type Client, type Outcome } from './core/client';
 import type { Catalogue, Control, Fault, MeshSpec, SchemeInfo, SchemeSpec, ShippedMesh } from './core/results';
-import type { Painter } from './space/gl_painter';
-import { ball, type Colours } from './space/picture';
+import { ball, type Colours, type Painter } from './space/picture';
 import { type Store, type State } from './state';
 import { strToU8 } from 'fflate';
 

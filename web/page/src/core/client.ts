@@ -26,7 +26,7 @@ interface Wire {
 /** Ahead of others: what a hand is on. */
 const order = ['scheme', 'control', 'surface', 'surface-b', 'eigen', 'map', 'sweep', 'artifacts', 'wave', 'eigen-whole', 'sampling'];
 /** In the first worker. */
-const drawing = new Set(['catalogue', 'scheme', 'scheme-first', 'other', 'control', 'surface', 'surface-b', 'surface-lines', 'surface-b-lines', 'timing', 'svg']);
+const drawing = new Set(['scheme', 'scheme-first', 'other', 'control', 'surface', 'surface-b', 'surface-lines', 'surface-b-lines', 'timing', 'svg']);
 const rank = (lane: string): number => (order.indexOf(lane.startsWith('sweep-') ? 'sweep' : lane) + order.length + 1) % (order.length + 1);
 
 class Line {
@@ -60,7 +60,6 @@ class Line {
       wire === this.wire && (this.end({ ok: false, errors: [{ message: `the core stopped: ${message}` }] }), this.next());
     wire.worker.onerror = (event) => stop(event.message);
     wire.worker.addEventListener('message', ({ data }) => {
-      if (data.failed) stop(data.failed);
       if (data.id !== wire.id || !wire.current) return;
       if (data.stopped) return void stop(data.stopped);
       const ask = wire.current;
@@ -83,25 +82,18 @@ class Line {
 }
 
 export class Client {
-  private module: WebAssembly.Module | null = null;
-  private quick = new Line(() => this.spawn(), false);
-  private analyses = new Line(() => this.spawn(), false);
-  private slow = new Line(() => this.spawn(), true);
+  private quick: Line;
+  private analyses: Line;
+  private slow: Line;
 
   private settling = new Map<string, { timer: ReturnType<typeof setTimeout>; drop(): void }>();
 
-  /** `settle`: milliseconds that a long job waits for a newer one, so that a slider that moves begins none. */
-  constructor(private make: () => Worker, private packed: string, private settle = 300) {
+  /** `spawn` begins a worker. `settle`: milliseconds that a long job waits for a newer one, so that a slider that moves begins none. */
+  constructor(spawn: () => Worker, private settle = 300) {
+    this.quick = new Line(spawn, false);
+    this.analyses = new Line(spawn, false);
+    this.slow = new Line(spawn, true);
     this.quick.warm();
-  }
-
-  private spawn(): Worker {
-    const worker = this.make();
-    worker.addEventListener('message', ({ data }) => {
-      if (data.started) this.module = data.started;
-    });
-    worker.postMessage({ start: this.module ?? this.packed });
-    return worker;
   }
 
   /** The answer, or `superseded` where a newer job of the lane came first. */

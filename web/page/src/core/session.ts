@@ -77,14 +77,6 @@ export class Session {
 
   constructor(private core: Core) {}
 
-  catalogue(): R.Catalogue {
-    return {
-      version: parse<{ version: string }>(this.core.version()).version,
-      schemes: parse<{ schemes: R.Shipped[] }>(this.core.schemes()).schemes,
-      meshes: parse<{ meshes: R.ShippedMesh[] }>(this.core.meshes()).meshes,
-    };
-  }
-
   load(scheme: R.SchemeSpec): R.SchemeInfo {
     const { answer } = this.loaded(scheme);
     if (!answer.ok) throw new Refused(answer.errors);

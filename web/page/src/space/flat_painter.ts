@@ -1,8 +1,7 @@
 // Draws the same pictures without WebGL, triangles and lines from the farthest to the nearest: on a 2D canvas, or as SVG.
-import { Vector3 } from 'three';
+import { Vector3 } from 'three/src/math/Vector3.js';
 import { hexRgb, magnitudeColour, signColour, type Rgb } from '../ui/colours';
-import type { Painter } from './gl_painter';
-import { camera, isDark, type Body, type Colours, type Look, type Picture, type Wires } from './picture';
+import { camera, isDark, type Body, type Colours, type Look, type Painter, type Picture, type Wires } from './picture';
 
 /** Of a surface with more, every second one or fewer is drawn; whoever can asks for a coarser level. */
 export const mostTriangles = 24_000;
@@ -155,10 +154,11 @@ const hex = (rgb: Rgb): string => `#${rgb.map((c) => c.toString(16).padStart(2, 
 export class FlatPainter implements Painter {
   readonly name = 'canvas';
 
-  draw(picture: Picture, look: Look, canvas: HTMLCanvasElement, colours: Colours): void {
+  draw(picture: Picture, look: Look, canvas: HTMLCanvasElement, colours: Colours): boolean {
     const to = canvas.getContext('2d')!;
     to.clearRect(0, 0, canvas.width, canvas.height);
     new Flat(picture, look, canvas.width, canvas.height, colours, new CanvasPen(to));
+    return true;
   }
 }
 

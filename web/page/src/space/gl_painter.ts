@@ -4,12 +4,7 @@ import {
   PointsMaterial, RepeatWrapping, Scene, ShaderMaterial, Texture, WebGLRenderer,
 } from 'three';
 import { strip } from '../ui/colours';
-import { camera, type Body, type Colours, type Look, type Picture } from './picture';
-
-export interface Painter {
-  readonly name: 'webgl' | 'canvas';
-  draw(picture: Picture, look: Look, canvas: HTMLCanvasElement, colours: Colours): void;
-}
+import { camera, type Body, type Colours, type Look, type Painter, type Picture } from './picture';
 
 const vertexShader = `
 attribute float value;
@@ -114,10 +109,7 @@ export class GlPainter implements Painter {
   private flat = new Float32Array(0);
   private image?: Texture;
 
-  constructor() {
-    const canvas = document.createElement('canvas');
-    const context = canvas.getContext('webgl2', { antialias: true, alpha: true, preserveDrawingBuffer: true });
-    if (!context) throw new Error('no WebGL');
+  constructor(canvas: HTMLCanvasElement, context: WebGL2RenderingContext) {
     this.renderer = new WebGLRenderer({ canvas, context, antialias: true, alpha: true });
     this.renderer.outputColorSpace = 'srgb-linear' as never;
     this.renderer.setClearColor(0, 0);
@@ -125,9 +117,9 @@ export class GlPainter implements Painter {
     this.renderer.sortObjects = false;
   }
 
-  draw(picture: Picture, look: Look, canvas: HTMLCanvasElement, colours: Colours): void {
+  draw(picture: Picture, look: Look, canvas: HTMLCanvasElement, colours: Colours): boolean {
     const { width, height } = canvas;
-    if (width === 0 || height === 0) return;
+    if (width === 0 || height === 0) return true;
     const built = this.build(picture, canvas, colours);
     const target = this.renderer.domElement;
     if (target.width < width || target.height < height)
@@ -153,6 +145,7 @@ export class GlPainter implements Painter {
     const to = canvas.getContext('2d')!;
     to.clearRect(0, 0, width, height);
     to.drawImage(target, 0, target.height - height, width, height, 0, 0, width, height);
+    return true;
   }
 
   private build(picture: Picture, canvas: HTMLCanvasElement, colours: Colours): Built {

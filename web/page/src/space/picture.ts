@@ -1,5 +1,7 @@
 // What is drawn in space, and how it is looked at. No painter knows more.
-import { PerspectiveCamera, Vector3 } from 'three';
+// By file: the whole library would come into the page's program beside the painter's.
+import { PerspectiveCamera } from 'three/src/cameras/PerspectiveCamera.js';
+import { Vector3 } from 'three/src/math/Vector3.js';
 import type { Lines, Shade, Texture } from '../core/results';
 
 export interface Body {
@@ -43,6 +45,12 @@ export interface Colours {
   net: string;
   ink: string;
   accent: string;
+}
+
+export interface Painter {
+  readonly name: 'webgl' | 'canvas';
+  /** False where it cannot draw yet. */
+  draw(picture: Picture, look: Look, canvas: HTMLCanvasElement, colours: Colours): boolean;
 }
 
 export function camera(picture: Picture, look: Look, aspect: number): PerspectiveCamera {

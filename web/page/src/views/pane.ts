@@ -1,5 +1,5 @@
 // One canvas in space: asks for a scheme's surface over the mesh, draws it, and lets a hand turn it.
-import { Vector3 } from 'three';
+import { Vector3 } from 'three/src/math/Vector3.js';
 import { deepest, type App, type GoodScheme } from '../app';
 import { superseded } from '../core/client';
 import type { Fault, Lines, Shade, Surface, SurfaceAsk, Texture } from '../core/results';
@@ -78,7 +78,6 @@ export class Pane {
       this.surface = surface;
       this.range = surface.values && middleRange(surface.values, ask.shade !== 'distance');
       this.draw(true);
-      this.app.firstPicture ||= performance.now();
       this.app.time({ what: ask.shade === 'plain' ? 'surface' : `surface, ${ask.shade}`, total: answered - begun,
         core: surface.planned + surface.evaluated, drawn: performance.now() - answered, vertices: surface.positions.length / 3 });
       this.askLines(this.app.store.now);
@@ -143,7 +142,8 @@ export class Pane {
   private paint(): void {
     if (!this.fit() || !this.app.painter) return;
     const picture = this.compose();
-    if (picture) this.app.painter.draw(picture, this.look(), this.canvas, this.app.colours());
+    if (picture && this.app.painter.draw(picture, this.look(), this.canvas, this.app.colours()) && picture.body)
+      this.app.firstPicture ||= performance.now();
   }
 
   /** Kept while nothing of it changes, so that turning costs no buffers. */

@@ -1,5 +1,4 @@
 // The record that `limn report` puts into the page: formulas, typeset as MathML, and certificates.
-import katex from 'katex';
 import type { GoodScheme } from '../app';
 import { h } from '../ui/dom';
 import { verdictWord } from './words';
@@ -8,13 +7,16 @@ type Json = Record<string, unknown>;
 const list = (value: unknown): Json[] => (Array.isArray(value) ? (value.filter((x) => x && typeof x === 'object') as Json[]) : []);
 const object = (value: unknown): Json => (value && typeof value === 'object' && !Array.isArray(value) ? (value as Json) : {});
 
+/** The formula, typeset as soon as the library for that is there; as it is where it cannot be. */
 export function formula(latex: string): HTMLElement {
-  const place = h('span', { class: 'formula' });
-  try {
-    katex.render(latex, place, { output: 'mathml', throwOnError: true, maxExpand: 200, maxSize: 20, trust: false, strict: 'ignore' });
-  } catch {
-    place.append(h('code', {}, latex));
-  }
+  const place = h('span', { class: 'formula' }, h('code', {}, latex));
+  const typeset = async (): Promise<void> => {
+    const { katex } = await limnStart.later();
+    const made = h('span', {});
+    katex.render(latex, made, { output: 'mathml', throwOnError: true, maxExpand: 200, maxSize: 20, trust: false, strict: 'ignore' });
+    place.replaceChildren(...made.childNodes);
+  };
+  typeset().catch(() => {});
   return place;
 }
 

@@ -1,6 +1,5 @@
 // The extraordinary vertex: eigenvalues by rotational frequency, the verdict with its reasons, the characteristic map.
 // Numbers stand as text, so that they can be read, copied and tested without any picture.
-import * as Plot from '@observablehq/plot';
 import { type App, type GoodScheme, type Model, type View } from '../app';
 import { superseded } from '../core/client';
 import type { Eigen } from '../core/results';
@@ -52,7 +51,7 @@ export function vertexView(app: App): View {
     if (!quick.ok) return say(note, quick.errors.map((e) => e.message).join(' · '));
     numbers(quick.result, cells);
     drawn = quick.result;
-    draw();
+    void draw();
     verdict(quick.result, true);
     const whole = await app.client.askSlow('eigen-whole', 'eigen', scheme.spec, n);
     if (whole !== superseded && whole.ok && drawn === quick.result) verdict(whole.result, false);
@@ -78,10 +77,11 @@ export function vertexView(app: App): View {
     if (quick && v.reasons.length === 0 && reasons.childElementCount > 0) return;
     reasons.replaceChildren(...v.reasons.map((text) => h('li', {}, text)));
   }
-  function draw(): void {
+  async function draw(): Promise<void> {
     if (!drawn) return;
+    const plot = await limnStart.later();
     const width = Math.max(240, Math.min(720, chart.clientWidth || 340));
-    chart.replaceChildren(eigenChart(drawn, width, Math.round(Math.max(190, width * 0.58))));
+    chart.replaceChildren(eigenChart(plot, drawn, width, Math.round(Math.max(190, width * 0.58))));
   }
   async function askMap(scheme: GoodScheme, n: number): Promise<void> {
     const answer = await app.client.ask('map', 'characteristicMap', scheme.spec, n, scheme.info.split.includes('ternary') ? 2 : 3);
@@ -93,7 +93,7 @@ export function vertexView(app: App): View {
   }
   let width = 0;
   new ResizeObserver(() => {
-    if (Math.abs(chart.clientWidth - width) > 8) (width = chart.clientWidth), draw();
+    if (Math.abs(chart.clientWidth - width) > 8) (width = chart.clientWidth), void draw();
   }).observe(chart);
 
   return {
@@ -131,7 +131,7 @@ function complex([re, im]: [number, number]): string {
   return im === 0 ? six(re) : `${six(re)} ${im < 0 ? '−' : '+'} ${six(Math.abs(im))} i`;
 }
 
-function eigenChart(eigen: Eigen, width: number, height: number): SVGSVGElement | HTMLElement {
+function eigenChart(Plot: Awaited<ReturnType<typeof limnStart.later>>, eigen: Eigen, width: number, height: number): SVGSVGElement | HTMLElement {
   const dots = eigen.blocks.flatMap((block) => block.eigenvalues.slice(0, 10).map((one, i) => ({
     omega: block.frequency, size: one.modulus, role: role(block.frequency, i), text: complex(one.value) })));
   const tangent = eigen.components.tangent;

@@ -26,7 +26,7 @@ class FakeWorker extends EventTarget {
 }
 function client(): Client {
   FakeWorker.all = [];
-  return new Client(() => new FakeWorker() as unknown as Worker, '', 0);
+  return new Client(() => new FakeWorker() as unknown as Worker, 0);
 }
 const spec = { text: 't', parameters: {} };
 
@@ -75,7 +75,7 @@ describe('a lane', () => {
   });
   it('waits with a long job until the slider rests', async () => {
     FakeWorker.all = [];
-    const c = new Client(() => new FakeWorker() as unknown as Worker, '', 20);
+    const c = new Client(() => new FakeWorker() as unknown as Worker, 20);
     const steps = [1, 2, 3].map((seconds) => c.askSlow('regularity', 'regularity', spec, seconds));
     expect(await Promise.all(steps.slice(0, 2))).toEqual([superseded, superseded]);
     expect(FakeWorker.all).toHaveLength(1);
