@@ -26,6 +26,8 @@ elseif(command_sources)
   target_link_libraries(limn_command PRIVATE
     limn_papers CLI11::CLI11 FastFloat::fast_float fmt::fmt nlohmann_json::nlohmann_json)
   limn_optimise_less(limn_command)
+  # Names of functions are for debuggers: RelWithDebInfo and Debug have them.
+  target_link_options(limn_command PRIVATE $<$<CONFIG:Release>:LINKER:--gc-sections,--strip-all>)
   limn_precompile(limn_command <CLI/CLI.hpp> <fmt/core.h> <nlohmann/json.hpp>)
 else()
   message(STATUS "apps/limn has no sources: the command is not built")

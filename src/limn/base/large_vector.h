@@ -20,12 +20,12 @@ void reserve_large(std::vector<T>& values, std::size_t size) {
   detail::advise_huge(values.data(), values.capacity() * sizeof(T));
 }
 
-/// `size` values, each as T{} is. Cost O(size).
+/// `size` values, each as T{} is, or as `value`. Cost O(size).
 template <class T>
-[[nodiscard]] std::vector<T> large_vector(std::size_t size) {
+[[nodiscard]] std::vector<T> large_vector(std::size_t size, const T& value = T{}) {
   std::vector<T> values;
   reserve_large(values, size);
-  values.resize(size);
+  values.resize(size, value);
   return values;
 }
 

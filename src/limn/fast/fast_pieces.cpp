@@ -5,6 +5,7 @@
 #include <numeric>
 #include <thread>
 
+#include "limn/base/large_vector.h"
 #include "limn/base/memory.h"
 #include "limn/base/parallel.h"
 #include "limn/base/sparse_array.h"
@@ -117,8 +118,9 @@ void FastPieces::State::cut(const double* positions) {
     const Index vertices = all.vertices[made_of];
     const fast::ReadyStep& step = all.steps[in_memory];
     before.emplace(step.plan, step.program, vertices, std::max<Index>(1, wanted.most / 16));
-    level = SparseArray(3 * static_cast<std::size_t>(vertices) + 1);
     find_groups(vertices);
+    level = SparseArray(3 * static_cast<std::size_t>(vertices) + 1,
+                        groups.size() == 1 ? SparseArray::Pages::huge : SparseArray::Pages::small);
   } else {
     groups.push_back({0, pieces->count(), {}});
   }
@@ -170,8 +172,10 @@ FastPieces::Range FastPieces::enter(Index index) {
           state.before->make(group.sources[i], state.whole.data(), piece);
           const double* from = piece.positions.data();
           for (const fast::Extent& extent : piece.extents) {
-            const auto count = 3 * static_cast<std::ptrdiff_t>(extent.count);
-            std::copy_n(from, count, level + 3 * static_cast<std::ptrdiff_t>(extent.first));
+            const std::size_t begin = 3 * static_cast<std::size_t>(extent.first);
+            const std::size_t count = 3 * static_cast<std::size_t>(extent.count);
+            state.level.prepare(begin, count);
+            std::copy_n(from, count, level + begin);
             from += count;
           }
         }
@@ -204,7 +208,7 @@ void FastPieces::make_faces(Index piece, FacePiece& out) const {
   if (blocks == 1) {
     out.first = 0;
     out.count = face_count();
-    out.corners.resize(static_cast<std::size_t>(corner_count()));
+    out.corners = large_vector<Index>(static_cast<std::size_t>(corner_count()));
     state_->refiner.write_faces(out.corners);
     out.begin.resize(each == 0 ? static_cast<std::size_t>(out.count) + 1 : 0);
     if (each == 0) state_->refiner.write_face_begin(out.begin);

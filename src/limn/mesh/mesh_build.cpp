@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "limn/base/large_vector.h"
 #include "limn/base/parallel.h"
 #include "limn/mesh/mesh.h"
 #include "limn/mesh/mesh_faults.h"
@@ -12,7 +13,7 @@ namespace limn {
 namespace {
 
 std::vector<Index> filled(Index count, Index value) {
-  return std::vector<Index>(static_cast<std::size_t>(count), value);
+  return large_vector<Index>(static_cast<std::size_t>(count), value);
 }
 
 // Whether the faces are in order one by one: enough corners, each a vertex, none twice. Here and
@@ -50,7 +51,7 @@ class TwinMatcher {
   bool match(std::vector<Index>& twin) const {
     const Index vertices = polygons_.vertex_count();
     std::vector<Index> first = filled(vertices, kNone), owner = filled(vertices, kNone);
-    twin.assign(origin_.size(), kNone);
+    twin = large_vector<Index>(origin_.size(), kNone);
     for (Index v = 0; v < vertices; ++v) {
       for (Index slot = bucket_begin_[v]; slot < bucket_begin_[v + 1]; ++slot) {
         const Index h = bucket_[slot], w = std::max(origin_[h], target_[h]);
@@ -75,7 +76,7 @@ class TwinMatcher {
   // end picks a slot of an array, so no search, sort or hash map is needed
   void fill_buckets() {
     bucket_begin_ = filled(polygons_.vertex_count() + 1, 0);
-    bucket_.resize(origin_.size());
+    bucket_ = large_vector<Index>(origin_.size());
     const Index count = static_cast<Index>(origin_.size());
     for (Index h = 0; h < count; ++h) ++bucket_begin_[lower(h)];
     Index sum = 0;

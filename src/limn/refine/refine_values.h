@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "limn/base/large_vector.h"
 #include "limn/base/parallel.h"
 #include "limn/refine/add_scaled.h"
 #include "limn/refine/staged_step.h"
@@ -21,7 +22,7 @@ class ValueStep {
             const RuleTables<Number>& tables, const std::vector<Value>& old)
       : stencils_(scheme, mesh, births, tables),
         old_(old),
-        fresh_(static_cast<std::size_t>(stencils_.count())) {}
+        fresh_(large_vector<Value>(static_cast<std::size_t>(stencils_.count()))) {}
 
   /// Only the new vertices of the list, in its order.
   std::vector<Value> run_at(const std::vector<Index>& wanted) {

@@ -10,6 +10,7 @@
 
 #include <vector>
 
+#include "limn/base/large_vector.h"
 #include "limn/base/parallel.h"
 #include "limn/number/arithmetic.h"
 #include "limn/refine/add_scaled.h"
@@ -82,7 +83,7 @@ class StagedStep {
     vertices_.resize(at(vertex_count_));
     for_needed(marks, 0, vertex_count_, [&](Index i) { vertices_[at(i)] = bilinear(i); });
     for (std::size_t pair = 1; pair <= pairs(); ++pair) {
-      std::vector<Value> fresh(at(vertex_count_));
+      std::vector<Value> fresh = large_vector<Value>(at(vertex_count_));
       for_needed(marks, pair, vertex_count_, [&](Index i) {
         visit_pair(i, [&](Index v, const Number& weight) {
           add_scaled(fresh[at(i)], weight, vertices_[at(v)]);

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "limn/base/large_vector.h"
 #include "limn/mesh/split/split.h"
 
 namespace limn::detail {
@@ -59,9 +60,9 @@ inline Mesh::Arrays make_arrays(Index vertices, Index edges, Index degree,
   arrays.edge_count = edges;
   arrays.degree = degree;
   const auto size = static_cast<std::size_t>(halfedges);
-  arrays.origin.resize(size);
-  arrays.twin.assign(size, kNone);
-  arrays.edge.resize(size);
+  arrays.origin = large_vector<Index>(size);
+  arrays.twin = large_vector<Index>(size, kNone);
+  arrays.edge = large_vector<Index>(size);
   return arrays;
 }
 
