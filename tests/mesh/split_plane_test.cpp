@@ -98,6 +98,22 @@ double least_area(const Placed& p) {
   return least;
 }
 
+/// What is cut off where the boundary goes from the middle of each edge to that of the next: a
+/// triangle at each vertex, which counts as negative where the piece has a notch there.
+double area_beside_middles(const Placed& p) {
+  std::map<Index, Index> before;  // of a boundary vertex: the one before it
+  for (Index h = 0; h < p.mesh.halfedge_count(); ++h)
+    if (p.mesh.twin(h) == kNone) before[p.mesh.target(h)] = p.mesh.origin(h);
+  double sum = 0;
+  for (Index h = 0; h < p.mesh.halfedge_count(); ++h) {
+    if (p.mesh.twin(h) != kNone) continue;
+    const Point3 v = p.at[p.mesh.origin(h)];
+    const Point3 a = p.at[before.at(p.mesh.origin(h))] - v, b = p.at[p.mesh.target(h)] - v;
+    sum += (b.x * a.y - b.y * a.x) / 8;
+  }
+  return sum;
+}
+
 class SplitPlane : public ::testing::TestWithParam<Split> {};
 
 TEST_P(SplitPlane, FacesTileThePieceCounterclockwise) {
@@ -110,7 +126,11 @@ TEST_P(SplitPlane, FacesTileThePieceCounterclockwise) {
       RC_ASSERT(fine.at.size() == static_cast<std::size_t>(fine.mesh.vertex_count()));
       RC_ASSERT(least_area(fine) > 0);
       const double change = total_area(fine) - total_area(piece);
-      RC_ASSERT((keeps_the_piece ? std::abs(change) < 1e-9 : change < 0));
+      // midedge leaves out what is at the boundary in odd steps
+      const bool takes_middles = !keeps_the_piece && split.births.edges && step % 2 == 0;
+      const double expected = takes_middles ? -area_beside_middles(piece) : 0;
+      RC_ASSERT(
+          (keeps_the_piece || takes_middles ? std::abs(change - expected) < 1e-9 : change < 0));
       piece = std::move(fine);
     }
   }));
