@@ -1,4 +1,5 @@
 #include <memory>
+#include <optional>
 
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
@@ -7,6 +8,7 @@
 #include "limn/base/files/file.h"
 #include "limn/base/printable.h"
 #include "limn/mesh/mesh_limits.h"
+#include "limn/mesh/sharpness/tags.h"
 #include "limn/report/mesh_check_report.h"
 #include "options/attribute_options.h"
 #include "options/control_mesh.h"
@@ -18,7 +20,8 @@ namespace {
 struct CheckOptions {
   std::string mesh;
   MeshPreparation preparation;
-  MeshOutput output;  // no path: nothing is written
+  MeshOutput output;                // no path: nothing is written
+  std::string attributes = "keep";  // none: they are not looked at
   bool overwrite = false;
   bool json = false;
 };
@@ -63,11 +66,45 @@ void leave_out_copies(const MeshSource& source, MeshSurvey& survey) {
   survey.coincident_with = std::move(first);
 }
 
+/// The mesh file, or standard input, which can be read once only, any number of times.
+class MeshInput {
+ public:
+  explicit MeshInput(const std::string& path) : path_(path) {}
+
+  Result<MeshFile> read(const ReadOptions& how) {
+    set_step("reading " + path_);
+    if (path_ != kStandardStream) return read_mesh_file(path_, how);
+    if (!content_) {
+      Result<std::string> content = take_standard_input();
+      if (!content) return content.error();
+      content_ = *std::move(content);
+    }
+    return parse_mesh_file(*content_, "", "standard input", how);
+  }
+
+ private:
+  const std::string& path_;
+  std::optional<std::string> content_;
+};
+
+/// What keeps a mesh that is a surface from being refined as its file states it: numbers of
+/// attributes and tags, and tags of what the mesh does not have.
+Status check_rest(MeshInput& input, bool attributes) {
+  const Result<MeshFile> file = input.read({.attributes = attributes});
+  if (!file) return file.error();
+  const Result<Mesh> mesh = build_mesh(file->polygons, file->source);
+  if (!mesh) return mesh.error();
+  Sharpness sharpness;
+  return apply_tags(*mesh, file->source, file->tags, sharpness);
+}
+
 int check_mesh(const CheckOptions& options) {
   if (Status status = check_arguments(options); !status) return report(status.error());
-  Result<MeshFile> file =
-      read_mesh_argument(options.mesh, {.keep_faults = true, .attributes = true});
+  const bool attributes = options.attributes != "none";
+  MeshInput input(options.mesh);
+  Result<MeshFile> file = input.read({.keep_faults = true, .attributes = attributes});
   if (!file) return report(file.error());
+  const bool carries = !file->attributes.empty() || !file->tags.empty();
   if (auto fault = too_many(file->polygons.positions.size(), file->polygons.face_begin.size(),
                             file->polygons.corners.size())) {
     fault->file = options.mesh;
@@ -80,6 +117,8 @@ int check_mesh(const CheckOptions& options) {
   report_remarks(*file);
   MeshSurvey survey = survey_mesh(file->polygons);
   leave_out_copies(file->source, survey);
+  if (carries && survey.refinable && !options.preparation.repair().any())
+    if (Status status = check_rest(input, attributes); !status) return report(status.error());
   const MeshCheck check{options.mesh, std::move(file->polygons), std::move(file->source),
                         std::move(survey), std::move(file->dropped)};
   const bool is_written = !options.output.path.empty() && check.survey.refinable;
@@ -88,6 +127,7 @@ int check_mesh(const CheckOptions& options) {
     WriteOptions extras;
     extras.attributes = std::move(file->attributes);
     leave_out_lost(extras.attributes, options.output.extension(), options.output.path, remarks);
+    add_warnings(remarks, options.output.rounding_warnings(check.polygons));
     if (Status status = options.output.write(check.polygons, extras); !status)
       return report(status.error());
     file->attributes = std::move(extras.attributes);
@@ -113,6 +153,12 @@ void declare_check(CLI::App& parser, Action& action) {
   options->output.declare(*command, "write the mesh, repaired as asked,");
   command->add_flag("--overwrite", options->overwrite,
                     "the output may be MESH itself, which is replaced");
+  command
+      ->add_option("--attributes", options->attributes,
+                   "keep, or none: colours, other numbers of vertices, texture coordinates and "
+                   "names of faces are left out, and faults of theirs are no faults")
+      ->capture_default_str()
+      ->check(CLI::IsMember({"keep", "none"}));
   command->add_flag("--json", options->json, "print one JSON object, with all faults");
   command->footer(
       "Example: limn check mesh.obj\n"

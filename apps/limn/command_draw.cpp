@@ -9,6 +9,7 @@
 #include "limn/base/progress.h"
 #include "limn/figure/figure.h"
 #include "limn/figure/space/visibility.h"
+#include "limn/mesh/mesh_limits.h"
 #include "limn/report/limit_report.h"
 #include "limn/study/marked_surface.h"
 #include "limn/study/surface_scenes.h"
@@ -121,6 +122,10 @@ Result<Drawing> drawing_of(const DrawOptions& options, Scheme& scheme) {
       load_control_mesh(options.mesh, options.preparation, options.sharpness.use(),
                         attributes ? AttributeUse::keep : AttributeUse::leave_out);
   if (!control) return control.error();
+  if (Status status = check_differences(control->points); !status) {
+    status.error().file = options.mesh;
+    return status.error();
+  }
   if (Status status = check_drawable(scheme, control->mesh, options.levels); !status)
     return status.error();
   set_step("finding limit points of " + options.mesh);

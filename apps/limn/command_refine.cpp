@@ -185,6 +185,7 @@ Result<RefinedFile> refine_then_write(const RefineOptions& options, const Scheme
   extras.tags = surface->sharp;
   extras.attributes = std::move(surface->attributes);
   warn_of_lost_tags(options, extras.tags, control);
+  add_warnings(control.remarks, options.output.rounding_warnings(surface->polygons));
   if (Status status = options.output.write(surface->polygons, extras); !status)
     return status.error();
   if (surface->regular_part.bounded == Truth::no)

@@ -1,8 +1,10 @@
+#include <algorithm>
 #include <cstdio>
 #include <exception>
 #include <new>
 #include <stdexcept>
 #include <system_error>
+#include <thread>
 
 #include "command.h"
 #include "limn/base/files/file_transaction.h"
@@ -60,7 +62,9 @@ int run(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     return report({error.what(), "`limn --help` and `limn COMMAND --help` explain the use"});
   }
-  set_thread_limit(threads);
+  // more than there are processors are no faster
+  set_thread_limit(
+      std::min(threads, std::max(1, static_cast<int>(std::thread::hardware_concurrency()))));
   set_step("limn " + parser.get_subcommands().front()->get_name());
   return action();
 }

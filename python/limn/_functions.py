@@ -162,7 +162,7 @@ def read_mesh(path: Path, *, tags: Optional[Path] = None) -> Surface:
     ``.tags`` has what the file says is sharp, and then what a file of ``tags`` (.toml) says, by the
     mesh file's numbers or names of faces. What of the file is left out is a LimnWarning.
     """
-    made = _limn.read_mesh(os.fspath(path), "" if tags is None else os.fspath(tags))
+    made = _limn.read_mesh(os.fsencode(path), b"" if tags is None else os.fsencode(tags))
     return Surface._of(dict(zip(("vertices", "faces", "sharp"), made)))
 
 
@@ -187,7 +187,7 @@ def write_mesh(
     format cannot hold of sharpness is left out, with a LimnWarning; .obj holds all of it.
     """
     tags = tags_of(locals())
-    _limn.write_mesh(os.fspath(path), vertices, faces, normals, tags)
+    _limn.write_mesh(os.fsencode(path), vertices, faces, normals, tags)
 
 
 def check_mesh(mesh: Path | npt.ArrayLike, faces: Any = None) -> dict[str, Any]:
@@ -199,7 +199,7 @@ def check_mesh(mesh: Path | npt.ArrayLike, faces: Any = None) -> dict[str, Any]:
     if faces is None:
         if not isinstance(mesh, (str, os.PathLike)):
             raise Error("check_mesh takes a path, or vertices and faces")
-        found = _limn.check_mesh_file(os.fspath(mesh))
+        found = _limn.check_mesh_file(os.fsencode(mesh))
     else:
         found = _limn.check_mesh(mesh, faces)
     return found
@@ -238,6 +238,8 @@ def set_thread_limit(threads: int) -> None:
 
     Results are the same bits whatever the number is.
     """
+    if not 0 <= threads <= 4096:
+        raise Error(f"threads {threads} is not from 0 to 4096")
     _limn.set_thread_limit(threads)
 
 

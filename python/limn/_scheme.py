@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import os
+from decimal import Decimal
 from fractions import Fraction
+from numbers import Rational
 from typing import Any, Iterable, Mapping, Optional, Sequence, Union
 
 import numpy.typing as npt
@@ -23,7 +25,8 @@ def _assignment(name: str, value: Number) -> str:
     if isinstance(value, str):
         return f"{name}={value}"
     try:
-        exact = Fraction(value)
+        # numpy's numbers of other precisions are no fractions, but floats
+        exact = Fraction(value if isinstance(value, (Rational, Decimal)) else float(value))
     except (ValueError, OverflowError, TypeError):
         raise SchemeError(f"parameter {name}: {value!r} is no number") from None
     return f"{name}={exact.numerator}/{exact.denominator}"
@@ -64,7 +67,7 @@ class Scheme(Analyses):
         parameters: Optional[Mapping[str, Number]] = None,
     ) -> None:
         assignments = [_assignment(name, value) for name, value in (parameters or {}).items()]
-        self._data = _limn.SchemeData(os.fspath(source), assignments)
+        self._data = _limn.SchemeData(os.fsencode(source), assignments)
 
     def with_parameters(self, **parameters: Number) -> Scheme:
         """The scheme with these parameters set; others stay as they are."""

@@ -128,6 +128,17 @@ SharpnessTags tags_of_cuts(const Repaired& repaired) {
   return limn::tags_of(*mesh, sharpness);
 }
 
+/// What no repair mends.
+void check_vertices(const Polygons& polygons) {
+  MeshFaults faults = find_mesh_faults(polygons);
+  std::erase_if(faults.list,
+                [](const MeshFault& fault) { return fault.kind != MeshFault::Kind::out_of_range; });
+  if (!faults.list.empty()) raise(error_of(faults, polygons, {}), Fault::mesh);
+  for (std::size_t v = 0; v < polygons.positions.size(); ++v)
+    if (const Point3& p = polygons.positions[v]; !(std::isfinite(p.x + p.y + p.z)))
+      raise({"vertex " + std::to_string(v) + " is not finite, which no repair mends"}, Fault::mesh);
+}
+
 /// (V, F, tags, [what was done]).
 py::tuple mend(const py::object& vertices, const py::object& faces, const RepairOptions& options,
                bool triangulate) {
@@ -146,6 +157,7 @@ py::tuple mend(const py::object& vertices, const py::object& faces, const Repair
     }
     tags = without_gil([&] { return tags_of_cuts(repaired); });
     polygons = std::move(repaired.polygons);
+    check_vertices(polygons);
   }
   if (triangulate) {
     Triangulation cut =

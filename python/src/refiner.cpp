@@ -270,6 +270,10 @@ py::object Refiner::evaluate_columns(const py::array& values, bool flat) {
 py::object Refiner::evaluate(const py::object& values, const py::object& out) {
   const bool is_float = py::isinstance<py::array_t<float>>(values);
   py::array array;
+  if (!is_float && !py::isinstance<py::array_t<double>>(values))
+    if (const py::array given = py::array::ensure(values); given && given.dtype().kind() == 'c')
+      raise({"the values are complex", "evaluate their real and imaginary parts as columns"},
+            Fault::mesh);
   if (is_float)
     array = py::array_t<float, py::array::c_style>::ensure(values);
   else

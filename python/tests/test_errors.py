@@ -2,6 +2,7 @@
 
 import pickle
 
+import numpy as np
 import pytest
 
 import limn
@@ -145,3 +146,39 @@ def test_certificates_of_any_text(tmp_path):
         path.write_text(text)
         with pytest.raises(limn.Error):
             limn.check_certificate(path)
+
+
+def test_what_no_repair_mends():
+    V = np.eye(3)
+    with pytest.raises(limn.MeshError, match="corner 2 of face 0 is vertex 9"):
+        limn.repair_mesh(V, [[0, 1, 9]])
+    V[1, 1] = np.nan
+    with pytest.raises(limn.MeshError, match="vertex 1 is not finite"):
+        limn.repair_mesh(V, [[0, 1, 2]])
+
+
+def test_file_names_of_any_bytes(tmp_path):
+    (tmp_path / "a\udcff.obj").write_text("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n")
+    name = next(tmp_path.iterdir())
+    assert limn.read_mesh(name).faces.tolist() == [[0, 1, 2]]
+    limn.write_mesh(tmp_path / "b\udcff.obj", *limn.read_mesh(name)[:2])
+    with pytest.raises(limn.MeshError, match="cannot read"):
+        limn.read_mesh(tmp_path / "c\udcff.obj")
+
+
+def test_numbers_of_any_precision():
+    wanted = limn.Scheme("laplacian-butterfly", {"b": "1/8"}).eigen(5)
+    for value in (np.float32(0.125), np.float64(0.125), np.float16(0.125)):
+        assert limn.Scheme("laplacian-butterfly", {"b": value}).eigen(5) == wanted
+
+
+def test_values_that_are_not_real():
+    refiner = limn.Refiner("loop", [[0, 1, 2]], 1)
+    with pytest.raises(limn.MeshError, match="complex"):
+        refiner.evaluate(np.eye(3) + 1j)
+
+
+def test_thread_limits_out_of_range():
+    for threads in (-1, 10**9):
+        with pytest.raises(limn.Error, match="4096"):
+            limn.set_thread_limit(threads)

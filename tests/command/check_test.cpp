@@ -273,5 +273,89 @@ TEST(Repair, OptionsWithNothingToDoDoNothing) {
     expect_refused(folder.limn(refine + "o.ply " + wrong), "weld");
 }
 
+/// In every format; other commands mend what `check` says they do.
+TEST(Repair, DropsFacesOfTwoCornersInEveryCommand) {
+  const Folder folder;
+  folder.write("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nf 1 2\n");
+  folder.write("a.off", "OFF\n3 2 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n2 0 1\n");
+  folder.write("a.ply",
+               "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
+               "property float z\nelement face 2\nproperty list uchar int vertex_indices\n"
+               "end_header\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n2 0 1\n");
+  for (const std::string file : {"a.obj", "a.off", "a.ply"}) {
+    EXPECT_EQ(check_json(folder, file, 2).at("refinable"), false) << file;
+    EXPECT_EQ(check_json(folder, file + " --repair", 0).at("refinable"), true) << file;
+    const std::string refine = "refine " + file + " -s loop -n 1 -o o.obj";
+    expect_refused(folder.limn(refine), {file, "a face of 2 corners", "--repair"});
+    EXPECT_EQ(folder.limn(refine + " --repair").code, 0) << file;
+    EXPECT_EQ(read_mesh(folder.file("o.obj")).value().face_count(), 4) << file;
+  }
+}
+
+/// Exit code 0 means that `limn refine` takes the file as it is.
+TEST(Check, FindsWhatIsWrongWithAttributesAndTags) {
+  const Folder folder;
+  const std::string triangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
+  const std::vector<std::pair<std::string, std::string>> wrong{
+      {triangle + "vt nan 0\nvt 0 0\nf 1/1 2/2 3/2\n", "4:4: a texture coordinate is 'nan'"},
+      {"v 0 0 0 nan 0 0\nv 1 0 0 1 1 1\nv 0 1 0 1 1 1\nf 1 2 3\n", "1:9: a coordinate is 'nan'"},
+      {triangle + "f 1 2 3\nt crease 2/1/0 0 7 1\n", "7"}};
+  for (const auto& [text, fault] : wrong) {
+    folder.write("a.obj", text);
+    for (const std::string command :
+         {"check a.obj", "check a.obj --json", "check - < a.obj", "refine a.obj -s loop -o o.ply"})
+      expect_refused(folder.limn(command), {fault});
+  }
+  folder.write("a.obj", wrong.front().first);
+  EXPECT_EQ(folder.limn("check a.obj --attributes none").code, 0);
+  EXPECT_EQ(folder.limn("refine a.obj -s loop --attributes none -o o.ply").code, 0);
+  folder.write("a.obj", triangle + "f 1 2 3\nt crease 2/1/0 0 1 1.5\n");
+  EXPECT_EQ(folder.limn("check a.obj").code, 0);
+}
+
+TEST(Check, NamesNoVertexThatTheFileDoesNot) {
+  const Folder folder;
+  folder.write("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 -5\n");
+  const Outcome backwards = folder.limn("check a.obj");
+  EXPECT_NE(backwards.out.find("corner 3 of face 1 (line 4) is no vertex"), std::string::npos)
+      << backwards.out;
+  folder.write("a.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 4294967297\n");
+  const Outcome large = folder.limn("check a.off");
+  EXPECT_NE(large.out.find("is a vertex beyond 2147483646"), std::string::npos) << large.out;
+}
+
+/// A metre's cube in metres from the equator: a float has no digits left for it.
+TEST(Check, WarnsOfEdgesThatFloatsLose) {
+  const Folder folder;
+  folder.write("a.obj",
+               "v 500000 4649776.3 100\nv 500001 4649776.3 100\nv 500000 4649776.4 100\n"
+               "v 500000 4649776.3 101\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n");
+  for (const std::string out : {"o.stl", "o.glb"}) {
+    for (const std::string command : {"check a.obj -o ", "refine a.obj -s loop -n 2 -o "}) {
+      const Outcome outcome = folder.limn(command + out);
+      EXPECT_EQ(outcome.code, 0) << outcome.err;
+      EXPECT_NE(outcome.err.find("no length any more"), std::string::npos) << outcome.err;
+    }
+  }
+  EXPECT_EQ(folder.limn("check a.obj -o o.ply").err, "");
+  EXPECT_EQ(folder.limn("check '" LIMN_EXAMPLES "/bracket.obj' -o o.stl").err, "");
+}
+
+TEST(Check, LengthsThatCannotBeSquaredAreRefusedWhereTheyWouldBe) {
+  const Folder folder;
+  for (const std::string size : {"1e160", "1e-160"}) {
+    folder.write("a.obj", "v 0 0 0\nv " + size + " 0 0\nv 0 " + size + " 0\nv 0 0 " + size +
+                              "\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n");
+    expect_refused(folder.limn("fairness a.obj -s loop -n 1"), {"a.obj", "squares", "scale"});
+    EXPECT_EQ(folder.limn("refine a.obj -s loop -n 1 -o o.obj").code, 0);
+  }
+}
+
+TEST(Check, SaysWhatWasLeftOutWhereNothingIsLeft) {
+  const Folder folder;
+  folder.write("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nfo 1 2 3\n");
+  expect_refused(folder.limn("check a.obj"), {"no faces", "'fo'", "line 4"});
+}
+
 }  // namespace
 }  // namespace limn::test

@@ -157,5 +157,19 @@ TEST(RegularityCommand, RefusesBadInputWithTheReason) {
   expect_refused(folder.limn("regularity loop -p nosuch=1"), "nosuch");
 }
 
+/// Bounds of any size have digits.
+TEST(RegularityCommand, PrintsBoundsOfAnySize) {
+  const Folder folder;
+  for (const std::string exponent : {"9", "10", "13", "15"}) {
+    folder.write("a.toml",
+                 "split = \"triangle-dyadic\"\n[vertex]\nself = \"5/8\"\nring = "
+                 "\"1/16\"\n[edge]\nend = \"10^" +
+                     exponent + "\"\nwing = \"1/2 - 10^" + exponent + "\"\n");
+    const Outcome outcome = folder.limn("regularity a.toml --budget 100");
+    EXPECT_TRUE(outcome.code == 0 || outcome.code == 2) << exponent << outcome.err;
+    EXPECT_EQ(folder.limn("regularity a.toml --budget 100 --json").code, outcome.code) << exponent;
+  }
+}
+
 }  // namespace
 }  // namespace limn::test

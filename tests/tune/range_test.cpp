@@ -52,6 +52,19 @@ TEST(Range, OfLaplacianLoopIsTheTangents) {
     }
 }
 
+/// Curvature is bounded at the regular valence where the mask is Kobbelt's, and nowhere beside it:
+/// at a fraction that is no sample.
+TEST(Range, FindsTheOneFractionThatTheRegularLatticeAllows) {
+  const Scheme scheme = shipped("sqrt3");
+  FreedScheme freed = FreedScheme::make(scheme, "alpha").value();
+  const SearchRange where = SearchRange::parse("1/5,1/2").value();
+  const ValenceRange range =
+      range_at(freed, Requirement::parse("bounded-curvature", scheme).value(), 6, &where).value();
+  ASSERT_EQ(range.parts.size(), 1U) << range.reason;
+  EXPECT_EQ(range.parts[0].low.rational, Rational(1, 3));
+  EXPECT_EQ(range.parts[0].high.rational, Rational(1, 3));
+}
+
 TEST(Range, OfAllValencesIsTheNarrowest) {
   std::vector<ValenceRange> ranges;
   for (int n = 3; n <= 12; ++n) ranges.push_back(ranged(shipped("laplacian-loop"), "a", "c1", n));

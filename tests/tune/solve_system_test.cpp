@@ -132,6 +132,14 @@ TEST(SolveSystem, AgreesWithOneNameAlone) {
   }
 }
 
+TEST(SolveSystem, AsksTheRegularLatticeAboutFractions) {
+  const SystemSolutions found = solved_system(
+      shipped("sqrt3"), {"alpha"}, 6, {"cup = tangent^2", "bounded-curvature"}, {"1/4,1/2"});
+  ASSERT_EQ(found.solutions.size(), 1U) << found.reason;
+  EXPECT_EQ(found.solutions[0].rationals[0], Rational(1, 3));
+  EXPECT_EQ(found.solutions[0].holds, Truth::yes) << found.solutions[0].reason;
+}
+
 TEST(SolveSystem, TakesTheNearestOfManySolutions) {
   const int n = 7;
   const SystemSolutions found =

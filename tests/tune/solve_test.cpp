@@ -43,6 +43,24 @@ TEST(Solve, GivesAlphaOfSqrt3) {  // [BGSK §4]
   }
 }
 
+/// At 1/3 the mask of √3 has the sum rules that the double next to 1/3 has not; at the other root
+/// 2/3 shifts are not proved to be stable, and a third is a rounded number.
+TEST(Solve, AsksTheRegularLatticeAboutTheFraction) {
+  const ValenceSolutions found = solved(shipped("sqrt3"), "alpha", "cup = tangent^2", 6);
+  ASSERT_GE(found.solutions.size(), 2U);
+  EXPECT_EQ(found.solutions[0].rational, Rational(1, 3));
+  EXPECT_EQ(found.solutions[0].found.verdict.bounded_curvature, Truth::yes);
+  EXPECT_EQ(found.solutions[1].rational, Rational(2, 3));
+  EXPECT_EQ(found.solutions[1].found.verdict.bounded_curvature, Truth::undecided);
+  const ValenceSolutions irrational = solved(shipped("sqrt3"), "alpha", "saddle = 3/10", 6);
+  ASSERT_FALSE(irrational.solutions.empty());
+  for (const Solution& one : irrational.solutions) {
+    if (one.rational) continue;
+    EXPECT_NE(one.found.verdict.bounded_curvature, Truth::yes);
+    EXPECT_NE(one.found.verdict.regular_part.bounded, Truth::no);
+  }
+}
+
 TEST(Solve, SaysThatAlphaOfSqrt3DoesNotServeAtValence3) {
   const ValenceSolutions found = solved(shipped("sqrt3"), "alpha", "cup = tangent^2", 3);
   ASSERT_EQ(found.solutions.size(), 1U);

@@ -91,7 +91,8 @@ void report_remarks(const MeshFile& file) {
 Result<ControlMesh> load_control_mesh(const std::string& path, const MeshPreparation& preparation,
                                       TagUse use, AttributeUse attributes) {
   Result<MeshFile> file =
-      read_mesh_argument(path, {.attributes = attributes == AttributeUse::keep});
+      read_mesh_argument(path, {.keep_small_faces = preparation.repair().drop,
+                                .attributes = attributes == AttributeUse::keep});
   if (!file) return file.error();
   if (use == TagUse::leave_out) file->leave_out_tags();
   MeshFile uncut;

@@ -4,6 +4,7 @@
 
 #include "limn/refine/crease_step.h"
 #include "limn/surface/tags_file.h"
+#include "options/number_option.h"
 
 namespace limn::app {
 namespace {
@@ -37,7 +38,7 @@ void SharpnessOptions::declare(CLI::App& command) {
       .add_option("--crease-angle", crease_angle,
                   "edges whose faces' normals differ by more than DEG degrees are infinitely sharp")
       ->type_name("DEG")
-      ->check(CLI::Range(0.0, 180.0));
+      ->check(number_between(0, 180));
   command
       .add_option(
           "--boundary", boundary,

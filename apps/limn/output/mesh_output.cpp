@@ -1,6 +1,7 @@
 #include "output/mesh_output.h"
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <cstdio>
 
@@ -58,11 +59,39 @@ Status MeshOutput::check(bool json) const {
   return known;
 }
 
-const char* MeshOutput::missing_normal() const {
+std::string MeshOutput::lower_extension() const {
   std::string lower = extension();
   std::transform(lower.begin(), lower.end(), lower.begin(),
                  [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return lower == "glb" ? "0 0 1" : "0 0 0";
+  return lower;
+}
+
+const char* MeshOutput::missing_normal() const {
+  return lower_extension() == "glb" ? "0 0 1" : "0 0 0";
+}
+
+Warnings MeshOutput::rounding_warnings(const Polygons& mesh) const {
+  const std::string format_name = lower_extension();
+  if (format_name != "stl" && format_name != "glb") return {};
+  const auto rounded = [](const Point3& p) {
+    return std::array{static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(p.z)};
+  };
+  std::size_t lost = 0;
+  for (Index f = 0; f < mesh.face_count(); ++f) {
+    Index before = mesh.face_begin[f + 1] - 1;
+    for (Index c = mesh.face_begin[f]; c < mesh.face_begin[f + 1]; before = c++) {
+      const Point3 &p = mesh.positions[mesh.corners[before]], &q = mesh.positions[mesh.corners[c]];
+      if ((p.x != q.x || p.y != q.y || p.z != q.z) && rounded(p) == rounded(q)) ++lost;
+    }
+  }
+  if (lost == 0) return {};
+  Error warning(
+      fmt::format("{} no length any more in {}, which holds floats of 7 digits",
+                  lost == 1 ? "1 edge of a face has" : fmt::format("{} edges of faces have", lost),
+                  format_name),
+      "move the mesh towards the origin, or write obj, off or ply, which hold doubles");
+  warning.file = path;
+  return {warning};
 }
 
 Status MeshOutput::write(const Polygons& mesh, const WriteOptions& options) const {

@@ -32,6 +32,12 @@ struct MeshOutput {
 
   /// The format.
   [[nodiscard]] std::string extension() const;
+
+  /// What edges lose where the format holds floats: a warning, or nothing.
+  [[nodiscard]] Warnings rounding_warnings(const Polygons& mesh) const;
+
+ private:
+  [[nodiscard]] std::string lower_extension() const;
 };
 
 }  // namespace limn::app

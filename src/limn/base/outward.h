@@ -2,12 +2,24 @@
 /// Bounds as decimal digits: six of them behind the point, never on the wrong side.
 
 #include <cmath>
+#include <cstddef>
+#include <cstdio>
 #include <string>
 
 namespace limn {
 
 namespace detail {
-/// `millionths` / 10⁶ without zeros at the end.
+inline constexpr double kMostMillionths = 9e15;  // all whole numbers below are doubles
+
+/// A whole number with all its digits.
+[[nodiscard]] inline std::string whole_text(double whole) {
+  if (!std::isfinite(whole)) return whole > 0 ? "inf" : "-inf";
+  std::string text(400, '\0');
+  text.resize(static_cast<std::size_t>(std::snprintf(text.data(), text.size(), "%.0f", whole)));
+  return text;
+}
+
+/// `millionths` / 10⁶ without zeros at the end. Precondition: below kMostMillionths.
 [[nodiscard]] inline std::string millionths_text(double millionths) {
   const bool negative = millionths < 0;
   const auto size = static_cast<long long>(std::abs(millionths));
@@ -19,12 +31,16 @@ namespace detail {
 }
 }  // namespace detail
 
-/// A lower bound of sizes below 10⁹: "1.999999" for 2 - 10⁻⁹, "3" for 3.
+/// A lower bound: "1.999999" for 2 - 10⁻⁹, "3" for 3; from 9·10⁹ on whole numbers.
 [[nodiscard]] inline std::string rounded_down(double value) {
+  if (!(std::abs(value) < detail::kMostMillionths / 1e6))
+    return detail::whole_text(std::floor(value));
   return detail::millionths_text(std::floor(value * 1e6));
 }
 /// An upper bound likewise.
 [[nodiscard]] inline std::string rounded_up(double value) {
+  if (!(std::abs(value) < detail::kMostMillionths / 1e6))
+    return detail::whole_text(std::ceil(value));
   return detail::millionths_text(std::ceil(value * 1e6));
 }
 

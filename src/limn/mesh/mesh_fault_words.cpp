@@ -1,6 +1,7 @@
 // Faults of a mesh in words: the numbers and lines are those of its file.
 
 #include <algorithm>
+#include <limits>
 
 #include "limn/mesh/mesh_faults.h"
 
@@ -136,10 +137,18 @@ class Words {
   }
 
   [[nodiscard]] std::string out_of_range(const MeshFault& fault, const std::string& named) const {
-    const Index count = polygons_.vertex_count();
-    const std::string text = "corner " + std::to_string(fault.corner + source_.first) +
-                             " of face " + named + " is vertex " + vertex(fault.vertices[0]) +
-                             ", but ";
+    const Index count = polygons_.vertex_count(), v = fault.vertices[0];
+    std::string text =
+        "corner " + std::to_string(fault.corner + source_.first) + " of face " + named;
+    // Of numbers that no Index holds, and of those counted backwards, the file's own is not known.
+    constexpr Index kLeast = std::numeric_limits<Index>::min();
+    constexpr Index kMost = std::numeric_limits<Index>::max();
+    if (v == kLeast || (v < 0 && source_.first != 0))
+      text += " is no vertex, but ";
+    else if (v == kMost)
+      text += " is a vertex beyond " + vertex(v - 1) + ", but ";
+    else
+      text += " is vertex " + vertex(v) + ", but ";
     if (count == 0) return text + "there are no vertices";
     return text + "the vertices are " + vertex(0) + " to " + vertex(count - 1);
   }

@@ -1,10 +1,11 @@
 #pragma once
-/// How large a mesh can be: its parts are counted in an `Index`.
+/// How large a mesh can be: its parts are counted in an `Index`, its lengths are squared.
 
 #include <cstddef>
 #include <limits>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "limn/base/error.h"
 #include "limn/mesh/polygons.h"
@@ -25,5 +26,14 @@ inline constexpr std::size_t kMostElements = std::numeric_limits<Index>::max() -
   if (what == nullptr) return std::nullopt;
   return Error{std::string("2^31 - 1 ") + what + " or more", "cut the mesh into parts"};
 }
+
+/// Whether sums and differences of coordinates can be represented: whether all are below 1e307 in
+/// size. Coordinates that are not finite do not count. Cost O(V).
+[[nodiscard]] Status check_differences(const std::vector<Point3>& positions);
+
+/// Whether squares of lengths, as areas, and their inverses can be represented: whether the
+/// largest coordinate lies between 1e-150 and 1e150, or all are 0. Coordinates that are not finite
+/// do not count. Cost O(V).
+[[nodiscard]] Status check_squares(const std::vector<Point3>& positions);
 
 }  // namespace limn

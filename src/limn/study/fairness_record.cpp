@@ -6,6 +6,7 @@
 #include "limn/base/memory.h"
 #include "limn/fairness/laplacian.h"
 #include "limn/fairness/second_form.h"
+#include "limn/mesh/mesh_limits.h"
 #include "limn/refine/refine_estimate.h"
 #include "limn/surface/refine_surface.h"
 
@@ -101,6 +102,7 @@ Result<FairnessRecord> approx_fairness(const std::string& label, const Scheme& s
   const Status refinable =
       check_refinable(scheme, control, levels, kBytesPerVertex, available_memory());
   if (!refinable) return refinable.error();
+  if (Status squares = check_squares(points); !squares) return squares.error();
   FairnessRecord record;
   record.scheme = label;
   record.split = scheme.split->name;

@@ -4,10 +4,12 @@
 
 #include <fmt/core.h>
 
+#include "limn/number/near_rational.h"
 #include "limn/regular/regular_mask.h"
 #include "limn/regular/smoothness/second_differences.h"
 #include "limn/scheme/formulas.h"
 #include "limn/scheme/scope.h"
+#include "limn/tune/margin.h"
 
 namespace limn {
 namespace {
@@ -100,8 +102,16 @@ Result<FrequencyBlocks> FreedNames::blocks(int n, const std::vector<double>& x) 
 }
 
 RegularPart FreedNames::regular_part(int n, const std::vector<double>& x) {
-  const Result<Scheme> scheme = with_numbers(n, x);
+  Result<Scheme> scheme = with_numbers(n, x);
   if (!scheme) return {Truth::undecided, scheme.error().message};
+  // sum rules hold exactly or not at all: 1/3 has some that the double next to it has not
+  for (std::size_t j = 0; j < size(); ++j) {
+    const std::optional<Rational> simple = near_rational(x[j]);
+    if (!simple && each_[j].everywhere(n))
+      return {Truth::undecided, known_in_digits_only(each_[j].name())};
+    if (simple)
+      find_definition(*scheme, (*at(n))->variables[j])->expression = Expression::constant(*simple);
+  }
   const Result<Mask> mask = regular_mask(*scheme);
   if (!mask) return {Truth::undecided, mask.error().message};
   return find_regular_part(*mask);

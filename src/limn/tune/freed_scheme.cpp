@@ -7,6 +7,7 @@
 #include <fmt/ranges.h>
 
 #include "limn/base/near_word.h"
+#include "limn/number/near_rational.h"
 #include "limn/regular/regular_mask.h"
 #include "limn/regular/smoothness/polynomial_orders.h"
 #include "limn/regular/smoothness/second_differences.h"
@@ -228,7 +229,11 @@ RegularPart FreedScheme::regular_part(int n, double x) {
   }
   const Result<Instance*> instance = fixed_at(n, x);
   if (!instance) return {Truth::undecided, instance.error().message};
-  const Result<Mask> mask = regular_mask((*instance)->scheme);
+  // sum rules hold exactly or not at all: 1/3 has some that the double next to it has not
+  Scheme exact = (*instance)->scheme;
+  exact.lets.back().second.expression =
+      Expression::constant(near_rational(x).value_or(Rational(x)));
+  const Result<Mask> mask = regular_mask(exact);
   if (!mask) return {Truth::undecided, mask.error().message};
   const int order = polynomial_orders(*mask).sum_rules;
   if (order > 2) return find_regular_part(*mask);

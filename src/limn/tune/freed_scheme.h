@@ -76,7 +76,8 @@ class FreedScheme {
   [[nodiscard]] Result<FrequencyBlocks> blocks(int n, double x,
                                                const std::vector<int>& frequencies);
 
-  /// What the regular lattice allows where the name is x (regular/smoothness/second_differences.h):
+  /// What the regular lattice allows where the name is x, or the simple fraction that x is the
+  /// double of (number/near_rational.h; regular/smoothness/second_differences.h):
   /// the scheme's own where x changes no neighbour. Else, where the mask at x has sum rules of
   /// order 3 or more, found for each x; below, where curvature is unbounded unless shifts are
   /// dependent, that it is unbounded at one such x is taken to hold at all of that order.

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <optional>
+#include <string>
 
 #include "limn/base/error.h"
 #include "limn/spectrum/eigencomponents.h"
@@ -35,6 +36,9 @@ using ComponentValues = std::array<std::optional<double>, kComponents.size()>;
 /// bounded_curvature, which needs a regular part whose curvature is bounded.
 [[nodiscard]] RegularPart allowed_by_lattice(const Requirement& requirement, FreedScheme& scheme,
                                              int n, double x);
+
+/// Why nothing is said of the regular lattice at a value that is no simple fraction.
+[[nodiscard]] std::string known_in_digits_only(const std::string& name);
 
 /// Whether a margin of 0 will do.
 [[nodiscard]] bool is_closed(Relation relation);

@@ -123,6 +123,8 @@ class RangeSearch {
   void look_between() {
     std::vector<Sample> all{samples_.front()};
     for (std::size_t k = 1; k < samples_.size(); ++k) {
+      if (const auto between = isolated_between(samples_[k - 1], samples_[k]))
+        all.push_back(*between);
       if (k + 1 < samples_.size()) {
         const Sample &a = samples_[k - 1], &m = samples_[k], &b = samples_[k + 1];
         const double sign = m.holds ? 1 : -1;
@@ -141,6 +143,24 @@ class RangeSearch {
     }
     std::sort(all.begin(), all.end(), [](const Sample& a, const Sample& b) { return a.x < b.x; });
     samples_ = std::move(all);
+  }
+
+  /// Where the lattice is what forbids it on one side and the eigenvalues on the other, their bound
+  /// lies between; a lattice with the sum rules that bounded curvature needs has equal sides there.
+  /// Such a lattice is found where the bound is a simple fraction, not a sample.
+  std::optional<Sample> isolated_between(const Sample& a, const Sample& b) {
+    if (a.holds || b.holds || a.forbidden == b.forbidden || !scheme_.everywhere(result_.valence))
+      return std::nullopt;
+    const Sample &inside = a.forbidden ? a : b, &outside = a.forbidden ? b : a;
+    if (!std::isfinite(outside.margin)) return std::nullopt;
+    constexpr double kNear = 1e-9;
+    const auto simple = near_rational(
+        last_holding(inside.x, outside.x, [&](double x) { return enough(margin_at(x)); }), kNear);
+    if (!simple) return std::nullopt;
+    const double x = to_double(*simple);
+    if (x <= a.x || x >= b.x) return std::nullopt;
+    const Sample sample = sample_at(x);
+    return sample.holds ? std::optional(sample) : std::nullopt;
   }
 
   void collect_parts() {

@@ -210,6 +210,12 @@ Result<double> margin(const Requirement& requirement, FreedScheme& scheme, doubl
   return verdict_margin(requirement.relation, found);
 }
 
+std::string known_in_digits_only(const std::string& name) {
+  return fmt::format(
+      "{} is known in sixteen digits only, and what the regular lattice allows depends on all",
+      name);
+}
+
 RegularPart allowed_by_lattice(const Requirement& requirement, FreedScheme& scheme, int n,
                                double x) {
   if (requirement.relation != Relation::bounded_curvature) return {Truth::yes, {}};

@@ -185,8 +185,10 @@ class Solver {
   }
 
   void judge(Solution& solution) {
-    solution.found = approx_eigencomponents(curve_.exact(solution.value).value(),
-                                            scheme_.regular_part(n_, solution.value));
+    RegularPart regular = scheme_.regular_part(n_, solution.value);
+    if (!solution.rational && scheme_.everywhere(n_))
+      regular = {Truth::undecided, known_in_digits_only(scheme_.name())};
+    solution.found = approx_eigencomponents(curve_.exact(solution.value).value(), regular);
     const ComponentValues values = component_values(solution.found);
     const Result<double> own = difference(requirement_, scheme_, n_, solution.value, values);
     if (solution.residual > kSolved) {

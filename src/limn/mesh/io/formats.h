@@ -110,6 +110,17 @@ inline Index to_index(std::int64_t number) {
   return static_cast<Index>(std::clamp(number, low, high));
 }
 
+/// The least corners that a face may have in a file.
+inline std::int64_t least_corners(const ReadOptions& options) {
+  return options.keep_faults || options.keep_small_faces ? 0 : 3;
+}
+/// What a face with fewer is told.
+inline std::string small_face(std::int64_t corners) {
+  return "a face of " + std::to_string(corners) + (corners == 1 ? " corner" : " corners") +
+         ", expected three or more";
+}
+inline constexpr const char* kSmallFaceHint = "--repair drops such faces";
+
 /// These fill `mesh`, whose `source.file` is set.
 Status parse_obj(std::string_view content, const ReadOptions& options, MeshFile& mesh);
 Status parse_off(std::string_view content, const ReadOptions& options, MeshFile& mesh);

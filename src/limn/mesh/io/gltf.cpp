@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <utility>
 #include <vector>
@@ -351,7 +352,8 @@ class GltfReader {
           return document_.fail(where, "index " + std::to_string(v) + " at place " +
                                            std::to_string(at[k]) + " is out of range: there are " +
                                            count_of(vertices, "vertex", "vertices"));
-        corners[k] = v < vertices ? first + static_cast<Index>(v) : kNone;
+        corners[k] =
+            v < vertices ? first + static_cast<Index>(v) : std::numeric_limits<Index>::min();
       }
       const bool meets_twice =
           corners[0] == corners[1] || corners[1] == corners[2] || corners[2] == corners[0];

@@ -284,6 +284,10 @@ Result<MeshFile> parse_mesh_file(std::string_view content, std::string_view exte
   if (done) return mesh;
   Error error = done.error();
   if (!extension.empty()) error.hint = io::hint_by_content(content, *format, error.hint);
+  // statements that no reader knows may have been meant as vertices or faces
+  if (error.hint.empty() && !mesh.left_out.empty() && io::emptiness(mesh.polygons) == error.message)
+    error.hint = "left out: " + mesh.left_out.front().what + ", from line " +
+                 std::to_string(mesh.left_out.front().line) + " on";
   return error;
 }
 

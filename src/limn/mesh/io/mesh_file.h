@@ -57,6 +57,8 @@ struct ReadOptions {
   /// Coordinates that are not finite, corners that are no vertices and faces of less than three
   /// corners are kept, so that `survey_mesh` finds all of them; else the first is refused.
   bool keep_faults = false;
+  /// Faces of less than three corners are kept in any case, for a repair that drops them.
+  bool keep_small_faces = false;
   /// MeshFile::attributes is wanted: of OBJ texture coordinates, vertex colours, groups, objects,
   /// materials, smoothing groups; of PLY scalar properties of vertices and texture coordinates of
   /// vertices or faces; of glTF the first texture coordinates and colours. Else they are left out,

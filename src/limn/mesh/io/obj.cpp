@@ -116,14 +116,12 @@ class ObjReader {
     while (in_.line_has_more()) {
       if (!corner()) return false;
     }
-    const std::size_t degree = mesh_.corners.size() - begin;
-    if (degree < 3 && !options_.keep_faults) {
-      return in_.fail(
-          place, "a face of " + count_of(degree, "corner", "corners") + ", expected three or more");
-    }
+    const auto degree = static_cast<std::int64_t>(mesh_.corners.size() - begin);
+    if (degree < least_corners(options_))
+      return in_.fail(place, small_face(degree), kSmallFaceHint);
     mesh_.face_begin.push_back(static_cast<Index>(mesh_.corners.size()));
     source_.face_lines.push_back(place.line);
-    return !options_.attributes || attributes_.end_face(place, degree);
+    return !options_.attributes || attributes_.end_face(place, static_cast<std::size_t>(degree));
   }
 
   /// One of v, v/t, v//n, v/t/n; indices from 1, or from -1 backwards.

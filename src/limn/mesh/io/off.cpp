@@ -190,11 +190,8 @@ class OffReader {
     source_.face_lines.push_back(in_.place().line);
     std::int64_t degree = 0;
     if (!integer(degree, "the number of corners")) return false;
-    if (degree < (options_.keep_faults ? 0 : 3)) {
-      return in_.fail(in_.last_place(), "a face of " + std::to_string(degree) +
-                                            (degree == 1 ? " corner" : " corners") +
-                                            ", expected three or more");
-    }
+    if (degree < least_corners(options_))
+      return in_.fail(in_.last_place(), small_face(degree), kSmallFaceHint);
     for (std::int64_t k = 0; k < degree; ++k) {
       std::int64_t vertex = 0;
       if (!integer(vertex, "a vertex index")) return false;

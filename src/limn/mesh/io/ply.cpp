@@ -224,10 +224,7 @@ class ElementReader {
     note_line(file_.source.face_lines);
     std::int64_t degree = 0;
     if (!integer(property.count_type, degree, "the number of corners")) return false;
-    if (degree < (options_.keep_faults ? 0 : 3)) {
-      return body_.fail("a face of " + std::to_string(degree) +
-                        (degree == 1 ? " corner" : " corners") + ", expected three or more");
-    }
+    if (degree < least_corners(options_)) return body_.fail(small_face(degree), kSmallFaceHint);
     for (std::int64_t k = 0; k < degree; ++k) {
       std::int64_t vertex = 0;
       if (!integer(property.type, vertex, "a vertex index")) return false;

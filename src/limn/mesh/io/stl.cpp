@@ -370,10 +370,14 @@ bool has_size_of_binary_stl(std::string_view content) {
 }
 
 /// Binary files may begin with "solid" too, so the size decides first; a binary file of the wrong
-/// size still has a NUL near its head, as the attributes of its triangles are 0 as a rule.
+/// size still has a NUL near its head, as the attributes of its triangles are 0 as a rule. (A whole
+/// text may be padded with them.)
 bool is_binary_stl(std::string_view content) {
-  return has_size_of_binary_stl(content) ||
-         content.substr(0, 1024).find('\0') != std::string_view::npos;
+  if (has_size_of_binary_stl(content)) return true;
+  const std::string_view padless = content.substr(0, content.find_last_not_of('\0') + 1);
+  const bool is_text =
+      content.starts_with("solid") && padless.find("endsolid") != std::string_view::npos;
+  return (is_text ? padless : content).substr(0, 1024).find('\0') != std::string_view::npos;
 }
 
 Status parse_stl(std::string_view content, const ReadOptions& options, MeshFile& mesh) {
