@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import operator
 from typing import TYPE_CHECKING, Any, Iterable, Optional, Sequence, cast, overload
 
 import numpy as np
@@ -26,6 +27,17 @@ def valences_of(valences: int | Iterable[int], least: int = 2) -> list[int]:
             raise Error(f"valence {valence} is not from {least} to {LARGEST_VALENCE}")
         checked.append(number)
     return checked
+
+
+def levels_of(levels: Any) -> int:
+    """A number of steps, checked."""
+    try:
+        number = operator.index(levels)
+    except TypeError:
+        raise TypeError(f"levels {levels!r} is no whole number") from None
+    if not 0 <= number <= 64:
+        raise Error(f"levels {levels} is not from 0 to 64")
+    return number
 
 
 def seconds_of(seconds: Optional[float]) -> float:

@@ -8,7 +8,7 @@ from typing import Any, Iterable, Mapping, Optional, Sequence, Union
 import numpy.typing as npt
 
 from . import _limn
-from ._analyses import seconds_of, valences_of
+from ._analyses import levels_of, seconds_of, valences_of
 from ._errors import Error, MeshError
 from ._results import Certificate, Comparison, Fairness, Tuning
 from ._scheme import Scheme
@@ -77,7 +77,7 @@ def compare(
             tolerance,
             seconds_of(seconds),
             budget,
-            levels,
+            levels_of(levels),
         )
     )
 
@@ -94,8 +94,7 @@ def fairness(
     ``schemes``: one, several, or a dict that names them. Measured after 1 … ``levels`` steps; 0: as
     many as make up to 200000 vertices. Lengths are those of ``vertices``.
     """
-    if not 0 <= levels <= 64:
-        raise Error(f"levels {levels} is not from 0 to 64")
+    levels = levels_of(levels)
     labelled = _labelled(schemes)
     if not labelled:
         raise Error("there is no scheme")

@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import Any, Optional
 
 from . import _limn
+from ._analyses import levels_of
 from ._scheme import Scheme
 from ._tags import tags_of
 
@@ -45,7 +46,7 @@ class Refiner(_limn.RefinerData):
     ) -> None:
         self._scheme = scheme if isinstance(scheme, Scheme) else Scheme(scheme)
         tags = tags_of(locals())
-        super().__init__(self._scheme._data, faces, levels, vertices, tags)
+        super().__init__(self._scheme._data, faces, levels_of(levels), vertices, tags)
 
     @property
     def scheme(self) -> Scheme:

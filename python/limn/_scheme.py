@@ -11,7 +11,7 @@ from typing import Any, Iterable, Mapping, Optional, Sequence, Union
 import numpy.typing as npt
 
 from . import _limn
-from ._analyses import Analyses, seconds_of, valences_of
+from ._analyses import Analyses, levels_of, seconds_of, valences_of
 from ._errors import Error, SchemeError
 from ._pictures import Picture, table
 from ._results import Tuning
@@ -199,7 +199,7 @@ class Scheme(Analyses):
             self._data,
             vertices,
             faces,
-            levels,
+            levels_of(levels),
             limit,
             normals,
             curvatures,
@@ -247,12 +247,14 @@ class Scheme(Analyses):
             raise TypeError(f"draw() got an unexpected keyword argument '{name}'")
         degrees = _degrees(crease_angle)
 
+        steps = levels_of(levels)
+
         def drawn(format: str) -> bytes:
             return _limn.draw_surface(
                 self._data,
                 vertices,
                 faces,
-                levels,
+                steps,
                 kind,
                 lights,
                 azimuth,

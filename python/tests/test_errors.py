@@ -182,3 +182,17 @@ def test_thread_limits_out_of_range():
     for threads in (-1, 10**9):
         with pytest.raises(limn.Error, match="4096"):
             limn.set_thread_limit(threads)
+
+
+@pytest.mark.parametrize("levels", [-1, 65, 2**31, 2**70, 1.0, "2", None])
+def test_levels_that_are_none(levels):
+    V, F = tetrahedron()
+    for call in (
+        lambda: limn.Scheme("loop").refine(V, F, levels),
+        lambda: limn.Scheme("loop").draw(V, F, levels),
+        lambda: limn.Refiner("loop", F, levels),
+        lambda: limn.fairness(V, F, "loop", levels=levels),
+    ):
+        wrong = limn.Error if isinstance(levels, int) else TypeError
+        with pytest.raises(wrong, match="levels"):
+            call()

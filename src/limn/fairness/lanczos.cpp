@@ -7,6 +7,8 @@
 #if LIMN_HAS_SPECTRA
 #include <Spectra/SymEigsSolver.h>
 #include <Eigen/SparseCholesky>
+
+#include "limn/base/interrupt.h"
 #endif
 
 namespace limn {
@@ -41,6 +43,7 @@ class ShiftedInverse {
   [[nodiscard]] Eigen::Index rows() const { return matrix_.rows(); }
   [[nodiscard]] Eigen::Index cols() const { return matrix_.cols(); }
   void perform_op(const double* in, double* out) const {
+    check_interrupt();
     const VectorXd x = projected(VectorXd::Map(in, rows()));
     VectorXd::Map(out, rows()) = projected(solver_.solve(x));
   }
@@ -63,6 +66,7 @@ class Negative {
   [[nodiscard]] Eigen::Index rows() const { return matrix_.rows(); }
   [[nodiscard]] Eigen::Index cols() const { return matrix_.cols(); }
   void perform_op(const double* in, double* out) const {
+    check_interrupt();
     VectorXd::Map(out, rows()) = -(matrix_ * VectorXd::Map(in, rows()));
   }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "limn/base/interrupt.h"
 #include "limn/mesh/edge_sides.h"
 #include "limn/mesh/joined_sets.h"
 
@@ -37,8 +38,11 @@ class FaultFinder {
 
   MeshFaults find() {
     check_faces();
+    check_interrupt();
     find_copies();
+    check_interrupt();
     find_edges();
+    check_interrupt();
     check_fans();
     std::stable_sort(faults_.list.begin(), faults_.list.end(),
                      [](const MeshFault& a, const MeshFault& b) { return a.kind < b.kind; });

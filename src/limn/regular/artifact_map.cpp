@@ -5,6 +5,8 @@
 #include <map>
 #include <numbers>
 
+#include "limn/base/interrupt.h"
+
 namespace limn {
 namespace {
 
@@ -77,6 +79,7 @@ std::vector<std::vector<double>> limit_map(const ArtifactAnalysis& analysis,
     const std::vector<Row> rows = rows_of(symbol, mask, kappa, grid);
     std::vector<double> values(nx * static_cast<std::size_t>(grid.ny));
     for (int j = 0; j < grid.ny; ++j) {
+      check_interrupt();
       const double fy = grid.y0 + j * grid.dy;
       double* line = values.data() + nx * static_cast<std::size_t>(j);
       for (const Row& row : rows) {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "limn/base/interrupt.h"
 #include "limn/mesh/edge_sides.h"
 #include "limn/mesh/finite_point.h"
 #include "limn/mesh/joined_sets.h"
@@ -32,8 +33,11 @@ class Surveyor {
     found_.faults = find_mesh_faults(mesh_);
     find_left_out();
     look_at_vertices();
+    check_interrupt();
     look_at_faces();
+    check_interrupt();
     look_at_edges();
+    check_interrupt();
     look_at_places();
     found_.refinable = found_.faults.list.empty() && found_.not_finite.empty();
     return std::move(found_);
