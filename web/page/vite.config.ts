@@ -79,9 +79,9 @@ function oneFile(): Plugin {
         this.info(`${id}: ${bytes.length} bytes, packed ${text.length}`);
         return `<script type="text/plain" id="${id}">${text}</script>\n`;
       };
-      const parts = [element('worker', code(await bundled('src/core/worker.ts', 'iife'))), element('program', code(program)),
+      const parts = [element('worker', code(await bundled('src/core/worker.ts', 'iife'))), element('core', coreBytes()),
         `<script>${await bundled('src/loader.ts', 'iife')}</script>\n`,
-        element('core', coreBytes()), element('painter', code(await bundled('src/space/gl_painter.ts', 'es'))), element('later', code(await bundled('src/later.ts', 'es')))];
+        element('program', code(program)), element('painter', code(await bundled('src/space/gl_painter.ts', 'es'))), element('later', code(await bundled('src/later.ts', 'es')))];
       page = page.replace('</body>', () => `${parts.join('')}</body>`);
       html.source = page;
       const size = Buffer.byteLength(page);

@@ -1,6 +1,6 @@
-// Runs first. Each part of the page stands in an element of its own, deflated: the worker's program and the page's before this script,
-// the core, which is three quarters of the file, and what is needed later behind it. So the page's program is compiled while the browser
-// still reads the core. (The core in pieces, each compiled while the next is read, made the whole slower on two processors.)
+// Runs as soon as the core is read. Each part of the page stands in an element of its own, deflated: the worker's program and the core, which
+// is three quarters of the file, before this script; the page's program and what is needed later behind it. So the core is compiled
+// while the browser reads on. (The program first, or the core in pieces, each compiled while the next is read, made the whole slower.)
 import { fromBase85 } from './core/base85';
 import type { Start } from './start';
 
@@ -32,8 +32,8 @@ function once<T>(id: string): () => Promise<T> {
 }
 
 async function begin(): Promise<void> {
-  const core = read.then(() => WebAssembly.compileStreaming(inflated('core', 'application/wasm')));
-  const program = addressOf('program');
+  const core = WebAssembly.compileStreaming(inflated('core', 'application/wasm'));
+  const program = read.then(() => addressOf('program'));
   const worker = await addressOf('worker');
   const spawn = (): Worker => {
     const made = new Worker(worker);
