@@ -5,7 +5,6 @@ from __future__ import annotations
 import os
 from decimal import Decimal
 from fractions import Fraction
-from numbers import Rational
 from typing import Any, Iterable, Mapping, Optional, Sequence, Union
 
 import numpy.typing as npt
@@ -19,6 +18,7 @@ from ._surface import Array, Surface
 from ._tags import TAGS, tags_of
 
 Number = Union[int, float, Fraction, str]
+EXACT = (int, Fraction, Decimal)
 
 
 def _assignment(name: str, value: Number) -> str:
@@ -26,7 +26,7 @@ def _assignment(name: str, value: Number) -> str:
         return f"{name}={value}"
     try:
         # numpy's numbers of other precisions are no fractions, but floats
-        exact = Fraction(value if isinstance(value, (Rational, Decimal)) else float(value))
+        exact = Fraction(value) if isinstance(value, EXACT) else Fraction(float(value))
     except (ValueError, OverflowError, TypeError):
         raise SchemeError(f"parameter {name}: {value!r} is no number") from None
     return f"{name}={exact.numerator}/{exact.denominator}"

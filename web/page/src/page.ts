@@ -17,6 +17,16 @@ const keys: [string, string][] = [['1 … 6', 'surface, vertex, artifacts, smoot
   ['p', 'play the levels'], ['l', 'limit surface or level'], ['g', 'control mesh on or off'], ['t', 'tour; n, b: on and back'], ['c', 'copy the link'],
   ['r', 'projector'], ['d', 'light or dark'], ['arrows, + −', 'turn and zoom, where the surface has the focus'], ['Esc', 'close']];
 
+/** The fragment that shows the state. One that someone has put there since is not written over: `hashchange` follows. */
+const fragment = {
+  known: location.hash,
+  write(state: State): void {
+    if (location.hash !== this.known) return;
+    history.replaceState(null, '', `#${toFragment(state)}`);
+    this.known = location.hash;
+  },
+};
+
 export function mount(app: App, place: HTMLElement): void {
   const { store } = app;
   const toast = toaster();
@@ -73,9 +83,10 @@ export function mount(app: App, place: HTMLElement): void {
   store.listen((state) => {
     arrange(state);
     clearTimeout(timer);
-    timer = window.setTimeout(() => history.replaceState(null, '', `#${toFragment(state)}`), 200);
+    timer = window.setTimeout(() => fragment.write(state), 200);
   });
   addEventListener('hashchange', () => {
+    fragment.known = location.hash;
     const state = fromFragment(location.hash);
     if (toFragment(state) !== toFragment(store.now)) store.set(state);
   });
@@ -105,8 +116,7 @@ function copies(app: App, toast: (text: string) => void) {
   const text = (): string => withDefaults(store.now.text ?? app.shipped(store.now.scheme)?.text ?? '', store.now.parameters);
   const put = async (what: string, value: string): Promise<void> => toast((await copy(value)) ? `${what} copied` : `this browser does not let a page copy; ${what.toLowerCase()}: ${value}`);
   const link = (): void => {
-    const fragment = toFragment(store.now);
-    history.replaceState(null, '', `#${fragment}`);
+    fragment.write(store.now);
     const own = app.files.has(store.now.mesh) && store.now.obj === null;
     void put('Link', location.href).then(() => own && toast('link copied; it does not hold your mesh, which is too large or no OBJ'));
   };
