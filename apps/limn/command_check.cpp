@@ -1,5 +1,4 @@
 #include <memory>
-#include <optional>
 
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
@@ -65,27 +64,6 @@ void leave_out_copies(const MeshSource& source, MeshSurvey& survey) {
   survey.coincident = std::move(vertices);
   survey.coincident_with = std::move(first);
 }
-
-/// The mesh file, or standard input, which can be read once only, any number of times.
-class MeshInput {
- public:
-  explicit MeshInput(const std::string& path) : path_(path) {}
-
-  Result<MeshFile> read(const ReadOptions& how) {
-    set_step("reading " + path_);
-    if (path_ != kStandardStream) return read_mesh_file(path_, how);
-    if (!content_) {
-      Result<std::string> content = take_standard_input();
-      if (!content) return content.error();
-      content_ = *std::move(content);
-    }
-    return parse_mesh_file(*content_, "", "standard input", how);
-  }
-
- private:
-  const std::string& path_;
-  std::optional<std::string> content_;
-};
 
 /// What keeps a mesh that is a surface from being refined as its file states it: numbers of
 /// attributes and tags, and tags of what the mesh does not have.

@@ -8,6 +8,7 @@
 #include "call.h"
 #include "errors.h"
 #include "json_objects.h"
+#include "limn/mesh/finite_point.h"
 #include "limn/mesh/io/mesh_file.h"
 #include "limn/mesh/mesh_limits.h"
 #include "limn/mesh/polygon/triangulate.h"
@@ -135,7 +136,7 @@ void check_vertices(const Polygons& polygons) {
                 [](const MeshFault& fault) { return fault.kind != MeshFault::Kind::out_of_range; });
   if (!faults.list.empty()) raise(error_of(faults, polygons, {}), Fault::mesh);
   for (std::size_t v = 0; v < polygons.positions.size(); ++v)
-    if (const Point3& p = polygons.positions[v]; !(std::isfinite(p.x + p.y + p.z)))
+    if (!is_finite(polygons.positions[v]))
       raise({"vertex " + std::to_string(v) + " is not finite, which no repair mends"}, Fault::mesh);
 }
 

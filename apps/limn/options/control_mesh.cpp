@@ -42,12 +42,15 @@ Status check_mesh_path(const std::string& path) {
   return check_readable(path);
 }
 
-Result<MeshFile> read_mesh_argument(const std::string& path, const ReadOptions& options) {
-  set_step("reading " + path);
-  if (path != kStandardStream) return read_mesh_file(path, options);
-  const Result<std::string> content = take_standard_input();
-  if (!content) return content.error();
-  return parse_mesh_file(*content, "", "standard input", options);
+Result<MeshFile> MeshInput::read(const ReadOptions& options) {
+  set_step("reading " + path_);
+  if (path_ != kStandardStream) return read_mesh_file(path_, options);
+  if (!content_) {
+    Result<std::string> content = take_standard_input();
+    if (!content) return content.error();
+    content_ = *std::move(content);
+  }
+  return parse_mesh_file(*content_, "", "standard input", options);
 }
 
 Result<Prepared> prepare(MeshFile& file, const MeshPreparation& preparation) {
@@ -90,9 +93,8 @@ void report_remarks(const MeshFile& file) {
 
 Result<ControlMesh> load_control_mesh(const std::string& path, const MeshPreparation& preparation,
                                       TagUse use, AttributeUse attributes) {
-  Result<MeshFile> file =
-      read_mesh_argument(path, {.keep_small_faces = preparation.repair().drop,
-                                .attributes = attributes == AttributeUse::keep});
+  Result<MeshFile> file = MeshInput(path).read({.keep_small_faces = preparation.repair().drop,
+                                                .attributes = attributes == AttributeUse::keep});
   if (!file) return file.error();
   if (use == TagUse::leave_out) file->leave_out_tags();
   MeshFile uncut;

@@ -2,7 +2,9 @@
 /// The control mesh that a command line names.
 
 #include <nlohmann/json_fwd.hpp>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "limn/base/error.h"
@@ -53,9 +55,17 @@ void add_warnings(MeshRemarks& remarks, const Warnings& warnings);
 /// is known.
 void add_remarks(nlohmann::ordered_json& json, const MeshRemarks& remarks);
 
-/// Reads a mesh file or standard input.
-[[nodiscard]] Result<MeshFile> read_mesh_argument(const std::string& path,
-                                                  const ReadOptions& options = {});
+/// A mesh file, or standard input, which can be had once only, to be read any number of times.
+class MeshInput {
+ public:
+  explicit MeshInput(std::string path) : path_(std::move(path)) {}
+
+  [[nodiscard]] Result<MeshFile> read(const ReadOptions& options);
+
+ private:
+  std::string path_;
+  std::optional<std::string> content_;  // of standard input
+};
 
 /// What was done to a mesh before it is used.
 struct Prepared {
