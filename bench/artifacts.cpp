@@ -6,8 +6,8 @@
 #include <benchmark/benchmark.h>
 
 #include "limn/regular/artifact_map.h"
+#include "limn/regular/artifacts.h"
 #include "limn/regular/regular_mask.h"
-#include "limn/regular/sampling_density.h"
 
 namespace {
 

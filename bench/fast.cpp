@@ -13,7 +13,6 @@
 #include <fmt/core.h>
 
 #include "limn/base/parallel.h"
-#include "limn/fast/fast_limit.h"
 #include "limn/fast/fast_refiner.h"
 #include "peers/control_meshes.h"
 

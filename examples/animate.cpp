@@ -6,7 +6,7 @@
 #include <cstdio>
 #include <cstdlib>
 
-#include "limn/fast/fast_limit.h"
+#include "limn/fast/fast_refiner.h"
 #include "limn/limn.h"
 #include "limn/mesh/io/mesh_file.h"
 

@@ -7,8 +7,8 @@
 
 #include "command.h"
 #include "limn/base/printable.h"
+#include "limn/regular/artifacts.h"
 #include "limn/regular/regular_mask.h"
-#include "limn/regular/sampling_density.h"
 #include "limn/report/lattice/artifact_figures.h"
 #include "options/number_option.h"
 #include "options/scheme_argument.h"

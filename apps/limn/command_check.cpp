@@ -7,7 +7,7 @@
 #include "limn/base/files/file.h"
 #include "limn/base/printable.h"
 #include "limn/mesh/mesh_limits.h"
-#include "limn/mesh/sharpness/tags.h"
+#include "limn/mesh/sharpness/sharpness.h"
 #include "limn/report/mesh_check_report.h"
 #include "options/attribute_options.h"
 #include "options/control_mesh.h"

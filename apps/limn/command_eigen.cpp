@@ -7,7 +7,7 @@
 #include "command.h"
 #include "limn/base/printable.h"
 #include "limn/base/progress.h"
-#include "limn/regular/smoothness/second_differences.h"
+#include "limn/regular/smoothness/regularity.h"
 #include "limn/report/eigen/eigen_figures.h"
 #include "limn/report/eigen/eigen_formula_report.h"
 #include "limn/report/eigen/eigen_report.h"

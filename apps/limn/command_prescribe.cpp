@@ -6,7 +6,7 @@
 #include "command.h"
 #include "limn/base/files/file.h"
 #include "limn/base/printable.h"
-#include "limn/regular/smoothness/second_differences.h"
+#include "limn/regular/smoothness/regularity.h"
 #include "limn/report/eigen/eigen_report.h"
 #include "limn/spectrum/eigencomponents.h"
 #include "limn/tune/prescribe.h"

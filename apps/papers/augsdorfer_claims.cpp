@@ -7,8 +7,8 @@
 
 #include <fmt/core.h>
 
+#include "limn/regular/artifacts.h"
 #include "limn/regular/regular_mask.h"
-#include "limn/regular/sampling_density.h"
 #include "papers/augsdorfer_parts.h"
 
 namespace limn::ads {

@@ -4,9 +4,9 @@
 
 #include <fmt/core.h>
 
+#include "limn/regular/artifacts.h"
 #include "limn/regular/formula.h"
 #include "limn/regular/regular_mask.h"
-#include "limn/regular/sampling_density.h"
 #include "limn/scheme/evaluate.h"
 #include "limn/scheme/expression.h"
 #include "papers/augsdorfer_parts.h"

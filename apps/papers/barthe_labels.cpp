@@ -4,7 +4,7 @@
 #include <fmt/core.h>
 
 #include "limn/limit/characteristic_map.h"
-#include "limn/spectrum/eigenvectors.h"
+#include "limn/spectrum/eigencomponents.h"
 #include "papers/barthe_parts.h"
 
 namespace limn::bgsk {

@@ -1,6 +1,6 @@
 #include <fmt/core.h>
 
-#include "limn/regular/smoothness/second_differences.h"
+#include "limn/regular/smoothness/regularity.h"
 #include "limn/report/eigen/eigen_figures.h"
 #include "limn/scheme/check.h"
 #include "limn/scheme/lattice_schemes.h"

@@ -5,7 +5,7 @@
 
 #include "limn/mesh/lattice.h"
 #include "limn/refine/refine.h"
-#include "limn/regular/smoothness/second_differences.h"
+#include "limn/regular/smoothness/regularity.h"
 #include "limn/spectrum/eigencomponents.h"
 #include "limn/study/surface_scenes.h"
 #include "papers/barthe_parts.h"

@@ -8,7 +8,7 @@
 #include <fmt/core.h>
 
 #include "limn/regular/regular_mask.h"
-#include "limn/regular/smoothness/second_differences.h"
+#include "limn/regular/smoothness/regularity.h"
 #include "limn/scheme/scope.h"
 
 namespace limn::ks {

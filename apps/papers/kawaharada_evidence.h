@@ -9,7 +9,7 @@
 #include "limn/report/fairness_report.h"
 #include "limn/spectrum/eigencomponents.h"
 #include "limn/study/c1_answers.h"
-#include "limn/tune/range.h"
+#include "limn/tune/solve.h"
 #include "papers/kawaharada_parts.h"
 
 namespace limn::ks {

@@ -11,7 +11,7 @@
 
 #include "limn/base/parallel.h"
 #include "limn/fast/fast_refiner.h"
-#include "limn/mesh/sharpness/tags.h"
+#include "limn/mesh/sharpness/sharpness.h"
 #include "limn/refine/refine.h"
 #include "limn/surface/refine_surface.h"
 #include "peers/repeated_peer.h"

@@ -12,7 +12,6 @@
 #include "limn/limit/characteristic_map.h"
 #include "limn/regular/regular_mask.h"
 #include "limn/regular/smoothness/regularity.h"
-#include "limn/regular/smoothness/second_differences.h"
 #include "limn/report/eigen/eigen_formula_report.h"
 #include "limn/report/eigen/eigen_report.h"
 #include "limn/report/eigen/eigenvector_report.h"

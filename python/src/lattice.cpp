@@ -10,8 +10,8 @@
 #include "errors.h"
 #include "json_objects.h"
 #include "limn/regular/artifact_map.h"
+#include "limn/regular/artifacts.h"
 #include "limn/regular/regular_mask.h"
-#include "limn/regular/sampling_density.h"
 #include "limn/report/lattice/artifact_report.h"
 #include "module.h"
 

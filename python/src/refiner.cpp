@@ -11,7 +11,6 @@
 #include "call.h"
 #include "errors.h"
 #include "limn/base/memory.h"
-#include "limn/fast/fast_limit.h"
 #include "limn/fast/fast_refiner.h"
 #include "limn/refine/crease_step.h"
 #include "limn/surface/refine_surface.h"

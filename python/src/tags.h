@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "limn/mesh/mesh.h"
-#include "limn/mesh/sharpness/tags.h"
+#include "limn/mesh/sharpness/sharpness.h"
 #include "limn/scheme/scheme.h"
 
 namespace limn::python {

@@ -27,28 +27,21 @@
 #include "limn/scheme/file/scheme_files.h"
 #include "limn/scheme/scheme.h"
 // Refined meshes, limit surfaces.
-#include "limn/fast/fast_limit.h"
 #include "limn/fast/fast_refiner.h"
 #include "limn/limit/limit_points.h"
 #include "limn/limit/limit_stencil.h"
 #include "limn/surface/refine_surface.h"
 // The regular lattice: masks, factors, artifacts, smoothness.
 #include "limn/regular/artifacts.h"
-#include "limn/regular/factors.h"
 #include "limn/regular/regular_mask.h"
-#include "limn/regular/sampling_density.h"
 #include "limn/regular/smoothness/regularity.h"
-#include "limn/regular/smoothness/second_differences.h"
 // Extraordinary vertices: eigenvalues, verdicts, formulas, characteristic maps.
 #include "limn/limit/characteristic_map.h"
 #include "limn/spectrum/eigen_formula.h"
 #include "limn/spectrum/eigencomponents.h"
-#include "limn/spectrum/eigenvectors.h"
 #include "limn/spectrum/frequency_blocks.h"
 // How fair surfaces are.
 #include "limn/fairness/energy.h"
 // Parameters solved for.
 #include "limn/tune/freed_scheme.h"
-#include "limn/tune/range.h"
-#include "limn/tune/requirement.h"
 #include "limn/tune/solve.h"

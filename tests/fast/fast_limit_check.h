@@ -5,7 +5,7 @@
 
 #include "fast/fast_check.h"
 #include "limn/base/parallel.h"
-#include "limn/fast/fast_limit.h"
+#include "limn/fast/fast_refiner.h"
 #include "limn/limit/limit_points.h"
 
 namespace limn::test {

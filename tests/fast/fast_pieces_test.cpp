@@ -6,7 +6,7 @@
 #include <cstring>
 
 #include "fast/families.h"
-#include "limn/fast/fast_limit.h"
+#include "limn/fast/fast_refiner.h"
 #include "support/shipped.h"
 
 namespace limn::test {

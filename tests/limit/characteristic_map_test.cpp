@@ -7,8 +7,7 @@
 #include <cmath>
 
 #include "limn/limit/judge_characteristic_map.h"
-#include "limn/limit/star_surface.h"
-#include "limn/spectrum/eigenvectors.h"
+#include "limn/spectrum/eigencomponents.h"
 #include "limn/tune/prescribe.h"
 #include "support/shipped.h"
 

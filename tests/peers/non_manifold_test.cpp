@@ -14,7 +14,7 @@
 #include <random>
 #include <set>
 
-#include "limn/mesh/flag.h"
+#include "limn/mesh/mesh.h"
 #include "limn/mesh/mesh_faults.h"
 #include "limn/mesh/repair/repair.h"
 #include "limn/mesh/sharpness/cuts.h"

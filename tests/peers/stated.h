@@ -3,7 +3,7 @@
 
 #include <array>
 
-#include "limn/mesh/sharpness/tags.h"
+#include "limn/mesh/sharpness/sharpness.h"
 #include "peer.h"
 
 namespace limn::peers {

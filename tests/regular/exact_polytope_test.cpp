@@ -7,7 +7,7 @@
 #include "limn/regular/algebra/approx_matrix.h"
 #include "limn/regular/regular_mask.h"
 #include "limn/regular/smoothness/exact_radius.h"
-#include "limn/regular/smoothness/polynomial_orders.h"
+#include "limn/regular/smoothness/regularity.h"
 #include "limn/regular/smoothness/transition_operators.h"
 
 namespace limn {

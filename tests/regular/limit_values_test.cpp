@@ -9,8 +9,8 @@
 #include <cmath>
 #include <map>
 
+#include "limn/regular/artifacts.h"
 #include "limn/regular/regular_mask.h"
-#include "limn/regular/sampling_density.h"
 #include "regular/wave_oracle.h"
 #include "support/frequency.h"
 #include "support/shipped.h"

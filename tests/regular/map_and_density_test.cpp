@@ -8,8 +8,8 @@
 #include <random>
 
 #include "limn/regular/artifact_map.h"
+#include "limn/regular/artifacts.h"
 #include "limn/regular/regular_mask.h"
-#include "limn/regular/sampling_density.h"
 #include "regular/wave_oracle.h"
 
 namespace limn::test {

@@ -1,6 +1,6 @@
 // Bounded curvature on the regular lattice, against the literature and against refined data.
 
-#include "limn/regular/smoothness/second_differences.h"
+#include "limn/regular/smoothness/regularity.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // Spectra of blocks made by hand, whose Jordan blocks are known, and connected parts by brute
 // force.
 
-#include "limn/spectrum/block_spectrum.h"
+#include "limn/spectrum/frequency_blocks.h"
 
 #include <gtest/gtest.h>
 

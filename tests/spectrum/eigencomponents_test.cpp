@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-#include "limn/regular/smoothness/second_differences.h"
+#include "limn/regular/smoothness/regularity.h"
 #include "support/frequency.h"
 #include "support/shipped.h"
 

@@ -1,6 +1,6 @@
 // Eigenvectors of the blocks, and as values on the whole star.
 
-#include "limn/spectrum/eigenvectors.h"
+#include "limn/spectrum/eigencomponents.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // Ranges of a parameter against closed forms.
 
-#include "limn/tune/range.h"
+#include "limn/tune/solve.h"
 
 #include <gtest/gtest.h>
 

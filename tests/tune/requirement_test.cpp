@@ -1,6 +1,6 @@
 // Requirements: what is understood, what is refused, and margins against the verdicts.
 
-#include "limn/tune/requirement.h"
+#include "limn/tune/freed_scheme.h"
 #include "limn/tune/margin.h"
 
 #include <gtest/gtest.h>

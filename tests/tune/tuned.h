@@ -5,7 +5,6 @@
 
 #include <string>
 
-#include "limn/tune/range.h"
 #include "limn/tune/solve.h"
 #include "support/shipped.h"
 

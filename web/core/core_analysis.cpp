@@ -5,7 +5,6 @@
 #include "limn/limit/characteristic_map.h"
 #include "limn/regular/regular_mask.h"
 #include "limn/regular/smoothness/regularity.h"
-#include "limn/regular/smoothness/second_differences.h"
 #include "limn/report/eigen/eigen_report.h"
 #include "limn/report/lattice/regularity_report.h"
 #include "limn/spectrum/eigencomponents.h"

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <limits>
 
-#include "limn/fast/fast_limit.h"
+#include "limn/fast/fast_refiner.h"
 #include "limn/mesh/surface_distance.h"
 #include "limn/refine/crease_step.h"
 #include "limn/refine/refine_estimate.h"

@@ -14,7 +14,7 @@
 #include "answer.h"
 #include "limn/fast/fast_refiner.h"
 #include "limn/mesh/sharpness/cuts.h"
-#include "limn/mesh/sharpness/tags.h"
+#include "limn/mesh/sharpness/sharpness.h"
 #include "limn/mesh/split/edge_paths.h"
 #include "limn/scheme/parameter_setter.h"
 #include "limn/spectrum/frequency_blocks.h"

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "limn/scheme/scheme.h"
-#include "limn/surface/attribute_rules.h"
+#include "limn/surface/refine_surface.h"
 #include "options/control_mesh.h"
 
 namespace limn::app {

@@ -1,4 +1,4 @@
-#include "limn/base/integer.h"
+#include "limn/base/rational.h"
 
 #include <ostream>
 #include <utility>

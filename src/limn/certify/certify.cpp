@@ -6,7 +6,7 @@
 
 #include "limn/certify/ring/regular_rows.h"
 #include "limn/certify/vertex/valence_proof.h"
-#include "limn/regular/smoothness/second_differences.h"
+#include "limn/regular/smoothness/regularity.h"
 #include "limn/scheme/file/scheme_files.h"
 
 namespace limn::certify {

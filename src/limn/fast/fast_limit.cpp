@@ -1,4 +1,4 @@
-#include "limn/fast/fast_limit.h"
+#include "limn/fast/fast_refiner.h"
 
 #include <algorithm>
 

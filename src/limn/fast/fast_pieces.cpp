@@ -10,7 +10,7 @@
 #include "limn/base/parallel.h"
 #include "limn/base/sparse_array.h"
 #include "limn/base/thread_limit.h"
-#include "limn/fast/fast_limit.h"
+#include "limn/fast/fast_refiner.h"
 #include "limn/fast/kernel/piece_groups.h"
 #include "limn/fast/refiner_state.h"
 

@@ -20,7 +20,7 @@
 #include <string>
 
 #include "limn/base/huge_array.h"
-#include "limn/mesh/sharpness/tags.h"
+#include "limn/mesh/sharpness/sharpness.h"
 #include "limn/refine/refine_estimate.h"
 
 namespace limn {
@@ -124,7 +124,7 @@ class FastRefiner {
   /// refines the boundary in every step and is no dual one.
   void write_parents(std::span<Index> faces) const;
 
-  /// What of the refined mesh is still sharp, as tags_of (mesh/sharpness/tags.h) has it.
+  /// What of the refined mesh is still sharp, as tags_of (mesh/sharpness/sharpness.h) has it.
   [[nodiscard]] SharpnessTags sharp_tags() const;
 
   /// What the refiner itself holds, in bytes.
@@ -143,5 +143,24 @@ class FastRefiner {
 /// The refined mesh as polygons. Fails as FastRefiner::make.
 [[nodiscard]] Result<Polygons> fast_refine(const Scheme& scheme, Mesh control,
                                            const std::vector<Point3>& positions, int levels);
+
+// Limit positions and normals.
+
+/// The limit of a refiner of this scheme, for FastRefiner::evaluate_limit, from
+/// approx_limit_stencil and approx_boundary_limit_stencil: the points of approx_limit_points
+/// (limit_points.h), much faster. Nothing where the refiner takes none (FastRefiner::limit); ask
+/// approx_limit_points then. Fails as the stencils. Cost: a stencil for each valence in the mesh.
+[[nodiscard]] Result<std::optional<FastRefiner::Limit>> approx_fast_limit(
+    const Scheme& scheme, const FastRefiner& refiner);
+
+/// A refined mesh with limit positions and unit normals at its vertices.
+struct FastLimitMesh {
+  Polygons refined;             ///< with the points where refinement puts them
+  std::vector<Point3> limit;    ///< one for each vertex
+  std::vector<Point3> normals;  ///< of length 1, or zero; one for each vertex
+};
+/// All of it, from the positions of the control vertices. Nothing and failure as approx_fast_limit.
+[[nodiscard]] Result<std::optional<FastLimitMesh>> approx_fast_limit_mesh(
+    const Scheme& scheme, const FastRefiner& refiner, const std::vector<Point3>& positions);
 
 }  // namespace limn

@@ -8,7 +8,7 @@
 
 #include "limn/limit/judge_characteristic_map.h"
 #include "limn/refine/star_step.h"
-#include "limn/spectrum/eigenvectors.h"
+#include "limn/spectrum/eigencomponents.h"
 
 namespace limn {
 namespace {

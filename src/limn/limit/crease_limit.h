@@ -2,7 +2,6 @@
 /// Limit points of a mesh with sharp edges and vertices.
 
 #include "limn/limit/limit_points.h"
-#include "limn/limit/side_normals.h"
 #include "limn/mesh/sharpness/sharpness.h"
 
 namespace limn {

@@ -4,8 +4,8 @@
 #include <optional>
 #include <vector>
 
+#include "limn/limit/limit_points.h"
 #include "limn/limit/limit_stencil.h"
-#include "limn/limit/no_curvature.h"
 
 namespace limn {
 

@@ -3,15 +3,46 @@
 
 #include <functional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "limn/base/error.h"
-#include "limn/limit/no_curvature.h"
 #include "limn/mesh/mesh.h"
-#include "limn/scheme/regular_part.h"
+#include "limn/mesh/polygons.h"
+#include "limn/scheme/mask.h"
 #include "limn/scheme/scheme.h"
 
 namespace limn {
+
+// Normals of vertices that have several sides.
+
+/// Along a crease, and at a corner where creases meet, a surface has a normal on each side. They
+/// are given corner by corner; a vertex with one side has its normal elsewhere.
+struct SideNormals {
+  std::vector<Point3> normals;   ///< of length 1; zero where a side has none
+  std::vector<Index> of_corner;  ///< the one of each corner; kNone: its vertex's own. May be empty
+
+  /// Whether no vertex has several sides.
+  [[nodiscard]] bool empty() const { return normals.empty(); }
+};
+
+// Why a vertex of a limit surface has no curvature.
+
+/// Why a vertex has no curvature.
+enum class NoCurvature : char {
+  none,         ///< it has one
+  boundary,     ///< it lies on the boundary
+  no_limit,     ///< it has no limit point, or no faces
+  no_normal,    ///< its tangents vanish or are parallel, or there is no tangent pair
+  unbounded,    ///< by the eigenvalues of the vertex: it grows towards it, or may
+  regular,      ///< the scheme's regular surface has unbounded curvature everywhere
+  direction,    ///< bounded, with another value from each side: second derivatives jump there
+  not_regular,  ///< its neighbourhood never becomes regular (dual splits, beside the boundary)
+  unknown,      ///< what it would follow from cannot be had
+  too_large,    ///< not a number in double precision
+};
+/// In words, as a clause that a warning ends with.
+[[nodiscard]] std::string_view to_string(NoCurvature reason);
 
 /// What `approx_limit_points` finds: arrays with an entry for each vertex of the mesh.
 struct LimitPoints {

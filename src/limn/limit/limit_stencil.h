@@ -7,7 +7,7 @@
 #include <optional>
 #include <vector>
 
-#include "limn/spectrum/eigenvectors.h"
+#include "limn/spectrum/eigencomponents.h"
 
 namespace limn {
 

@@ -1,4 +1,4 @@
-#include "limn/limit/no_curvature.h"
+#include "limn/limit/limit_points.h"
 
 namespace limn {
 

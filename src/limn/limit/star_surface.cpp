@@ -1,4 +1,4 @@
-#include "limn/limit/star_surface.h"
+#include "limn/limit/characteristic_map.h"
 
 #include <cmath>
 

@@ -7,7 +7,6 @@
 
 #include "limn/base/error.h"
 #include "limn/mesh/mesh.h"
-#include "limn/mesh/mesh_source.h"
 #include "limn/mesh/polygons.h"
 
 namespace limn {

@@ -1,4 +1,4 @@
-#include "limn/regular/factors.h"
+#include "limn/regular/regular_mask.h"
 
 #include <algorithm>
 #include <numeric>

@@ -9,8 +9,8 @@
 
 #include <fmt/core.h>
 
-#include "limn/regular/factors.h"
 #include "limn/regular/limit_values.h"
+#include "limn/regular/regular_mask.h"
 #include "limn/scheme/mask_rules.h"
 
 namespace limn {

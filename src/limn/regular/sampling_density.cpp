@@ -1,4 +1,4 @@
-#include "limn/regular/sampling_density.h"
+#include "limn/regular/artifacts.h"
 
 #include <algorithm>
 #include <cmath>

@@ -8,7 +8,7 @@
 #include <array>
 #include <vector>
 
-#include "limn/mesh/split/dilation.h"
+#include "limn/mesh/split/split.h"
 #include "limn/number/laurent.h"
 
 namespace limn {

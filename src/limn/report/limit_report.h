@@ -6,7 +6,7 @@
 
 #include <nlohmann/json_fwd.hpp>
 
-#include "limn/surface/limit_gaps.h"
+#include "limn/surface/refine_surface.h"
 
 namespace limn {
 

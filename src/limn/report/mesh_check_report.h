@@ -6,7 +6,7 @@
 
 #include <nlohmann/json_fwd.hpp>
 
-#include "limn/mesh/mesh_source.h"
+#include "limn/mesh/polygons.h"
 #include "limn/mesh/repair/survey.h"
 
 namespace limn {

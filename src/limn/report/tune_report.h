@@ -5,7 +5,6 @@
 #include <string>
 #include <vector>
 
-#include "limn/tune/range.h"
 #include "limn/tune/solve.h"
 
 namespace limn {

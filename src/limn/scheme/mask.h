@@ -3,14 +3,31 @@
 /// refined lattice. A scheme can be given by it, or by its factors; rules for regular meshes
 /// then follow from it.
 
-#include "limn/mesh/split/dilation.h"
+#include <string>
+
+#include "limn/base/truth.h"
+#include "limn/mesh/split/split.h"
 #include "limn/number/laurent.h"
 #include "limn/scheme/scheme.h"
 
 namespace limn {
 
+// What the regular surface round a vertex lets the verdicts on the vertex say. regular/ finds it
+// (regular/smoothness/regularity.h) and spectrum/ uses it; neither includes the
+// other.
+
+/// What is known of curvature on the regular lattice.
+struct RegularPart {
+  /// Whether curvature is bounded wherever the mesh is regular: yes: second differences over h² of
+  /// every control net stay bounded, the limit surfaces are C^{1,1}; no: those of φ are not. Both
+  /// proved. Undecided also where nobody looked.
+  Truth bounded = Truth::undecided;
+  /// What the answer rests on, or why there is none; one sentence without a full stop.
+  std::string reason = "the regular lattice was not looked at";
+};
+
 /// Coefficients a(k) by *twice* the offset k from the mask's centre, in the basis of the refined
-/// lattice (mesh/split/dilation.h, mesh/lattice.h): even pairs for primal splits, odd pairs for
+/// lattice (mesh/split/split.h, mesh/lattice.h): even pairs for primal splits, odd pairs for
 /// dual ones. They sum to |det M|, and to 1 over each coset of M Z².
 struct Mask {
   Lattice lattice = Lattice::triangle;  ///< control and refined lattice alike

@@ -1,5 +1,5 @@
 #pragma once
-/// Roles: the names by which a rule's weights say whom they weigh. A role is a walk (mesh/flag.h)
+/// Roles: the names by which a rule's weights say whom they weigh. A role is a walk (mesh/mesh.h)
 /// from the flags of the rule's anchor, and the weight goes to every position that the
 /// walk reaches from any of them. The usual roles have names (the table in role.cpp); a scheme
 /// file adds its own under [roles], so that a stencil of a new shape needs no C++.
@@ -19,7 +19,7 @@
 #include <vector>
 
 #include "limn/base/error.h"
-#include "limn/mesh/flag.h"
+#include "limn/mesh/mesh.h"
 #include "limn/mesh/split/split.h"
 
 namespace limn {

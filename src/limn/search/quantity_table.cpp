@@ -7,7 +7,7 @@
 
 #include "limn/mesh/mesh.h"
 #include "limn/mesh/surface_distance.h"
-#include "limn/regular/sampling_density.h"
+#include "limn/regular/artifacts.h"
 #include "limn/study/compare_record.h"
 #include "limn/study/fairness_record.h"
 #include "limn/surface/refine_surface.h"

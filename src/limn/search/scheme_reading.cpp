@@ -4,7 +4,7 @@
 
 #include "limn/certify/certify.h"
 #include "limn/regular/regular_mask.h"
-#include "limn/regular/smoothness/second_differences.h"
+#include "limn/regular/smoothness/regularity.h"
 
 namespace limn {
 namespace {

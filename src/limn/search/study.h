@@ -13,7 +13,7 @@
 #include "limn/scheme/scheme.h"
 #include "limn/search/quantity.h"
 #include "limn/search/scheme_reading.h"
-#include "limn/tune/requirement.h"
+#include "limn/tune/freed_scheme.h"
 
 namespace limn {
 

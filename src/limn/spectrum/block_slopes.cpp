@@ -9,7 +9,7 @@
 #include <fmt/core.h>
 
 #include "limn/scheme/scope.h"
-#include "limn/spectrum/eigenvectors.h"
+#include "limn/spectrum/eigencomponents.h"
 #include "limn/spectrum/sector_pattern.h"
 
 namespace limn {

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "limn/number/jet.h"
-#include "limn/spectrum/block_spectrum.h"
+#include "limn/spectrum/frequency_blocks.h"
 
 namespace limn {
 

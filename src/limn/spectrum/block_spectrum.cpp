@@ -1,4 +1,4 @@
-#include "limn/spectrum/block_spectrum.h"
+#include "limn/spectrum/frequency_blocks.h"
 
 #include <algorithm>
 #include <type_traits>

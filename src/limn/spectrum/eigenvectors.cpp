@@ -1,4 +1,4 @@
-#include "limn/spectrum/eigenvectors.h"
+#include "limn/spectrum/eigencomponents.h"
 
 #include <cmath>
 #include <numbers>

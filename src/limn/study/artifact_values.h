@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "limn/regular/artifacts.h"
-#include "limn/regular/sampling_density.h"
 
 namespace limn {
 

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "limn/regular/regular_mask.h"
-#include "limn/regular/smoothness/second_differences.h"
+#include "limn/regular/smoothness/regularity.h"
 #include "limn/study/c1_answers.h"
 
 namespace limn {

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "limn/certify/certificate/certificate.h"
-#include "limn/regular/sampling_density.h"
+#include "limn/regular/artifacts.h"
 #include "limn/regular/smoothness/regularity.h"
 #include "limn/scheme/scheme.h"
 #include "limn/spectrum/eigencomponents.h"

@@ -7,8 +7,7 @@
 #include "limn/mesh/attributes/attributes.h"
 #include "limn/mesh/sharpness/sharpness.h"
 #include "limn/scheme/scheme.h"
-#include "limn/surface/attribute_rules.h"
-#include "limn/surface/limit_gaps.h"
+#include "limn/surface/refine_surface.h"
 
 namespace limn {
 

@@ -6,7 +6,7 @@
 #include "limn/figure/space/surface_scene.h"
 #include "limn/mesh/mesh.h"
 #include "limn/scheme/scheme.h"
-#include "limn/surface/limit_gaps.h"
+#include "limn/surface/refine_surface.h"
 
 namespace limn {
 

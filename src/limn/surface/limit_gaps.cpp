@@ -1,4 +1,4 @@
-#include "limn/surface/limit_gaps.h"
+#include "limn/surface/refine_surface.h"
 
 #include <cstddef>
 #include <map>

@@ -9,7 +9,7 @@
 #include "limn/mesh/attributes/texture_mesh.h"
 #include "limn/refine/refine_columns.h"
 #include "limn/scheme/scheme.h"
-#include "limn/surface/attribute_rules.h"
+#include "limn/surface/refine_surface.h"
 
 namespace limn {
 

@@ -7,12 +7,11 @@
 #include <fmt/core.h>
 
 #include "limn/base/large_vector.h"
-#include "limn/fast/fast_limit.h"
 #include "limn/fast/fast_refiner.h"
 #include "limn/limit/crease_limit.h"
 #include "limn/mesh/split/heritage.h"
 #include "limn/refine/refine_columns.h"
-#include "limn/regular/smoothness/second_differences.h"
+#include "limn/regular/smoothness/regularity.h"
 #include "limn/surface/refine_attributes.h"
 
 namespace limn {

@@ -9,15 +9,54 @@
 #include <vector>
 
 #include "limn/limit/limit_points.h"
-#include "limn/limit/side_normals.h"
 #include "limn/mesh/attributes/attributes.h"
 #include "limn/mesh/mesh.h"
-#include "limn/mesh/sharpness/tags.h"
+#include "limn/mesh/sharpness/sharpness.h"
 #include "limn/scheme/scheme.h"
-#include "limn/surface/attribute_rules.h"
-#include "limn/surface/limit_gaps.h"
 
 namespace limn {
+
+// What a mesh carries, refined: the choices, and what a scheme can take.
+
+/// What becomes of attributes.
+struct AttributeRules {
+  bool linear = false;  ///< numbers of vertices: on each face by itself, not by the scheme's rules
+  TextureRule texture = TextureRule::corners_plus1;  ///< what of texture coordinates stays in place
+};
+
+/// Whether a scheme can refine these texture coordinates. Where they have seams, its split must
+/// keep old edges, and unless the rule is `all` it must have rules for boundaries; the error names
+/// what is missing and a way out.
+[[nodiscard]] Status check_takes_texture(const Scheme& scheme, const Mesh& mesh,
+                                         const TextureCoordinates& texture, TextureRule rule);
+
+// The vertices at which something asked of a limit surface cannot be had.
+
+/// Vertices at which something is missing, in ascending order.
+struct LimitGaps {
+  std::vector<LimitPoints::Refused> limits;  ///< without a limit point, and why
+  std::vector<Index> normals;                ///< without a normal
+  /// Vertices that have no curvature for one reason.
+  struct Curvatures {
+    NoCurvature reason;           ///< why
+    std::vector<Index> vertices;  ///< where
+  };
+  std::vector<Curvatures> curvatures;  ///< by reason
+
+  /// Whether anything is missing anywhere.
+  [[nodiscard]] bool any() const {
+    return !limits.empty() || !normals.empty() || !curvatures.empty();
+  }
+};
+
+/// The vertices whose normal is zero.
+[[nodiscard]] std::vector<Index> without_normal(const std::vector<Point3>& normals);
+/// The same where vertices may have several sides: those of which one has no normal. Cost O(H).
+[[nodiscard]] std::vector<Index> without_normal(const std::vector<Point3>& normals,
+                                                const Mesh& mesh, const SideNormals& sides);
+/// The vertices that have no curvature, by reason.
+[[nodiscard]] std::vector<LimitGaps::Curvatures> without_curvature(
+    const std::vector<NoCurvature>& reasons);
 
 /// What is wanted.
 struct SurfaceOptions {

@@ -28,7 +28,7 @@
 
 #include <string>
 
-#include "limn/mesh/sharpness/tags.h"
+#include "limn/mesh/sharpness/sharpness.h"
 #include "limn/surface/label_tags.h"
 
 namespace limn {

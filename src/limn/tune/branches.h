@@ -4,9 +4,9 @@
 #include <optional>
 #include <vector>
 
-#include "limn/spectrum/block_spectrum.h"
+#include "limn/spectrum/frequency_blocks.h"
 #include "limn/tune/block_curve.h"
-#include "limn/tune/requirement.h"
+#include "limn/tune/freed_scheme.h"
 
 namespace limn {
 

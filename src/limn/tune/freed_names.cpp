@@ -6,7 +6,7 @@
 
 #include "limn/number/near_rational.h"
 #include "limn/regular/regular_mask.h"
-#include "limn/regular/smoothness/second_differences.h"
+#include "limn/regular/smoothness/regularity.h"
 #include "limn/scheme/formulas.h"
 #include "limn/scheme/scope.h"
 #include "limn/tune/margin.h"

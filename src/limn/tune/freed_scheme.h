@@ -8,6 +8,7 @@
 /// Else, or on demand, it is one number everywhere. At a regular valence the neighbours have x in
 /// either case.
 
+#include <cstddef>
 #include <map>
 #include <memory>
 #include <optional>
@@ -16,11 +17,43 @@
 #include <utility>
 #include <vector>
 
-#include "limn/scheme/regular_part.h"
+#include "limn/base/error.h"
+#include "limn/scheme/expression.h"
+#include "limn/scheme/mask.h"
 #include "limn/scheme/scheme.h"
 #include "limn/spectrum/frequency_blocks.h"
 
 namespace limn {
+
+// What is asked of a scheme at a vertex: an equation, an inequality or a verdict.
+
+/// An equation, an inequality between left and right, or a verdict.
+enum class Relation {
+  equal,             ///< left = right
+  above,             ///< left > right (or <, with the sides exchanged)
+  at_least,          ///< left ≥ right (or ≤, with the sides exchanged)
+  convergent,        ///< Verdict::convergent
+  c1,                ///< Verdict::c1_necessary
+  bounded_curvature  ///< Verdict::bounded_curvature
+};
+
+/// "cup = tangent^2", "saddle < tangent^2", "c1", … Sides are expressions (scheme/expression.h) in
+/// the names of kComponents, n and the scheme's own names; where both have a name, the component
+/// has it. `==` and `=` are the same.
+struct Requirement {
+  std::string text;                     ///< as it was given
+  Relation relation = Relation::equal;  ///< what is asked
+  std::optional<Expression> left;       ///< nothing for verdicts
+  std::optional<Expression> right;      ///< left - right has the relation to 0
+  std::vector<std::size_t> used;        ///< which of kComponents, in the order of first use
+
+  /// Whether its truth holds on intervals rather than at single values.
+  [[nodiscard]] bool has_range() const { return relation != Relation::equal; }
+
+  /// Reads a requirement for that scheme. Fails with the fault and its column in the message:
+  /// unknown names, syntax, no relation.
+  [[nodiscard]] static Result<Requirement> parse(std::string_view text, const Scheme& scheme);
+};
 
 /// A closed interval of the real line, low ≤ high.
 struct Interval {
@@ -77,7 +110,7 @@ class FreedScheme {
                                                const std::vector<int>& frequencies);
 
   /// What the regular lattice allows where the name is x, or the simple fraction that x is the
-  /// double of (number/near_rational.h; regular/smoothness/second_differences.h):
+  /// double of (number/near_rational.h; regular/smoothness/regularity.h):
   /// the scheme's own where x changes no neighbour. Else, where the mask at x has sum rules of
   /// order 3 or more, found for each x; below, where curvature is unbounded unless shifts are
   /// dependent, that it is unbounded at one such x is taken to hold at all of that order.

@@ -9,7 +9,6 @@
 #include "limn/base/error.h"
 #include "limn/spectrum/eigencomponents.h"
 #include "limn/tune/freed_scheme.h"
-#include "limn/tune/requirement.h"
 
 namespace limn {
 

@@ -1,4 +1,4 @@
-#include "limn/tune/range.h"
+#include "limn/tune/solve.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "limn/tune/requirement.h"
+#include "limn/tune/freed_scheme.h"
 
 #include <algorithm>
 #include <cmath>

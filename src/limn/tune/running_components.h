@@ -6,8 +6,8 @@
 #include <optional>
 
 #include "limn/spectrum/eigencomponents.h"
+#include "limn/tune/freed_scheme.h"
 #include "limn/tune/frequency_order.h"
-#include "limn/tune/requirement.h"
 
 namespace limn {
 

@@ -14,7 +14,7 @@
 
 #include "limn/base/time_budget.h"
 #include "limn/tune/freed_names.h"
-#include "limn/tune/requirement.h"
+#include "limn/tune/freed_scheme.h"
 #include "limn/tune/solve.h"
 
 namespace limn {

@@ -6,7 +6,7 @@
 
 #include "limn/mesh/mesh.h"
 #include "limn/mesh/repair/repair.h"
-#include "limn/mesh/sharpness/tags.h"
+#include "limn/mesh/sharpness/sharpness.h"
 
 namespace limn {
 namespace {

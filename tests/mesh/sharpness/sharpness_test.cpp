@@ -6,7 +6,6 @@
 #include <cmath>
 
 #include "limn/mesh/sharpness/cut_mesh.h"
-#include "limn/mesh/sharpness/tags.h"
 #include "mesh/random_mesh.h"
 
 namespace limn::test {

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "limn/certify/all/all_valences.h"
-#include "limn/mesh/split/dilation.h"
+#include "limn/mesh/split/split.h"
 #include "limn/scheme/scheme.h"
 
 namespace limn::certify {

@@ -8,7 +8,7 @@
 /// flat also need the regular surface round the vertex to have bounded second differences.
 
 #include "limn/certify/ring/eigenfunction.h"
-#include "limn/scheme/regular_part.h"
+#include "limn/scheme/mask.h"
 
 namespace limn::certify {
 

@@ -8,7 +8,7 @@
 #include <string>
 
 #include "limn/fast/kernel/step_plan.h"
-#include "limn/mesh/sharpness/tags.h"
+#include "limn/mesh/sharpness/sharpness.h"
 #include "limn/mesh/split/split.h"
 #include "limn/scheme/scheme.h"
 
@@ -52,7 +52,7 @@ class Family {
   /// where each face begins (size().faces + 1 numbers).
   [[nodiscard]] virtual Index corners_per_face() const = 0;
   virtual void write_face_begin(int /*level*/, std::span<Index> /*begin*/) const {}
-  /// What of a level is still sharp, by its numbers: as tags_of (mesh/sharpness/tags.h) has it.
+  /// What of a level is still sharp, by its numbers: as tags_of (mesh/sharpness/sharpness.h) has it.
   [[nodiscard]] virtual SharpnessTags sharp_tags(int /*level*/) const { return {}; }
 };
 

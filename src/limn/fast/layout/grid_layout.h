@@ -23,7 +23,7 @@
 
 #include "limn/fast/kernel/stencil.h"
 #include "limn/mesh/mesh.h"
-#include "limn/mesh/split/dilation.h"
+#include "limn/mesh/split/split.h"
 
 namespace limn::fast {
 

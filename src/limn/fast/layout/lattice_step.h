@@ -11,7 +11,7 @@
 /// in halves of the finer grid's steps.
 
 #include "limn/fast/kernel/stencil.h"
-#include "limn/mesh/split/dilation.h"
+#include "limn/mesh/split/split.h"
 
 namespace limn::fast {
 

@@ -11,7 +11,7 @@
 /// frame of a side has that side along y = 0.
 
 #include "limn/fast/kernel/stencil.h"
-#include "limn/mesh/split/dilation.h"
+#include "limn/mesh/split/split.h"
 
 namespace limn::fast {
 

@@ -1,5 +1,5 @@
 #pragma once
-/// How far the rules of a scheme look. A rule sees the mesh by walks (mesh/flag.h); where all faces
+/// How far the rules of a scheme look. A rule sees the mesh by walks (mesh/mesh.h); where all faces
 /// that its walks visit are regular, its stencil is the regular one. The walks are made here on
 /// stars and fans, with every case of every rule, so the answer holds for all valences and needs no
 /// weight.

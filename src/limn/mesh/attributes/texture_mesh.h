@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "limn/mesh/attributes/attributes.h"
-#include "limn/mesh/attributes/texture_rule.h"
 #include "limn/mesh/sharpness/sharpness.h"
 
 namespace limn {

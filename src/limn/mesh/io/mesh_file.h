@@ -17,9 +17,8 @@
 
 #include "limn/base/error.h"
 #include "limn/mesh/attributes/attributes.h"
-#include "limn/mesh/mesh_source.h"
 #include "limn/mesh/polygons.h"
-#include "limn/mesh/sharpness/tags.h"
+#include "limn/mesh/sharpness/sharpness.h"
 
 namespace limn {
 

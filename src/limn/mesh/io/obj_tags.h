@@ -13,7 +13,7 @@
 /// Vertices and faces count from 0, other than in the rest of the file.
 
 #include "limn/mesh/io/text_scanner.h"
-#include "limn/mesh/sharpness/tags.h"
+#include "limn/mesh/sharpness/sharpness.h"
 
 namespace limn::io {
 

@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "limn/base/error.h"
-#include "limn/mesh/mesh_source.h"
 #include "limn/mesh/polygon/ear_clipping.h"
 #include "limn/mesh/polygons.h"
 

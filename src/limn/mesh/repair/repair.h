@@ -10,7 +10,6 @@
 #include <vector>
 
 #include "limn/base/error.h"
-#include "limn/mesh/mesh_source.h"
 #include "limn/mesh/polygons.h"
 
 namespace limn {

@@ -1,4 +1,4 @@
-#include "limn/mesh/sharpness/tags.h"
+#include "limn/mesh/sharpness/sharpness.h"
 
 #include <algorithm>
 

@@ -1,4 +1,4 @@
-#include "limn/mesh/split/dilation.h"
+#include "limn/mesh/split/split.h"
 
 #include <algorithm>
 #include <cmath>

@@ -7,7 +7,7 @@
 
 #include <fmt/core.h>
 
-#include "limn/regular/factors.h"
+#include "limn/regular/regular_mask.h"
 
 namespace limn {
 namespace {

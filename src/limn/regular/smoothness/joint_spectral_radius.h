@@ -11,7 +11,7 @@
 
 #include "limn/base/time_budget.h"
 #include "limn/regular/algebra/invariant_subspaces.h"
-#include "limn/regular/smoothness/radius_bracket.h"
+#include "limn/regular/smoothness/regularity.h"
 
 namespace limn {
 

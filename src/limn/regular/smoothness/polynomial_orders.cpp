@@ -1,4 +1,4 @@
-#include "limn/regular/smoothness/polynomial_orders.h"
+#include "limn/regular/smoothness/regularity.h"
 
 #include <vector>
 

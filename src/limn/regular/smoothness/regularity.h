@@ -45,13 +45,60 @@
 #include <vector>
 
 #include "limn/base/error.h"
+#include "limn/base/rational.h"
 #include "limn/base/time_budget.h"
 #include "limn/base/truth.h"
-#include "limn/regular/smoothness/polynomial_orders.h"
-#include "limn/regular/smoothness/radius_bracket.h"
 #include "limn/scheme/mask.h"
 
 namespace limn {
+
+// What is known of the joint spectral radius ρ of finitely many matrices: the growth of the
+// largest of all products of n of them, lim max ‖A_{i1} … A_{in}‖^{1/n} [Jungers2009]. It is found
+// by joint_spectral_radius.h.
+
+/// A bracket of ρ, and what it rests on.
+struct JointSpectralRadius {
+  /// One diagonal block along a chain of common invariant subspaces.
+  struct Block {
+    int size = 0;      ///< rows of its matrices
+    double lower = 0;  ///< of the block's own ρ; rounded, not proved, but in the block that leads
+    double upper = 0;  ///< proved: of the block's ρ, or of that of all where this is smaller
+    int vertices = 0;  ///< of the largest polytope made; 0 where size is 1
+    bool irreducible = false;  ///< proved; else merely nothing was found to split
+    /// Proved: products of n of the block's matrices are bounded by a constant times gⁿ, where g is
+    /// the growth of `product`, exactly (exact_polytope.h).
+    bool bounded = false;
+    bool below = false;  ///< proved: the block's ρ is less than that growth
+  };
+  double lower = 0;  ///< proved: ρ ≥ lower
+  double upper = 0;  ///< proved: ρ ≤ upper
+  /// The matrices of the product with the greatest spectral radius found, first factor first;
+  /// ρ ≥ |an eigenvalue of it|^(1/length). Empty where ρ = 0.
+  std::vector<int> product;
+  std::optional<Rational> eigenvalue;  ///< of the product, where it is rational
+  /// Proved: ρ is |eigenvalue|^(1/length), or 0 where there is no product. Every block is bounded
+  /// by it or below it.
+  bool exact = false;
+  std::vector<Block> blocks;  ///< along one chain; ρ is the greatest of theirs
+  bool time_ended = false;    ///< `stop` asked for an end: more time would narrow the bracket
+};
+
+// Which polynomials a mask generates and reproduces: its sum rules, exactly, for any dilation.
+
+/// Orders count: order k speaks of all polynomials of degree < k.
+struct PolynomialOrders {
+  /// The largest k for which the moments Σ_j p(j) a(j) over each coset of M Z² are equal for all
+  /// p of degree < k. Then the scheme maps polynomials of degree < k to such, and where the shifts
+  /// of φ are stable, k - 1 bounds the r of C^r [CDM §8; Jia1998].
+  int sum_rules = 0;
+  /// The largest d such that sampled polynomials of degree ≤ d have themselves as limits, sample
+  /// points as in the mask's own parametrisation (its mean offset moved to 0): ≤ sum_rules - 1;
+  /// -1 where not even constants are reproduced.
+  int reproduction = -1;
+};
+
+/// Cost: small; orders above 40 are not looked for (box splines of 16 directions have fewer).
+[[nodiscard]] PolynomialOrders polynomial_orders(const Mask& mask);
 
 /// How long and how closely to look.
 struct RegularityOptions {
@@ -126,5 +173,30 @@ struct Regularity {
 /// followed.
 [[nodiscard]] Result<Regularity> enclose_regularity(const Mask& mask,
                                                     const RegularityOptions& options = {});
+
+// Whether curvature is bounded on the regular lattice, that is, whether second differences over h²
+// of the refined data stay bounded: what bounded curvature at an extraordinary vertex presupposes,
+// since the surface round the vertex is regular.
+//
+// With ρ the joint spectral radius of the transition operators on differences that
+// is so where ρ < 1/|det M|: the Hölder exponent is above 2. Where ρ is greater, and the shifts of
+// φ are stable, it is not so: the exponent is below 2; nor where shifts are stable and the sum
+// rules are of order 2 or less [Jia1998]. At the exponent 2 itself rounded brackets cannot tell.
+// There an exact norm ≤ 1 of some steps of the normalised scheme of second differences proves
+// boundedness (quadratic splines), and a Jordan block at the critical eigenvalue of a product of
+// the operators proves, for stable shifts, that second differences grow like a power of the level
+// (the butterfly, the four-point scheme). Where shifts are dependent, differences of the data may
+// tell nothing; of a box spline (box_spline.h) it is known from its directions (midedge).
+
+/// Of a mask: found once in a process and then remembered (a few hundred masks; from several
+/// threads at once). The search stops as soon as it is decided, and gives up, undecided, where a
+/// wide mask would take long. Cost: at most a few tenths of a second; the reason says what was
+/// proved.
+[[nodiscard]] RegularPart find_regular_part(const Mask& mask);
+
+/// Of a scheme at its present parameters; undecided, with the reason, where it has no regular mask.
+/// Where meshes have both kinds of faces it is what holds on either lattice; of the seams between
+/// them nothing is said.
+[[nodiscard]] RegularPart find_regular_part(const Scheme& scheme);
 
 }  // namespace limn

@@ -1,4 +1,4 @@
-#include "limn/regular/smoothness/second_differences.h"
+#include "limn/regular/smoothness/regularity.h"
 
 #include <algorithm>
 #include <cmath>
@@ -15,7 +15,6 @@
 #include "limn/regular/smoothness/box_spline.h"
 #include "limn/regular/smoothness/difference_norm.h"
 #include "limn/regular/smoothness/joint_spectral_radius.h"
-#include "limn/regular/smoothness/polynomial_orders.h"
 #include "limn/regular/smoothness/stability.h"
 #include "limn/regular/smoothness/transition_operators.h"
 #include "limn/scheme/lattice_schemes.h"

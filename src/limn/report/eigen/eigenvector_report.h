@@ -4,7 +4,7 @@
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 
-#include "limn/spectrum/eigenvectors.h"
+#include "limn/spectrum/eigencomponents.h"
 
 namespace limn {
 

@@ -9,7 +9,6 @@
 #include <nlohmann/json.hpp>
 
 #include "limn/base/printable.h"
-#include "limn/regular/factors.h"
 #include "limn/regular/formula.h"
 #include "limn/regular/limit_values.h"
 #include "limn/regular/regular_mask.h"
