@@ -20,8 +20,9 @@ limn::ArtifactAnalysis analysis_of(const char* name) {
 
 void map(benchmark::State& state, const char* name) {
   const limn::ArtifactAnalysis analysis = analysis_of(name);
-  const limn::FrequencyGrid grid = limn::nyquist_grid(analysis.mask().lattice, kSide, kSide);
-  for (auto _ : state) benchmark::DoNotOptimize(limn::limit_map(analysis, grid));
+  const limn::regular::FrequencyGrid grid =
+      limn::regular::nyquist_grid(analysis.mask().lattice, kSide, kSide);
+  for (auto _ : state) benchmark::DoNotOptimize(limn::regular::limit_map(analysis, grid));
   state.SetItemsProcessed(state.iterations() * kSide * kSide);
 }
 
@@ -29,7 +30,7 @@ void map(benchmark::State& state, const char* name) {
 void plain(benchmark::State& state, const char* name) {
   const limn::ArtifactAnalysis analysis = analysis_of(name);
   const limn::Mask& mask = analysis.mask();
-  const limn::FrequencyGrid grid = limn::nyquist_grid(mask.lattice, kSide, kSide);
+  const limn::regular::FrequencyGrid grid = limn::regular::nyquist_grid(mask.lattice, kSide, kSide);
   const double turn = 2 * std::acos(-1.0);
   for (auto _ : state)
     for (const limn::LatticeVector kappa : limn::dual_cosets(mask.dilation))

@@ -25,7 +25,7 @@ void dense(benchmark::State& state, const std::string& name) {
   const int rings = limn::FrequencyAnalysis(scheme).blocks(5).value().rings;
   for (auto _ : state)
     for (int n = 3; n <= state.range(0); ++n) {
-      const auto matrix = limn::subdivision_matrix<double>(scheme, n, rings).value();
+      const auto matrix = limn::refine::subdivision_matrix<double>(scheme, n, rings).value();
       Eigen::MatrixXd entries(matrix.size, matrix.size);
       for (int i = 0; i < matrix.size; ++i)
         for (int j = 0; j < matrix.size; ++j) entries(i, j) = matrix(i, j);

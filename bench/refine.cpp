@@ -30,7 +30,7 @@ void run(benchmark::State& state, const Job& job, int level, int threads) {
   set_thread_limit(threads);
   double vertices = 0;
   for (auto _ : state) {
-    const auto result = refine(job.scheme, job.mesh, job.positions, level);
+    const auto result = refine::refine(job.scheme, job.mesh, job.positions, level);
     if (!result) return state.SkipWithError(result.error().text().c_str());
     vertices = result->mesh.vertex_count();
   }

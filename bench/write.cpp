@@ -70,7 +70,7 @@ void write_floor(benchmark::State& state, std::size_t bytes) {
   const TemporaryFile file("bytes");
   const std::string piece(100000, 'x');
   for (auto _ : state) {
-    const Status status = write_file(file.path(), [&](const Sink& sink) {
+    const Status status = base::write_file(file.path(), [&](const base::Sink& sink) {
       for (std::size_t done = 0; done < bytes; done += piece.size()) sink(piece);
     });
     if (!status) state.SkipWithError(status.error().text().c_str());

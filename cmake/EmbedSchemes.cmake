@@ -1,9 +1,9 @@
 # cmake -D OUT=FILE.cpp -P EmbedSchemes.cmake -- SCHEME.toml…
-# Writes the source that defines limn::shipped_files() (src/limn/scheme/file/shipped_files.h). Of other
+# Writes the source that defines limn::scheme::shipped_files() (src/limn/scheme/file/shipped_files.h). Of other
 # text files it defines FUNCTION() in the NAMESPACE, a vector of the TYPE that HEADER declares.
 cmake_minimum_required(VERSION 3.25)
 
-foreach(default IN ITEMS HEADER=limn/scheme/file/shipped_files.h NAMESPACE=limn TYPE=ShippedFile
+foreach(default IN ITEMS HEADER=limn/scheme/file/shipped_files.h NAMESPACE=limn::scheme TYPE=ShippedFile
         FUNCTION=shipped_files)
   string(REGEX MATCH "(.*)=(.*)" matched ${default})
   if(NOT DEFINED ${CMAKE_MATCH_1})

@@ -10,6 +10,7 @@ if(NOT LIMN_FUZZ)
   target_link_libraries(limn_papers PUBLIC limn::limn fmt::fmt nlohmann_json::nlohmann_json)
   limn_optimise_less(limn_papers)
   limn_precompile(limn_papers <fmt/core.h> <nlohmann/json.hpp>)
+  limn_unite(limn_papers ${PROJECT_SOURCE_DIR}/apps)
 endif()
 
 file(GLOB command_sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/apps/limn/*.cpp
@@ -29,6 +30,7 @@ elseif(command_sources)
   # Names of functions are for debuggers: RelWithDebInfo and Debug have them.
   target_link_options(limn_command PRIVATE $<$<CONFIG:Release>:LINKER:--gc-sections,--strip-all>)
   limn_precompile(limn_command <CLI/CLI.hpp> <fmt/core.h> <nlohmann/json.hpp>)
+  limn_unite(limn_command ${PROJECT_SOURCE_DIR}/apps/limn)
 else()
   message(STATUS "apps/limn has no sources: the command is not built")
 endif()

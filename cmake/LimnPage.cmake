@@ -9,6 +9,7 @@ target_compile_definitions(limn_page_core PRIVATE LIMN_VERSION="${PROJECT_VERSIO
 target_link_libraries(limn_page_core PUBLIC limn::limn
   PRIVATE fmt::fmt nlohmann_json::nlohmann_json)
 limn_optimise_less(limn_page_core)
+limn_unite(limn_page_core ${PROJECT_SOURCE_DIR}/web)
 
 # The page itself, one file, which `./dev page` makes (tools/make_page); the command has it inside.
 set(LIMN_PAGE "" CACHE STRING

@@ -37,6 +37,7 @@ if(CMAKE_CXX_COMPILER_ID STREQUAL GNU AND NOT LIMN_LINT)
 endif()
 limn_optimise_less(limn_python)
 limn_precompile(limn_python <pybind11/numpy.h> <pybind11/stl.h> <nlohmann/json.hpp>)
+limn_unite(limn_python ${PROJECT_SOURCE_DIR}/python/src)
 
 # The rest of the package, beside it.
 file(GLOB python_files CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/python/limn/*.py

@@ -115,6 +115,7 @@ if(NOT LIMN_SANITIZE_FOLDERS)
   target_compile_options(limn_test_fast_one_lane PRIVATE -Wno-dangling-else -Wno-shadow)
   target_link_libraries(limn_test_fast_one_lane PRIVATE limn_test_support)
   limn_reuse_precompiled(limn_test_fast_one_lane)
+  limn_unite(limn_test_fast_one_lane ${PROJECT_SOURCE_DIR}/src)
   limn_discover_tests(limn_test_fast_one_lane fast_one_lane fast)
 endif()
 

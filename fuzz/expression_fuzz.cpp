@@ -13,11 +13,11 @@
 
 namespace {
 
-using limn::Arithmetic;
-using limn::Exact;
 using limn::Expression;
 using limn::Rational;
 using limn::Result;
+using limn::number::Arithmetic;
+using limn::number::Exact;
 
 void check(bool holds, const char* what) {
   if (holds) return;
@@ -27,10 +27,10 @@ void check(bool holds, const char* what) {
 
 template <class Number>
 Result<Number> evaluate(const Expression& expression, int n, int k) {
-  return limn::evaluate<Number>(expression, [&](const std::string& name) -> Result<Number> {
-    if (name == "n") return Arithmetic<Number>::from(Rational(n));
-    if (name == "k") return Arithmetic<Number>::from(Rational(k));
-    if (name == "w") return Arithmetic<Number>::from(Rational(1, 16));
+  return limn::scheme::evaluate<Number>(expression, [&](const std::string& name) -> Result<Number> {
+    if (name == "n") return number::Arithmetic<Number>::from(Rational(n));
+    if (name == "k") return number::Arithmetic<Number>::from(Rational(k));
+    if (name == "w") return number::Arithmetic<Number>::from(Rational(1, 16));
     return limn::Error{"unknown name"};
   });
 }
@@ -47,9 +47,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     return 0;
   }
   for (const int n : {3, 7}) {
-    const limn::ExactBudget budget(1e6);
+    const limn::number::ExactBudget budget(1e6);
     const Result<double> approx = evaluate<double>(*expression, n, 2);
-    const Result<Exact> exact = evaluate<Exact>(*expression, n, 2);
+    const Result<number::Exact> exact = evaluate<number::Exact>(*expression, n, 2);
     if (!exact) check(exact.error().column >= 1, "a failure has a place");
     if (!approx) check(approx.error().column >= 1, "a failure has a place");
     if (exact) check(std::isfinite(exact->approx()), "an exact number is finite");

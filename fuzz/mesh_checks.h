@@ -35,9 +35,10 @@ inline void check_mesh(const Polygons& mesh) {
 inline void check_kept_faults(const std::string& content, const char* extension) {
   const Result<MeshFile> file = parse_mesh_file(content, extension, "kept", {.keep_faults = true});
   if (!file) return check(!file.error().message.empty(), "an error has a message");
-  const MeshSurvey survey = survey_mesh(file->polygons);
+  const mesh::MeshSurvey survey = mesh::survey_mesh(file->polygons);
   check(!survey.refinable || Mesh::build(file->polygons).ok(), "what is refinable is a surface");
-  const Result<Repaired> repaired = repair(file->polygons, RepairOptions::everything());
+  const Result<mesh::Repaired> repaired =
+      mesh::repair(file->polygons, mesh::RepairOptions::everything());
   if (!repaired) return check(!repaired.error().message.empty(), "a refusal has a message");
   bool missing = false;
   for (const Index v : file->polygons.corners)

@@ -40,11 +40,11 @@ void check_round_trip(const Polygons& mesh, const char* extension) {
 
 /// Topology: what is refused has a fault, what is not has none; triangles are as many as they must.
 void check_topology(const limn::MeshFile& file) {
-  const limn::Result<limn::Mesh> mesh = limn::build_mesh(file.polygons, file.source);
-  check(mesh.ok() == limn::find_mesh_faults(file.polygons).list.empty(),
+  const limn::Result<limn::Mesh> mesh = limn::mesh::build_mesh(file.polygons, file.source);
+  check(mesh.ok() == limn::mesh::find_mesh_faults(file.polygons).list.empty(),
         "faults are those of build");
   check(mesh.ok() || !mesh.error().message.empty(), "a refusal has a message");
-  const limn::Triangulation cut = limn::triangulate(file.polygons).value();
+  const limn::mesh::Triangulation cut = limn::mesh::triangulate(file.polygons).value();
   check_mesh(cut.polygons);
   check(
       cut.polygons.corners.size() == 3 * (file.polygons.corners.size() -

@@ -45,14 +45,16 @@ Mesh build(Index vertices, const std::vector<std::vector<Index>>& faces) {
 
 /// Closed and open, regular and not.
 const std::vector<Mesh>& meshes(Lattice lattice) {
-  static const std::vector<Mesh> triangles{
-      build(4, {{0, 1, 2}, {0, 3, 1}, {1, 3, 2}, {2, 3, 0}}), limn::torus(Lattice::triangle, 4, 3),
-      limn::star(Lattice::triangle, 5, 2), limn::star(Lattice::triangle, 6, 1)};
+  static const std::vector<Mesh> triangles{build(4, {{0, 1, 2}, {0, 3, 1}, {1, 3, 2}, {2, 3, 0}}),
+                                           limn::mesh::torus(Lattice::triangle, 4, 3),
+                                           limn::mesh::star(Lattice::triangle, 5, 2),
+                                           limn::mesh::star(Lattice::triangle, 6, 1)};
   static const std::vector<Mesh> polygons{
       build(8,
             {{0, 3, 2, 1}, {4, 5, 6, 7}, {0, 1, 5, 4}, {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}}),
       build(6, {{0, 2, 1}, {3, 4, 5}, {0, 1, 4, 3}, {1, 2, 5, 4}, {2, 0, 3, 5}}),
-      limn::torus(Lattice::quad, 4, 3), limn::star(Lattice::quad, 5, 2), limn::face_star(5, 2)};
+      limn::mesh::torus(Lattice::quad, 4, 3), limn::mesh::star(Lattice::quad, 5, 2),
+      limn::mesh::face_star(5, 2)};
   return lattice == Lattice::triangle ? triangles : polygons;
 }
 
@@ -73,8 +75,8 @@ void refine_all(const Scheme& scheme) {
     for (std::size_t v = 0; v < positions.size(); ++v)
       positions[v] = {std::cos(static_cast<double>(v)), std::sin(3.0 * static_cast<double>(v)),
                       static_cast<double>(v % 3)};
-    const Result<limn::Refined<Point3>> refined =
-        limn::refine<Point3>(scheme, mesh, std::move(positions), 2);
+    const Result<limn::refine::Refined<Point3>> refined =
+        limn::refine::refine<Point3>(scheme, mesh, std::move(positions), 2);
     if (!refined) {
       check(!refined.error().message.empty(), "a failure to refine has a message");
       continue;

@@ -36,7 +36,7 @@ int report(const Error& error) {
   return kBadInput;
 }
 
-void print_text(const std::string& text) { fmt::print("{}", printable_lines(text)); }
+void print_text(const std::string& text) { fmt::print("{}", base::printable_lines(text)); }
 
 void report_warnings(const Warnings& warnings) {
   if (quiet) return;
@@ -46,7 +46,7 @@ void report_warnings(const Warnings& warnings) {
 
 void be_quiet() {
   quiet = true;
-  ProgressLine::show_none();
+  base::ProgressLine::show_none();
 }
 
 bool is_quiet() { return quiet; }
@@ -62,9 +62,9 @@ void print_json(const nlohmann::ordered_json& json) {
 Status check_outputs(std::initializer_list<std::string> paths) {
   for (auto path = paths.begin(); path != paths.end(); ++path) {
     if (path->empty()) continue;
-    if (Status status = check_can_write(*path); !status) return status;
+    if (Status status = base::check_can_write(*path); !status) return status;
     for (auto other = paths.begin(); other != path; ++other)
-      if (!other->empty() && is_same_output(*other, *path))
+      if (!other->empty() && base::is_same_output(*other, *path))
         return Error{fmt::format("{} and {} are the same file", *other, *path),
                      "give each output a name of its own"};
   }
@@ -75,13 +75,13 @@ Result<std::string> take_standard_input(std::uint64_t most_bytes) {
   static bool taken = false;
   if (taken) return Error{"standard input is asked for twice", "one input alone can be -"};
   taken = true;
-  return read_standard_input(most_bytes);
+  return base::read_standard_input(most_bytes);
 }
 
 Result<Scheme> load_scheme(const std::string& name_or_path) {
   set_step("reading scheme '" + name_or_path + "'");
-  if (name_or_path != kStandardStream) return find_scheme(name_or_path);
-  const Result<std::string> text = take_standard_input(kMostSchemeBytes);
+  if (name_or_path != base::kStandardStream) return find_scheme(name_or_path);
+  const Result<std::string> text = take_standard_input(scheme::kMostSchemeBytes);
   if (!text) return text.error();
   return parse_scheme(*text, "standard input");
 }
@@ -103,12 +103,14 @@ Status check_scheme_path(const std::string& path) {
 
 Result<std::string> extends_name(const std::string& scheme, const std::string& path) {
   const std::string name = scheme_name_of(scheme);
-  if (name == kStandardStream)
+  if (name == base::kStandardStream)
     return Error{"a scheme on standard input has no name that a file could extend",
                  "write it to a file first"};
-  return extended_name(name, path);
+  return scheme::extended_name(name, path);
 }
 
-Error unwritten(const Error& fault, const std::string& path) { return not_written(fault, path); }
+Error unwritten(const Error& fault, const std::string& path) {
+  return scheme::not_written(fault, path);
+}
 
 }  // namespace limn::app

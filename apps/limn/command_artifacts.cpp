@@ -31,9 +31,9 @@ struct ArtifactOptions {
 
   [[nodiscard]] bool wants_values() const { return frequency.has_value(); }
   [[nodiscard]] bool wants_sampling() const { return (!frequency && !map) || tolerance; }
-  [[nodiscard]] Stage stage() const {
-    if (steps > 0) return {Stage::Kind::steps, steps};
-    if (stages >= 0) return {Stage::Kind::smoothing, stages};
+  [[nodiscard]] study::Stage stage() const {
+    if (steps > 0) return {study::Stage::Kind::steps, steps};
+    if (stages >= 0) return {study::Stage::Kind::smoothing, stages};
     return {};
   }
 };
@@ -68,7 +68,7 @@ struct Loaded {
     std::vector<Scheme> lattices;
   };
   std::vector<One> schemes;
-  std::vector<NamedAnalysis> analyses;  ///< of all lattices, in this order
+  std::vector<study::NamedAnalysis> analyses;  ///< of all lattices, in this order
 };
 
 Result<Loaded> load(const ArtifactOptions& options) {
@@ -77,8 +77,8 @@ Result<Loaded> load(const ArtifactOptions& options) {
     const Result<Scheme> scheme = scheme_argument(name, options.parameters.parameters);
     if (!scheme) return scheme.error();
     if (options.map)
-      if (Status status = check_one_lattice(*scheme); !status) return status.error();
-    loaded.schemes.push_back({scheme_label(name, *scheme), lattice_schemes(*scheme)});
+      if (Status status = scheme::check_one_lattice(*scheme); !status) return status.error();
+    loaded.schemes.push_back({scheme_label(name, *scheme), scheme::lattice_schemes(*scheme)});
     for (const Scheme& one : loaded.schemes.back().lattices) {
       const Result<Mask> mask = regular_mask(one);
       if (!mask) return mask.error();
@@ -88,7 +88,7 @@ Result<Loaded> load(const ArtifactOptions& options) {
         return analysis.error();
       }
       loaded.analyses.push_back(
-          {label_on_lattice(loaded.schemes.back().label, one), *std::move(analysis)});
+          {scheme::label_on_lattice(loaded.schemes.back().label, one), *std::move(analysis)});
     }
   }
   return loaded;
@@ -119,43 +119,46 @@ int print_all(const Loaded& loaded, Make make) {
 Status check_map(const ArtifactOptions& options) {
   if (!options.map) return Done{};
   if (options.schemes.size() > 1) return Error{"--map draws one scheme", "call limn once for each"};
-  if (!is_table_path(*options.map)) {
-    const Result<FigureFormat> format = figure_format(*options.map);
+  if (!report::is_table_path(*options.map)) {
+    const Result<figure::FigureFormat> format = figure::figure_format(*options.map);
     if (!format) return format.error();
   }
   return check_outputs({*options.map});
 }
 
-Result<nlohmann::ordered_json> analysis_json(const NamedAnalysis& scheme,
+Result<nlohmann::ordered_json> analysis_json(const study::NamedAnalysis& scheme,
                                              const ArtifactOptions& options, Frequency f,
-                                             double tolerance, SamplingDensities& densities) {
+                                             double tolerance,
+                                             study::SamplingDensities& densities) {
   nlohmann::ordered_json json;
   if (options.wants_values()) {
-    const Result<nlohmann::ordered_json> values = artifacts_json(scheme, f, options.stage());
+    const Result<nlohmann::ordered_json> values =
+        report::artifacts_json(scheme, f, options.stage());
     if (!values) return values.error();
     json.update(*values);
   }
   if (options.map) json.update({{"scheme", scheme.name}, {"map", *options.map}});
   if (options.wants_sampling()) {
-    const Result<nlohmann::ordered_json> sampling = sampling_json(scheme, tolerance, densities);
+    const Result<nlohmann::ordered_json> sampling =
+        report::sampling_json(scheme, tolerance, densities);
     if (!sampling) return sampling.error();
     json.update(*sampling);
   }
   return json;
 }
 
-int print_all_text(const std::vector<NamedAnalysis>& schemes, const ArtifactOptions& options,
+int print_all_text(const std::vector<study::NamedAnalysis>& schemes, const ArtifactOptions& options,
                    Frequency f, double tolerance) {
   Result<std::string> values = std::string();
   Result<std::string> sampling = std::string();
-  if (options.wants_values()) values = artifacts_text(schemes, f, options.stage());
+  if (options.wants_values()) values = report::artifacts_text(schemes, f, options.stage());
   if (!values) return report(values.error());
-  SamplingDensities densities;
-  if (options.wants_sampling()) sampling = sampling_text(schemes, tolerance, densities);
+  study::SamplingDensities densities;
+  if (options.wants_sampling()) sampling = report::sampling_text(schemes, tolerance, densities);
   if (!sampling) return report(sampling.error());
   if (options.map)
-    print_text(
-        fmt::format("{}: a map of {}\n", printable(*options.map), printable(schemes.front().name)));
+    print_text(fmt::format("{}: a map of {}\n", base::printable(*options.map),
+                           base::printable(schemes.front().name)));
   print_text(*values + *sampling);
   return kDone;
 }
@@ -173,12 +176,13 @@ int analyse(const ArtifactOptions& options) {
   const Result<Loaded> loaded = load(options);
   if (!loaded) return report(loaded.error());
   if (options.map)
-    if (Status status = write_artifact_map(*options.map, loaded->analyses.front(), options.stage());
+    if (Status status =
+            report::write_artifact_map(*options.map, loaded->analyses.front(), options.stage());
         !status)
       return report(status.error());
   if (!options.json) return print_all_text(loaded->analyses, options, *f, *tolerance);
-  SamplingDensities densities;
-  return print_all(*loaded, [&](const NamedAnalysis& scheme) {
+  study::SamplingDensities densities;
+  return print_all(*loaded, [&](const study::NamedAnalysis& scheme) {
     return analysis_json(scheme, options, *f, *tolerance, densities);
   });
 }

@@ -36,7 +36,7 @@ struct CertifyCommand {
 };
 
 Result<certify::Certificate> read_certificate(const std::string& path) {
-  const Result<std::string> text = read_file(path, {.bytes = kMostBytes, .pipes = true});
+  const Result<std::string> text = base::read_file(path, {.bytes = kMostBytes, .pipes = true});
   if (!text) return text.error();
   Result<certify::Certificate> certificate = certify::parse_certificate(*text);
   if (!certificate) certificate.error().file = path;
@@ -44,7 +44,8 @@ Result<certify::Certificate> read_certificate(const std::string& path) {
 }
 
 /// Reads a certificate and checks it.
-Result<certify::Certificate> checked_certificate(const std::string& path, ProgressLine& line) {
+Result<certify::Certificate> checked_certificate(const std::string& path,
+                                                 base::ProgressLine& line) {
   Result<certify::Certificate> certificate = read_certificate(path);
   if (!certificate) return certificate;
   Status shown = certify::check_certificate(
@@ -57,7 +58,7 @@ Result<certify::Certificate> checked_certificate(const std::string& path, Progre
 }
 
 int check(const CertifyCommand& command) {
-  ProgressLine line;
+  base::ProgressLine line;
   const Result<certify::Certificate> certificate = checked_certificate(command.check, line);
   if (!certificate) return report(certificate.error());
   const Result<Scheme> shipped = find_scheme(certificate->scheme);
@@ -71,7 +72,7 @@ int check(const CertifyCommand& command) {
     json["text_is_shipped"] = same;
     print_json(json);
   } else {
-    print_text(certificate_text(*certificate) +
+    print_text(report::certificate_text(*certificate) +
                fmt::format("\nverified, of the scheme whose text the certificate holds{}\n",
                            same ? ": the shipped one" : ""));
   }
@@ -79,7 +80,7 @@ int check(const CertifyCommand& command) {
 }
 
 Result<certify::CertifyOptions> options_of(const CertifyCommand& command, const Scheme& scheme,
-                                           ProgressLine& line) {
+                                           base::ProgressLine& line) {
   certify::CertifyOptions options;
   options.bits = command.bits;
   options.all = command.all;
@@ -107,7 +108,7 @@ int prove(const CertifyCommand& command) {
   if (Status outputs = check_outputs({command.output}); !outputs) return report(outputs.error());
   const Result<Scheme> scheme = command.scheme.load();
   if (!scheme) return report(scheme.error());
-  ProgressLine line;
+  base::ProgressLine line;
   const Result<certify::CertifyOptions> options = options_of(command, *scheme, line);
   if (!options) return report(options.error());
   std::vector<int> valences;
@@ -120,14 +121,15 @@ int prove(const CertifyCommand& command) {
     return report(certificate.error());
   }
   if (!command.output.empty())
-    if (Status written =
-            write_file(command.output, certify::certificate_json(*certificate).dump(1) + "\n");
+    if (Status written = base::write_file(command.output,
+                                          certify::certificate_json(*certificate).dump(1) + "\n");
         !written)
       return report(written.error());
   if (command.json)
     print_json(certify::answers_json(*certificate));
   else
-    print_text(command.latex ? certificate_latex(*certificate) : certificate_text(*certificate));
+    print_text(command.latex ? report::certificate_latex(*certificate)
+                             : report::certificate_text(*certificate));
   const bool undecided = std::any_of(
       certificate->valences.begin(), certificate->valences.end(),
       [](const certify::ValenceClaim& c) { return c.c1 == certify::Answer::undecided; });

@@ -35,25 +35,25 @@ Status check_arguments(const CheckOptions& options) {
   return check_outputs({options.output.path});
 }
 
-void print(const CheckOptions& options, const MeshCheck& check, const MeshAttributes& attributes,
-           const MeshRemarks& remarks) {
+void print(const CheckOptions& options, const report::MeshCheck& check,
+           const MeshAttributes& attributes, const MeshRemarks& remarks) {
   if (options.json) {
-    nlohmann::ordered_json json = mesh_check_json(check);
+    nlohmann::ordered_json json = report::mesh_check_json(check);
     json["attributes"] = attributes_json(attributes);
     if (!options.output.path.empty()) json["output"] = options.output.path;
     add_remarks(json, remarks);
     print_json(json);
     return;
   }
-  const std::string text = mesh_check_text(check);
+  const std::string text = report::mesh_check_text(check);
   if (options.output.path.empty() || !options.output.is_printed())
     print_text(text);
   else if (!is_quiet())
-    fmt::print(stderr, "{}", printable_lines(text));
+    fmt::print(stderr, "{}", base::printable_lines(text));
 }
 
 /// Copies that a cut has made lie where they must.
-void leave_out_copies(const MeshSource& source, MeshSurvey& survey) {
+void leave_out_copies(const MeshSource& source, mesh::MeshSurvey& survey) {
   std::vector<Index> vertices, first;
   for (std::size_t k = 0; k < survey.coincident.size(); ++k) {
     const Index v = survey.coincident[k], w = survey.coincident_with[k];
@@ -70,7 +70,7 @@ void leave_out_copies(const MeshSource& source, MeshSurvey& survey) {
 Status check_rest(MeshInput& input, bool attributes) {
   const Result<MeshFile> file = input.read({.attributes = attributes});
   if (!file) return file.error();
-  const Result<Mesh> mesh = build_mesh(file->polygons, file->source);
+  const Result<Mesh> mesh = mesh::build_mesh(file->polygons, file->source);
   if (!mesh) return mesh.error();
   Sharpness sharpness;
   return apply_tags(*mesh, file->source, file->tags, sharpness);
@@ -83,8 +83,8 @@ int check_mesh(const CheckOptions& options) {
   Result<MeshFile> file = input.read({.keep_faults = true, .attributes = attributes});
   if (!file) return report(file.error());
   const bool carries = !file->attributes.empty() || !file->tags.empty();
-  if (auto fault = too_many(file->polygons.positions.size(), file->polygons.face_begin.size(),
-                            file->polygons.corners.size())) {
+  if (auto fault = mesh::too_many(file->polygons.positions.size(), file->polygons.face_begin.size(),
+                                  file->polygons.corners.size())) {
     fault->file = options.mesh;
     return report(*fault);
   }
@@ -93,12 +93,12 @@ int check_mesh(const CheckOptions& options) {
   const Result<Prepared> prepared = prepare(*file, options.preparation);
   if (!prepared) return report(prepared.error());
   report_remarks(*file);
-  MeshSurvey survey = survey_mesh(file->polygons);
+  mesh::MeshSurvey survey = mesh::survey_mesh(file->polygons);
   leave_out_copies(file->source, survey);
   if (carries && survey.refinable && !options.preparation.repair().any())
     if (Status status = check_rest(input, attributes); !status) return report(status.error());
-  const MeshCheck check{options.mesh, std::move(file->polygons), std::move(file->source),
-                        std::move(survey), std::move(file->dropped)};
+  const report::MeshCheck check{options.mesh, std::move(file->polygons), std::move(file->source),
+                                std::move(survey), std::move(file->dropped)};
   const bool is_written = !options.output.path.empty() && check.survey.refinable;
   MeshRemarks remarks{std::move(file->warnings), std::move(file->left_out), prepared->done};
   if (is_written) {
@@ -115,7 +115,7 @@ int check_mesh(const CheckOptions& options) {
   if (!options.output.path.empty())
     return report({fmt::format("{} is not written: the mesh has faults that keep it from being "
                                "refined",
-                               printable(options.output.path)),
+                               base::printable(options.output.path)),
                    "--repair mends what can be mended"});
   return kBadInput;
 }

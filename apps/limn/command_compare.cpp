@@ -50,62 +50,64 @@ Status check(const CompareOptions& options) {
   if (!options.mesh.empty())
     if (Status status = check_mesh_path(options.mesh); !status) return status;
   if (options.output.path.empty()) return Done{};
-  if (!figures_available() || !(rays_available() || options.all))
+  if (!figure::figures_available() || !(figure::rays_available() || options.all))
     return Error{options.all ? "this limn draws no figures" : "this limn draws no surfaces",
                  options.all ? "build it with cairo" : "build it with cairo and Embree"};
   if (Status status = options.output.check(options.json); !status) return status;
-  if (!options.all && options.schemes.size() - 1 > kMostPairs)
+  if (!options.all && options.schemes.size() - 1 > report::kMostPairs)
     return Error{fmt::format("-o: {} schemes are too many for one picture", options.schemes.size()),
-                 fmt::format("it shows the first beside at most {} others", kMostPairs)};
+                 fmt::format("it shows the first beside at most {} others", report::kMostPairs)};
   return check_outputs({options.output.path});
 }
 
-Result<MeshComparison> compare_surfaces(const CompareOptions& options,
-                                        const std::vector<LabelledScheme>& schemes,
-                                        ProgressLine& line, MeshRemarks& remarks) {
+Result<report::MeshComparison> compare_surfaces(const CompareOptions& options,
+                                                const std::vector<report::LabelledScheme>& schemes,
+                                                base::ProgressLine& line, MeshRemarks& remarks) {
   Result<ControlMesh> control = load_control_mesh(options.mesh, options.preparation);
   if (!control) return control.error();
-  MeshOptions mesh_options;
+  report::MeshOptions mesh_options;
   mesh_options.steps = options.steps;
   mesh_options.progress = [&](const std::string& what) { line.show(what); };
-  if (Status status = check_steps(schemes, control->mesh, mesh_options); !status) {
+  if (Status status = report::check_steps(schemes, control->mesh, mesh_options); !status) {
     status.error().file = options.mesh;
     return status.error();
   }
-  MeshComparison found =
-      compare_on_mesh(schemes, options.mesh, control->mesh, control->points, mesh_options);
+  report::MeshComparison found =
+      report::compare_on_mesh(schemes, options.mesh, control->mesh, control->points, mesh_options);
   remarks = std::move(control->remarks);
-  add_warnings(remarks, gap_warnings(found, schemes));
+  add_warnings(remarks, report::gap_warnings(found, schemes));
   return found;
 }
 
-Status draw(const CompareOptions& options, const MeshComparison& on_mesh) {
+Status draw(const CompareOptions& options, const report::MeshComparison& on_mesh) {
   if (on_mesh.distances.empty())
     return Error{"there are no two limit surfaces to draw",
                  on_mesh.missing.empty() ? "" : on_mesh.missing.front(), options.mesh, 0, 0};
-  const CompareView view = {options.view.azimuth, options.view.elevation};
-  return options.output.write(compare_figure(on_mesh.surfaces, on_mesh.distances, view));
+  const report::CompareView view = {options.view.azimuth, options.view.elevation};
+  return options.output.write(report::compare_figure(on_mesh.surfaces, on_mesh.distances, view));
 }
 
 /// Of what was found, in the form that the options ask for.
-void print(const CompareOptions& options, const Comparison& comparison,
+void print(const CompareOptions& options, const report::Comparison& comparison,
            const MeshRemarks& remarks) {
   if (options.json) {
-    nlohmann::ordered_json json = compare_json(comparison);
+    nlohmann::ordered_json json = report::compare_json(comparison);
     if (comparison.on_mesh) add_remarks(json, remarks);
     return print_json(json);
   }
-  options.output.print_report(options.markdown ? field_markdown(comparison)
-                              : options.all    ? field_text(comparison)
-                                               : compare_text(comparison, options.differences));
+  options.output.print_report(options.markdown ? report::field_markdown(comparison)
+                              : options.all
+                                  ? report::field_text(comparison)
+                                  : report::compare_text(comparison, options.differences));
 }
 
 /// Each lattice beside the others. Surfaces over a mesh are those of the scheme itself.
-std::vector<LabelledScheme> by_lattices(const std::vector<LabelledScheme>& schemes) {
-  std::vector<LabelledScheme> list;
+std::vector<report::LabelledScheme> by_lattices(
+    const std::vector<report::LabelledScheme>& schemes) {
+  std::vector<report::LabelledScheme> list;
   for (const auto& [label, scheme] : schemes)
-    for (Scheme& one : lattice_schemes(scheme)) {
-      std::string name = label_on_lattice(label, one);
+    for (Scheme& one : scheme::lattice_schemes(scheme)) {
+      std::string name = scheme::label_on_lattice(label, one);
       list.push_back({std::move(name), std::move(one)});
     }
   return list;
@@ -118,15 +120,15 @@ int compare(const CompareOptions& options) {
   Result<std::vector<NamedScheme>> named =
       scheme_arguments(options.schemes, options.common.parameters);
   if (!named) return report(named.error());
-  std::vector<LabelledScheme> schemes;
+  std::vector<report::LabelledScheme> schemes;
   for (NamedScheme& one : *named) schemes.push_back({one.label, std::move(one.scheme)});
   if (options.mesh.empty()) schemes = by_lattices(schemes);
 
-  ProgressLine line;
-  Comparison comparison{.tolerance = options.tolerance};
+  base::ProgressLine line;
+  report::Comparison comparison{.tolerance = options.tolerance};
   MeshRemarks remarks;
   if (!options.mesh.empty()) {  // first: a bad mesh is soon found
-    Result<MeshComparison> on_mesh = compare_surfaces(options, schemes, line, remarks);
+    Result<report::MeshComparison> on_mesh = compare_surfaces(options, schemes, line, remarks);
     if (!on_mesh) return report(on_mesh.error());
     comparison.on_mesh = std::move(*on_mesh);
   }
@@ -134,16 +136,16 @@ int compare(const CompareOptions& options) {
     line.show("drawing " + options.output.path);
     if (Status status = draw(options, *comparison.on_mesh); !status) return report(status.error());
   }
-  RecordOptions record{.first_valence = valences->first,
-                       .last_valence = valences->last,
-                       .tolerance = options.tolerance,
-                       .progress = [&](const std::string& what) { line.show(what); }};
+  study::RecordOptions record{.first_valence = valences->first,
+                              .last_valence = valences->last,
+                              .tolerance = options.tolerance,
+                              .progress = [&](const std::string& what) { line.show(what); }};
   record.regularity.budget = options.budget;
   record.regularity.seconds = time_limit(options.seconds);
   for (const auto& [label, scheme] : schemes)
-    comparison.schemes.push_back(approx_record(label, scheme, record));
+    comparison.schemes.push_back(study::approx_record(label, scheme, record));
   if (options.all && !options.output.path.empty())
-    if (Status status = options.output.write(field_figure(comparison)); !status)
+    if (Status status = options.output.write(report::field_figure(comparison)); !status)
       return report(status.error());
   print(options, comparison, remarks);
   return kDone;

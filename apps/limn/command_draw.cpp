@@ -53,16 +53,17 @@ struct DrawOptions {
 
 /// What is drawn, and what there is to say of it.
 struct Drawing {
-  SurfaceScene scene;
-  std::optional<SurfaceScene> control;  ///< what is drawn beside it
+  figure::SurfaceScene scene;
+  std::optional<figure::SurfaceScene> control;  ///< what is drawn beside it
   LimitGaps gaps;
   MeshRemarks remarks;
-  std::optional<TextureLook> texture = {};
+  std::optional<figure::TextureLook> texture = {};
 };
 
 /// What the options ask of the surface.
-Result<MarkedOptions> wanted_of(const DrawOptions& options, Scheme& scheme, ControlMesh& control) {
-  MarkedOptions wanted{.steps = options.levels};
+Result<study::MarkedOptions> wanted_of(const DrawOptions& options, Scheme& scheme,
+                                       ControlMesh& control) {
+  study::MarkedOptions wanted{.steps = options.levels};
   Result<Sharpness> sharpness = options.sharpness.of(control, scheme);
   if (!sharpness) return sharpness.error();
   wanted.sharpness = *std::move(sharpness);
@@ -88,8 +89,8 @@ Result<MarkedOptions> wanted_of(const DrawOptions& options, Scheme& scheme, Cont
 }
 
 /// The edges of a mesh.
-SceneMarks edge_marks(const ControlNet& net) {
-  SceneMarks marks{.colour = {0.10, 0.12, 0.16}, .stroke = {0.5, {}}};
+figure::SceneMarks edge_marks(const figure::ControlNet& net) {
+  figure::SceneMarks marks{.colour = {0.10, 0.12, 0.16}, .stroke = {0.5, {}}};
   for (const auto& [from, to] : net.edges)
     marks.curves.push_back(
         {net.vertices[static_cast<std::size_t>(from)], net.vertices[static_cast<std::size_t>(to)]});
@@ -97,21 +98,22 @@ SceneMarks edge_marks(const ControlNet& net) {
 }
 
 /// A scene of the control mesh, at the scale of the surface's.
-SurfaceScene control_scene(MarkedSurface flat, const ControlNet& net, SurfaceScene& scene) {
-  SurfaceScene both = scene;  // scaled as one, where that is needed
+figure::SurfaceScene control_scene(study::MarkedSurface flat, const figure::ControlNet& net,
+                                   figure::SurfaceScene& scene) {
+  figure::SurfaceScene both = scene;  // scaled as one, where that is needed
   both.surfaces.push_back(std::move(flat.surface));
   const auto marks = static_cast<std::ptrdiff_t>(both.marks.size());
   both.marks.push_back(edge_marks(net));
-  for (SceneMarks& kind : flat.marks) both.marks.push_back(std::move(kind));
-  scale_to_draw(both);
-  SurfaceScene control = both;
+  for (figure::SceneMarks& kind : flat.marks) both.marks.push_back(std::move(kind));
+  figure::scale_to_draw(both);
+  figure::SurfaceScene control = both;
   control.surfaces.erase(control.surfaces.begin());
   control.marks.erase(control.marks.begin(), control.marks.begin() + marks);
   control.net = {};
   both.surfaces.pop_back();
   both.marks.resize(static_cast<std::size_t>(marks));
   scene = std::move(both);
-  scene.seen_frame = control.seen_frame = frame_of(control);
+  scene.seen_frame = control.seen_frame = figure::frame_of(control);
   return control;
 }
 
@@ -122,64 +124,65 @@ Result<Drawing> drawing_of(const DrawOptions& options, Scheme& scheme) {
       load_control_mesh(options.mesh, options.preparation, options.sharpness.use(),
                         attributes ? AttributeUse::keep : AttributeUse::leave_out);
   if (!control) return control.error();
-  if (Status status = check_differences(control->points); !status) {
+  if (Status status = mesh::check_differences(control->points); !status) {
     status.error().file = options.mesh;
     return status.error();
   }
-  if (Status status = check_drawable(scheme, control->mesh, options.levels); !status)
+  if (Status status = study::check_drawable(scheme, control->mesh, options.levels); !status)
     return status.error();
   set_step("finding limit points of " + options.mesh);
-  const Result<MarkedOptions> wanted = wanted_of(options, scheme, *control);
+  const Result<study::MarkedOptions> wanted = wanted_of(options, scheme, *control);
   if (!wanted) return wanted.error();
-  Result<MarkedSurface> surface = marked_surface(scheme, control->mesh, control->points, *wanted);
+  Result<study::MarkedSurface> surface =
+      study::marked_surface(scheme, control->mesh, control->points, *wanted);
   if (!surface) {
     if (surface.error().file.empty()) surface.error().file = options.mesh;
     return surface.error();
   }
-  SurfaceScene scene;
+  figure::SurfaceScene scene;
   scene.surfaces.push_back(std::move(surface->surface));
   scene.marks = std::move(surface->marks);
   scene.azimuth = options.view.azimuth;
   scene.elevation = options.view.elevation;
-  if (options.net) scene.net = control_net(control->mesh, control->points);
-  std::optional<SurfaceScene> before;
+  if (options.net) scene.net = study::control_net(control->mesh, control->points);
+  std::optional<figure::SurfaceScene> before;
   if (options.control)
-    before = control_scene(marked_control(scheme, control->mesh, control->points, *wanted),
-                           control_net(control->mesh, control->points), scene);
+    before = control_scene(study::marked_control(scheme, control->mesh, control->points, *wanted),
+                           study::control_net(control->mesh, control->points), scene);
   else
-    scale_to_draw(scene);
+    figure::scale_to_draw(scene);
   return Drawing{std::move(scene), std::move(before), std::move(surface->gaps),
                  std::move(control->remarks)};
 }
 
 /// What the texture shows, if it is drawn.
-Result<std::optional<TextureLook>> texture_of(const DrawOptions& options) {
-  if (!options.is_textured()) return std::optional<TextureLook>();
-  TextureLook look{.squares = options.squares()};
+Result<std::optional<figure::TextureLook>> texture_of(const DrawOptions& options) {
+  if (!options.is_textured()) return std::optional<figure::TextureLook>();
+  figure::TextureLook look{.squares = options.squares()};
   if (options.texture_image.empty()) return std::optional(std::move(look));
-  Result<Image> image = read_png(options.texture_image);
+  Result<figure::Image> image = figure::read_png(options.texture_image);
   if (!image) return image.error();
   look.image = *std::move(image);
   return std::optional(std::move(look));
 }
 
-void add_panel(const DrawOptions& options, const Drawing& drawing, Figure& figure) {
-  const SurfaceScene& scene = drawing.scene;
-  const LightLines lights{.count = options.lights};
+void add_panel(const DrawOptions& options, const Drawing& drawing, figure::Figure& figure) {
+  const figure::SurfaceScene& scene = drawing.scene;
+  const figure::LightLines lights{.count = options.lights};
   if (options.lines) {
-    figure.add(ReflectionLinePanel{.scene = scene, .lights = lights});
+    figure.add(figure::ReflectionLinePanel{.scene = scene, .lights = lights});
     return;
   }
-  ShadedPanel panel{.scene = scene};
+  figure::ShadedPanel panel{.scene = scene};
   if (options.stripes) panel.stripes = lights;
   panel.texture = drawing.texture;
   figure.add(std::move(panel));
 }
 
-Figure figure_of(const DrawOptions& options, const Drawing& drawing) {
-  Figure figure(drawing.control ? 2 : 1, kWidth);
+figure::Figure figure_of(const DrawOptions& options, const Drawing& drawing) {
+  figure::Figure figure(drawing.control ? 2 : 1, kWidth);
   if (drawing.control) {
-    ShadedPanel panel{.scene = *drawing.control};
+    figure::ShadedPanel panel{.scene = *drawing.control};
     panel.texture = drawing.texture;
     figure.add(std::move(panel));
   }
@@ -187,9 +190,9 @@ Figure figure_of(const DrawOptions& options, const Drawing& drawing) {
   return figure;
 }
 
-nlohmann::ordered_json marks_json(const std::vector<SceneMarks>& marks) {
+nlohmann::ordered_json marks_json(const std::vector<figure::SceneMarks>& marks) {
   nlohmann::ordered_json json = nlohmann::ordered_json::array();
-  for (const SceneMarks& kind : marks)
+  for (const figure::SceneMarks& kind : marks)
     json.push_back(
         {{"name", kind.name}, {"curves", kind.curves.size()}, {"points", kind.points.size()}});
   return json;
@@ -198,32 +201,32 @@ nlohmann::ordered_json marks_json(const std::vector<SceneMarks>& marks) {
 int draw(const DrawOptions& options) {
   const bool curves =
       options.lines || options.stripes || options.net || options.marks || options.control;
-  if (!figures_available() || (curves && !rays_available()))
+  if (!figure::figures_available() || (curves && !figure::rays_available()))
     return report({"this limn draws no surfaces", "build it with cairo and Embree"});
   if (Status status = check_mesh_path(options.mesh); !status) return report(status.error());
   if (Status status = options.output.check(options.json); !status) return report(status.error());
   if (Status status = check_outputs({options.output.path}); !status) return report(status.error());
   Result<Scheme> scheme = options.scheme.load();
   if (!scheme) return report(scheme.error());
-  Result<std::optional<TextureLook>> texture = texture_of(options);
+  Result<std::optional<figure::TextureLook>> texture = texture_of(options);
   if (!texture) return report(texture.error());
-  ProgressLine line;
+  base::ProgressLine line;
   line.show("finding limit points");
   Result<Drawing> drawing = drawing_of(options, *scheme);
   if (!drawing) return report(drawing.error());
   drawing->texture = *std::move(texture);
-  const SurfaceScene* const scene = &drawing->scene;
+  const figure::SurfaceScene* const scene = &drawing->scene;
   add_warnings(drawing->remarks,
-               gaps_text(drawing->gaps, {.mesh = fmt::format("{}, refined", options.mesh),
-                                         .normal = kLeftOutOfPictures,
-                                         .curvatures = ""}));
+               report::gaps_text(drawing->gaps, {.mesh = fmt::format("{}, refined", options.mesh),
+                                                 .normal = report::kLeftOutOfPictures,
+                                                 .curvatures = ""}));
   line.show("drawing " + options.output.path);
   set_step("drawing " + options.output.path);
-  const LightLines lights{.count = options.lights};
+  const figure::LightLines lights{.count = options.lights};
   if (options.lines || options.stripes)
-    if (Status status = check_lights(*scene, lights, kWidth); !status)
+    if (Status status = figure::check_lights(*scene, lights, kWidth); !status)
       return report(status.error());
-  const Figure figure = figure_of(options, *drawing);
+  const figure::Figure figure = figure_of(options, *drawing);
   if (Status status = options.output.write(figure); !status) return report(status.error());
   const std::size_t vertices = scene->surfaces.front().vertices.size();
   if (options.json) {
@@ -232,14 +235,14 @@ int draw(const DrawOptions& options) {
                                 {"levels", options.levels},
                                 {"vertices", vertices}};
     if (!scene->marks.empty()) json["marks"] = marks_json(scene->marks);
-    if (drawing->gaps.any()) json["missing"] = gaps_json(drawing->gaps);
+    if (drawing->gaps.any()) json["missing"] = report::gaps_json(drawing->gaps);
     add_remarks(json, drawing->remarks);
     print_json(json);
     return kDone;
   }
   options.output.print_report(fmt::format("{}: the limit surface of {} at {} points\n",
-                                          printable(options.output.path), printable(scheme->name),
-                                          vertices));
+                                          base::printable(options.output.path),
+                                          base::printable(scheme->name), vertices));
   return kDone;
 }
 

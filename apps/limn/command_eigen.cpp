@@ -55,7 +55,7 @@ int drawn_steps(long long sectors) {
 
 Status check_map(const EigenOptions& options, Valences range) {
   if (options.map.empty()) return Done{};
-  if (const Result<FigureFormat> format = figure_format(options.map); !format)
+  if (const Result<figure::FigureFormat> format = figure::figure_format(options.map); !format)
     return format.error();
   if (sectors_of(range) <= kMostSectors) return Done{};
   return Error{fmt::format("--map: the maps at the valences {}..{} have {} sectors together, and a "
@@ -72,16 +72,16 @@ class Output {
         scheme_(scheme),
         regular_(find_regular_part(scheme)),
         map_steps_(map_steps),
-        text_(printable(label_on_lattice(scheme.name, scheme)) + "\n" +
-              regular_part_text(regular_) + eigen_heading()) {}
+        text_(base::printable(scheme::label_on_lattice(scheme.name, scheme)) + "\n" +
+              report::regular_part_text(regular_) + report::eigen_heading()) {}
 
   void add(const FrequencyBlocks& blocks) {
     const Eigencomponents components = approx_eigencomponents(blocks, regular_);
     nlohmann::ordered_json json;
-    if (options_.json) json = eigen_json(blocks, components);
-    text_ += eigen_text(components);
-    if (options_.vectors && options_.json) add_vectors_json(blocks, components, json);
-    if (options_.vectors) text_ += vectors_text(blocks, components);
+    if (options_.json) json = report::eigen_json(blocks, components);
+    text_ += report::eigen_text(components);
+    if (options_.vectors && options_.json) report::add_vectors_json(blocks, components, json);
+    if (options_.vectors) text_ += report::vectors_text(blocks, components);
     if (!options_.map.empty()) {
       Result<CharacteristicMap> map = approx_characteristic_map(scheme_, blocks.valence, kMapSteps);
       const std::string regular(to_string(map ? map->regular : Truth::undecided));
@@ -99,20 +99,22 @@ class Output {
   /// Writes the files that were asked for.
   [[nodiscard]] Status write() const {
     if (!options_.map.empty())
-      if (Status status = characteristic_maps_figure(scheme_.name, maps_).write(options_.map);
+      if (Status status =
+              report::characteristic_maps_figure(scheme_.name, maps_).write(options_.map);
           !status)
         return status;
-    const DataTable table = eigenvalue_table(all_);
+    const report::DataTable table = report::eigenvalue_table(all_);
     if (!options_.chart.empty())
-      if (Status status = eigenvalue_figure(scheme_.name, table).write(options_.chart); !status)
+      if (Status status = report::eigenvalue_figure(scheme_.name, table).write(options_.chart);
+          !status)
         return status;
     if (!options_.table.empty())
-      if (Status status = write_eigenvalues(options_.table, scheme_.name, table); !status)
+      if (Status status = report::write_eigenvalues(options_.table, scheme_.name, table); !status)
         return status;
     return Done{};
   }
   [[nodiscard]] nlohmann::ordered_json json() const {
-    return {{"regular_part", regular_part_json(regular_)}, {"valences", list_}};
+    return {{"regular_part", report::regular_part_json(regular_)}, {"valences", list_}};
   }
   [[nodiscard]] const std::string& text() const { return text_; }
 
@@ -142,16 +144,17 @@ int print_formulas(const EigenOptions& options) {
   if (!scheme) return report(scheme.error());
   const std::set<std::string> given =
       given_parameters(options.scheme.name, options.scheme.parameters);
-  const std::vector<Scheme> lattices = lattice_schemes(*scheme);
+  const std::vector<Scheme> lattices = scheme::lattice_schemes(*scheme);
   LatticeObjects json(scheme->name, lattices.size() > 1);
   std::string text;
   for (const Scheme& one : lattices) {
     const Result<EigenFormulas> formulas = eigen_formulas(one, given, options.rings);
     if (!formulas) return report(formulas.error());
-    json.add(one, eigen_formulas_json(scheme->name, *formulas));
+    json.add(one, report::eigen_formulas_json(scheme->name, *formulas));
     text += (text.empty() ? "" : "\n") +
-            eigen_formulas_text(label_on_lattice(scheme->name, one), *formulas,
-                                options.latex ? Notation::latex : Notation::text);
+            report::eigen_formulas_text(
+                scheme::label_on_lattice(scheme->name, one), *formulas,
+                options.latex ? number::Notation::latex : number::Notation::text);
   }
   if (options.json)
     print_json(json.object());
@@ -161,14 +164,14 @@ int print_formulas(const EigenOptions& options) {
 }
 
 /// "3,3,4,3,4": the corners of each face round a vertex, counterclockwise.
-Result<Sectors> read_faces(const std::string& text) {
+Result<mesh::Sectors> read_faces(const std::string& text) {
   constexpr std::size_t kLeast = 3, kMost = 100;
   const Error wrong{
       fmt::format("--faces: '{}' is no list of faces", text),
       fmt::format("the corners of each, 3 or 4, counterclockwise round the vertex, {} "
                   "to {} faces, as 3,3,4,3,4",
                   kLeast, kMost)};
-  Sectors sectors;
+  mesh::Sectors sectors;
   for (std::size_t i = 0; i < text.size(); ++i) {
     const bool comma = i % 2 != 0;
     if (comma ? text[i] != ',' || i + 1 == text.size() : text[i] != '3' && text[i] != '4')
@@ -180,26 +183,26 @@ Result<Sectors> read_faces(const std::string& text) {
 }
 
 int analyse_faces(const EigenOptions& options) {
-  const Result<Sectors> sectors = read_faces(options.faces);
+  const Result<mesh::Sectors> sectors = read_faces(options.faces);
   if (!sectors) return report(sectors.error());
   const Result<Scheme> scheme = options.scheme.load();
   if (!scheme) return report(scheme.error());
-  Result<SectorSpectrum> spectrum = approx_sector_spectrum(*scheme, *sectors);
+  Result<limit::SectorSpectrum> spectrum = limit::approx_sector_spectrum(*scheme, *sectors);
   if (!spectrum) {
     spectrum.error().message = "--faces: " + spectrum.error().message;
     return report(spectrum.error());
   }
   if (options.json)
-    print_json(faces_json(scheme->name, *spectrum));
+    print_json(report::faces_json(scheme->name, *spectrum));
   else
-    print_text(faces_text(printable(scheme->name), *spectrum));
+    print_text(report::faces_text(base::printable(scheme->name), *spectrum));
   return kDone;
 }
 
 /// Files hold one lattice's numbers.
 Status check_files(const EigenOptions& options, const Scheme& scheme) {
   if (options.map.empty() && options.chart.empty() && options.table.empty()) return Done{};
-  return check_one_lattice(scheme);
+  return scheme::check_one_lattice(scheme);
 }
 
 int analyse(const EigenOptions& options) {
@@ -207,9 +210,9 @@ int analyse(const EigenOptions& options) {
     return report(status.error());
   for (const std::string& figure : {options.map, options.chart})
     if (!figure.empty())
-      if (const Result<FigureFormat> format = figure_format(figure); !format)
+      if (const Result<figure::FigureFormat> format = figure::figure_format(figure); !format)
         return report(format.error());
-  if (!options.table.empty() && !is_eigenvalue_path(options.table))
+  if (!options.table.empty() && !report::is_eigenvalue_path(options.table))
     return report({fmt::format("--table: '{}' is no table", options.table),
                    "it ends in .csv, .json or .tex"});
   const Result<Scheme> scheme = options.scheme.load();
@@ -218,8 +221,8 @@ int analyse(const EigenOptions& options) {
   if (!range) return report(range.error());
   if (Status status = check_map(options, *range); !status) return report(status.error());
   if (Status status = check_files(options, *scheme); !status) return report(status.error());
-  ProgressLine line;
-  const std::vector<Scheme> lattices = lattice_schemes(*scheme);
+  base::ProgressLine line;
+  const std::vector<Scheme> lattices = scheme::lattice_schemes(*scheme);
   LatticeObjects json(scheme->name, lattices.size() > 1);
   std::string text;
   for (const Scheme& one : lattices) {
@@ -240,7 +243,7 @@ int analyse(const EigenOptions& options) {
   if (options.json)
     print_json(json.object());
   else
-    print_text(text + eigen_legend());
+    print_text(text + report::eigen_legend());
   return kDone;
 }
 

@@ -32,20 +32,20 @@ std::string display_name(const std::string& path) {
   return std::filesystem::path(path).filename().string();
 }
 
-Result<std::vector<FairnessRecord>> measure(const FairnessCommand& options,
-                                            const std::vector<NamedScheme>& schemes,
-                                            const ControlMesh& control) {
-  ProgressLine line;
-  std::vector<FairnessRecord> records;
+Result<std::vector<study::FairnessRecord>> measure(const FairnessCommand& options,
+                                                   const std::vector<NamedScheme>& schemes,
+                                                   const ControlMesh& control) {
+  base::ProgressLine line;
+  std::vector<study::FairnessRecord> records;
   for (const auto& [label, scheme] : schemes) {
-    FairnessOptions how;
+    study::FairnessOptions how;
     how.levels = options.levels;
     how.partial = true;
     how.progress = [&line, &name = label](int level, int levels) {
       line.show(fmt::format("{}: level {} of {}", name, level, levels));
     };
-    Result<FairnessRecord> record =
-        approx_fairness(label, scheme, control.mesh, control.points, how);
+    Result<study::FairnessRecord> record =
+        study::approx_fairness(label, scheme, control.mesh, control.points, how);
     if (!record) {
       if (record.error().file.empty()) record.error().file = options.mesh;
       return record.error();
@@ -69,11 +69,11 @@ Status check_figures(const FairnessCommand& options) {
   const bool draws_spectrum = frequency_count(options.spectrum) == 0;
 
   if (!options.chart.empty())
-    if (const Result<FigureFormat> format = figure_format(options.chart); !format)
+    if (const Result<figure::FigureFormat> format = figure::figure_format(options.chart); !format)
       return format.error();
   const std::string drawn = draws_spectrum ? options.spectrum : "";
   if (drawn.empty() ? frequency_count(options.spectrum) <= kMostFrequencies
-                    : figure_format(drawn).ok())
+                    : figure::figure_format(drawn).ok())
     return check_outputs({options.chart, drawn});
   return Error{
       fmt::format("--spectrum: '{}' is neither a figure nor a count", options.spectrum),
@@ -83,8 +83,8 @@ Status check_figures(const FairnessCommand& options) {
 /// Where there are no limit points, of the mesh at some level of a scheme.
 Warnings gap_warnings(const FairnessCommand& options, const std::string& label, int level,
                       const std::vector<LimitPoints::Refused>& refused) {
-  Warnings warnings = gaps_text({.limits = refused, .normals = {}, .curvatures = {}},
-                                {.mesh = options.mesh, .normal = "", .curvatures = ""});
+  Warnings warnings = report::gaps_text({.limits = refused, .normals = {}, .curvatures = {}},
+                                        {.mesh = options.mesh, .normal = "", .curvatures = ""});
   for (Error& warning : warnings)
     warning.message = fmt::format("{}, level {}: {}", label, level, warning.message);
   return warnings;
@@ -92,25 +92,27 @@ Warnings gap_warnings(const FairnessCommand& options, const std::string& label, 
 
 Status draw_spectrum(const FairnessCommand& options, const std::vector<NamedScheme>& schemes,
                      ControlMesh& control) {
-  std::vector<NamedPoints> points{{"control vertices", control.points}};
+  std::vector<report::NamedPoints> points{{"control vertices", control.points}};
   for (const auto& [label, scheme] : schemes) {
     std::vector<LimitPoints::Refused> refused;
-    Result<NamedPoints> limits =
-        limits_of_vertices(label, scheme, control.mesh, control.points, refused);
+    Result<report::NamedPoints> limits =
+        report::limits_of_vertices(label, scheme, control.mesh, control.points, refused);
     if (!limits) return limits.error();
     add_warnings(control.remarks, gap_warnings(options, label, 0, refused));
     points.push_back(*std::move(limits));
   }
-  const Result<Figure> figure = spectrum_figure(display_name(options.mesh), control.mesh, points);
+  const Result<figure::Figure> figure =
+      report::spectrum_figure(display_name(options.mesh), control.mesh, points);
   if (!figure) return figure.error();
   return figure->write(options.spectrum);
 }
 
 /// Draws what is asked for.
 Status draw_figures(const FairnessCommand& options, const std::vector<NamedScheme>& schemes,
-                    ControlMesh& control, const std::vector<FairnessRecord>& records) {
+                    ControlMesh& control, const std::vector<study::FairnessRecord>& records) {
   if (!options.chart.empty())
-    if (Status status = fairness_figure(display_name(options.mesh), records).write(options.chart);
+    if (Status status =
+            report::fairness_figure(display_name(options.mesh), records).write(options.chart);
         !status)
       return status;
   if (options.spectrum.empty() || frequency_count(options.spectrum) > 0) return Done{};
@@ -126,26 +128,28 @@ int print_fairness(const FairnessCommand& options) {
   if (!schemes) return report(schemes.error());
   Result<ControlMesh> control = load_control_mesh(options.mesh, options.preparation);
   if (!control) return report(control.error());
-  const Result<std::vector<FairnessRecord>> records = measure(options, *schemes, *control);
+  const Result<std::vector<study::FairnessRecord>> records = measure(options, *schemes, *control);
   if (!records) return report(records.error());
-  for (const FairnessRecord& record : *records)
+  for (const study::FairnessRecord& record : *records)
     add_warnings(control->remarks,
                  gap_warnings(options, record.scheme, record.last().level, record.refused));
   if (Status status = draw_figures(options, *schemes, *control, *records); !status)
     return report(status.error());
   const int frequencies = frequency_count(options.spectrum);
-  const Result<SpectrumEnds> ends =
-      frequencies > 0 ? approx_spectrum_ends(control->mesh, frequencies) : SpectrumEnds{};
+  const Result<report::SpectrumEnds> ends =
+      frequencies > 0 ? report::approx_spectrum_ends(control->mesh, frequencies)
+                      : report::SpectrumEnds{};
   if (!ends) return report(ends.error());
   if (options.json) {
-    nlohmann::ordered_json json = fairness_json(options.mesh, *records);
-    if (frequencies > 0) json["spectrum"] = spectrum_json(*ends);
+    nlohmann::ordered_json json = report::fairness_json(options.mesh, *records);
+    if (frequencies > 0) json["spectrum"] = report::spectrum_json(*ends);
     add_remarks(json, control->remarks);
     print_json(json);
     return kDone;
   }
-  print_text(fairness_text(printable(options.mesh), *records));
-  if (frequencies > 0) print_text("\n" + spectrum_text(printable(options.mesh), *ends));
+  print_text(report::fairness_text(base::printable(options.mesh), *records));
+  if (frequencies > 0)
+    print_text("\n" + report::spectrum_text(base::printable(options.mesh), *ends));
   return kDone;
 }
 

@@ -35,7 +35,7 @@ Result<std::vector<const Paper*>> chosen(const PapersOptions& options) {
                                     [&](const Paper& paper) { return paper.name == name; });
     if (found == papers().end())
       return Error{fmt::format("there is no paper '{}'", name),
-                   did_you_mean(name, known, "the papers are " + paper_names())};
+                   base::did_you_mean(name, known, "the papers are " + paper_names())};
     list.push_back(&*found);
   }
   if (list.empty())
@@ -47,11 +47,11 @@ int make_papers(const PapersOptions& options) {
   const Result<std::vector<const Paper*>> list = chosen(options);
   if (!list) return report(list.error());
   const bool alone = options.papers.size() == 1;  // it has the folder to itself
-  if (options.output == kStandardStream)
+  if (options.output == base::kStandardStream)
     return report({"the pages are a folder, which cannot go to standard output"});
-  if (Status status = make_folder(options.output); !status) return report(status.error());
+  if (Status status = base::make_folder(options.output); !status) return report(status.error());
   nlohmann::ordered_json made = nlohmann::ordered_json::array();
-  ProgressLine line;
+  base::ProgressLine line;
   for (const Paper* paper : *list) {
     set_step("making " + paper->name + " anew");
     const std::string directory = alone ? options.output : options.output + "/" + paper->name;
@@ -67,7 +67,7 @@ int make_papers(const PapersOptions& options) {
   if (options.json)
     print_json({{"index", index}, {"papers", made}});
   else
-    print_text(printable(index) + "\n");
+    print_text(base::printable(index) + "\n");
   return kDone;
 }
 

@@ -27,12 +27,14 @@ int prescribe(const PrescribeOptions& options) {
   if (!base) return report(base.error());
   if (Status status = check_scheme_path(options.output); !status) return report(status.error());
   if (Status status = check_outputs({options.output}); !status) return report(status.error());
-  const Prescription prescription{options.valence,
-                                  options.eigenvalues.front(),
-                                  {options.eigenvalues.begin() + 1, options.eigenvalues.end()}};
+  const tune::Prescription prescription{
+      options.valence,
+      options.eigenvalues.front(),
+      {options.eigenvalues.begin() + 1, options.eigenvalues.end()}};
   const Result<std::string> extends = extends_name(options.scheme.name, options.output);
   if (!extends) return report(extends.error());
-  const Result<std::string> text = prescribed_scheme(*base, *extends, options.output, prescription);
+  const Result<std::string> text =
+      tune::prescribed_scheme(*base, *extends, options.output, prescription);
   if (!text) return report(text.error());
   const Result<Scheme> made = parse_scheme(*text, options.output);
   if (!made) return report(unwritten(made.error(), options.output));
@@ -40,15 +42,16 @@ int prescribe(const PrescribeOptions& options) {
   if (!blocks) return report(unwritten(blocks.error(), options.output));
   const RegularPart regular = find_regular_part(*made);
   const Eigencomponents components = approx_eigencomponents(*blocks, regular);
-  if (Status status = write_file(options.output, *text); !status) return report(status.error());
+  if (Status status = base::write_file(options.output, *text); !status)
+    return report(status.error());
   if (options.json)
     print_json({{"scheme", made->name},
                 {"file", options.output},
-                {"regular_part", regular_part_json(regular)},
-                {"valences", {eigen_json(*blocks, components)}}});
+                {"regular_part", report::regular_part_json(regular)},
+                {"valences", {report::eigen_json(*blocks, components)}}});
   else
-    print_text(printable(options.output) + "\n" + regular_part_text(regular) + eigen_heading() +
-               eigen_text(components) + eigen_legend());
+    print_text(base::printable(options.output) + "\n" + report::regular_part_text(regular) +
+               report::eigen_heading() + report::eigen_text(components) + report::eigen_legend());
   return kDone;
 }
 

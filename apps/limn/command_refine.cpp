@@ -41,8 +41,9 @@ struct RefineOptions {
   AttributeOptions attributes;
 };
 
-void print_result(const RefineOptions& options, const Scheme& scheme, const RefinedFile& file,
-                  const MeshAttributes& attributes, const MeshRemarks& remarks) {
+void print_result(const RefineOptions& options, const Scheme& scheme,
+                  const surface::RefinedFile& file, const MeshAttributes& attributes,
+                  const MeshRemarks& remarks) {
   if (options.json) {
     nlohmann::ordered_json json{{"vertices", file.vertices}, {"faces", file.faces},
                                 {"levels", options.levels},  {"seconds", file.refinement_seconds},
@@ -51,15 +52,15 @@ void print_result(const RefineOptions& options, const Scheme& scheme, const Refi
       json["sharp"] = {{"edges", file.sharp.creases.size()},
                        {"vertices", file.sharp.corners.size()}};
     if (!attributes.empty()) json["attributes"] = attributes_json(attributes);
-    if (file.gaps.any()) json["missing"] = gaps_json(file.gaps);
+    if (file.gaps.any()) json["missing"] = report::gaps_json(file.gaps);
     add_remarks(json, remarks);
     print_json(json);
     return;
   }
-  const std::string text =
-      fmt::format("{}: {} vertices, {} faces, after {} level{} of {} in {:.3g} s\n",
-                  printable(options.output.path), file.vertices, file.faces, options.levels,
-                  options.levels == 1 ? "" : "s", printable(scheme.name), file.refinement_seconds);
+  const std::string text = fmt::format(
+      "{}: {} vertices, {} faces, after {} level{} of {} in {:.3g} s\n",
+      base::printable(options.output.path), file.vertices, file.faces, options.levels,
+      options.levels == 1 ? "" : "s", base::printable(scheme.name), file.refinement_seconds);
   if (!options.output.is_printed())
     print_text(text);
   else if (!is_quiet())
@@ -68,27 +69,27 @@ void print_result(const RefineOptions& options, const Scheme& scheme, const Refi
 
 /// A row for each vertex of the refined mesh; empty numbers where there is no curvature.
 Status write_curvatures(const std::string& path, const RefinedSurface& surface) {
-  DataTable table{{"vertex", "x", "y", "z", "largest", "smallest"}, {}};
+  report::DataTable table{{"vertex", "x", "y", "z", "largest", "smallest"}, {}};
   for (std::size_t v = 0; v < surface.limit.size(); ++v) {
     const Point3& p = surface.limit[v];
     const LimitPoints::Curvatures& k = surface.curvatures[v];
     table.rows.push_back({static_cast<double>(v), p.x, p.y, p.z, k.largest, k.smallest});
   }
-  return write_table(path, table);
+  return report::write_table(path, table);
 }
 
 /// What is needed, in a word before the work begins, where it is much; refused, where it is more
 /// than there is. `written`: while it is made.
 Status announce(const RefineOptions& options, const Scheme& scheme, const Mesh& mesh, bool quick,
-                bool written, int columns, ProgressLine& line) {
-  const LimitWork work{.quick = quick,
-                       .limit = options.limit || options.normals,
-                       .curvatures = !options.curvatures.empty(),
-                       .written = written,
-                       .columns = columns};
-  const RefineEstimate needed = estimate_with_limit(scheme, mesh, options.levels, work);
+                bool written, int columns, base::ProgressLine& line) {
+  const surface::LimitWork work{.quick = quick,
+                                .limit = options.limit || options.normals,
+                                .curvatures = !options.curvatures.empty(),
+                                .written = written,
+                                .columns = columns};
+  const RefineEstimate needed = surface::estimate_with_limit(scheme, mesh, options.levels, work);
   if (needed.peak_bytes > kMuchMemory) line.show_now(text_of(needed, options.levels));
-  return check_memory(needed, options.levels, available_memory());
+  return check_memory(needed, options.levels, base::available_memory());
 }
 
 /// Further points for each vertex: numbers by threes, texture points.
@@ -98,7 +99,7 @@ int column_count(const MeshAttributes& attributes) {
 }
 
 /// What the options ask of the surface.
-SurfaceOptions wanted_of(const RefineOptions& options, ProgressLine& line) {
+SurfaceOptions wanted_of(const RefineOptions& options, base::ProgressLine& line) {
   SurfaceOptions wanted{.levels = options.levels,
                         .limit = options.limit || !options.curvatures.empty(),
                         .normals = options.normals,
@@ -114,10 +115,11 @@ SurfaceOptions wanted_of(const RefineOptions& options, ProgressLine& line) {
 
 /// Warnings of what is missing of the surface.
 void warn_of_gaps(const RefineOptions& options, const LimitGaps& gaps, MeshRemarks& remarks) {
-  const GapPlaces places{.mesh = options.output.path,
-                         .normal = fmt::format("written as {}", options.output.missing_normal()),
-                         .curvatures = options.curvatures};
-  add_warnings(remarks, gaps_text(gaps, places));
+  const report::GapPlaces places{
+      .mesh = options.output.path,
+      .normal = fmt::format("written as {}", options.output.missing_normal()),
+      .curvatures = options.curvatures};
+  add_warnings(remarks, report::gaps_text(gaps, places));
 }
 
 /// A warning of what the format cannot hold.
@@ -164,9 +166,9 @@ void add_normals(const RefineOptions& options, RefinedSurface& surface, ControlM
 }
 
 /// The whole mesh in memory first, and then written.
-Result<RefinedFile> refine_then_write(const RefineOptions& options, const Scheme& scheme,
-                                      ControlMesh& control, const SurfaceOptions& wanted,
-                                      ProgressLine& line) {
+Result<surface::RefinedFile> refine_then_write(const RefineOptions& options, const Scheme& scheme,
+                                               ControlMesh& control, const SurfaceOptions& wanted,
+                                               base::ProgressLine& line) {
   const bool quick = is_quick(scheme, control.mesh, wanted);
   const int columns = column_count(control.attributes);
   if (Status status = announce(options, scheme, control.mesh, quick, false, columns, line); !status)
@@ -198,7 +200,7 @@ Result<RefinedFile> refine_then_write(const RefineOptions& options, const Scheme
                    0,
                    0}});
   control.attributes = std::move(extras.attributes);
-  RefinedFile file;
+  surface::RefinedFile file;
   file.sharp = std::move(surface->sharp);
   file.vertices = surface->polygons.positions.size();
   file.faces = static_cast<std::size_t>(surface->polygons.face_count());
@@ -208,8 +210,8 @@ Result<RefinedFile> refine_then_write(const RefineOptions& options, const Scheme
 }
 
 /// Refines into the output, while it is written where that can be.
-Result<RefinedFile> refine_into_output(const RefineOptions& options, Scheme& scheme,
-                                       ControlMesh& control, ProgressLine& line) {
+Result<surface::RefinedFile> refine_into_output(const RefineOptions& options, Scheme& scheme,
+                                                ControlMesh& control, base::ProgressLine& line) {
   SurfaceOptions wanted = wanted_of(options, line);
   Result<Sharpness> sharpness = options.sharpness.of(control, scheme);
   if (!sharpness) return sharpness.error();
@@ -221,11 +223,11 @@ Result<RefinedFile> refine_into_output(const RefineOptions& options, Scheme& sch
   wanted.attributes = control.attributes.empty() ? nullptr : &control.attributes;
   wanted.attribute_rules = options.attributes.rules();
   const std::string& path = options.output.path;
-  if (may_write_refined(scheme, wanted, path, extension)) {
+  if (surface::may_write_refined(scheme, wanted, path, extension)) {
     if (Status status = announce(options, scheme, control.mesh, true, true, 0, line); !status)
       return status.error();
-    Result<std::optional<RefinedFile>> file =
-        write_refined(scheme, control.mesh, control.points, wanted, path);
+    Result<std::optional<surface::RefinedFile>> file =
+        surface::write_refined(scheme, control.mesh, control.points, wanted, path);
     if (!file) return file.error();
     if (*file) return **std::move(file);
   }
@@ -238,7 +240,7 @@ int refine_mesh(const RefineOptions& options) {
   if (Status status = options.output.check(options.json); !status) return report(status.error());
   if (Status status = options.output.check_keeps(options.mesh, options.overwrite); !status)
     return report(status.error());
-  if (!options.curvatures.empty() && !is_table_path(options.curvatures))
+  if (!options.curvatures.empty() && !report::is_table_path(options.curvatures))
     return report({fmt::format("--curvatures: '{}' is no table", options.curvatures),
                    "it ends in .csv or .json"});
   if (Status status = check_outputs({options.output.path, options.curvatures}); !status)
@@ -250,9 +252,9 @@ int refine_mesh(const RefineOptions& options) {
                         options.attributes.wanted() ? AttributeUse::keep : AttributeUse::leave_out);
   if (!control) return report(control.error());
 
-  ProgressLine line;
+  base::ProgressLine line;
   set_step(fmt::format("refining {} by {} levels", options.mesh, options.levels));
-  const Result<RefinedFile> file = refine_into_output(options, *scheme, *control, line);
+  const Result<surface::RefinedFile> file = refine_into_output(options, *scheme, *control, line);
   if (!file) {
     Error error = file.error();
     if (error.file.empty()) error.file = options.mesh;

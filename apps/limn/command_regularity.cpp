@@ -27,11 +27,11 @@ struct RegularityCommand {
 int analyse(const RegularityCommand& command) {
   const Result<Scheme> scheme = command.scheme.load();
   if (!scheme) return report(scheme.error());
-  ProgressLine line;
+  base::ProgressLine line;
   RegularityOptions options = command.options;
   options.seconds = time_limit(command.seconds);
   options.progress = [&line](const std::string& what) { line.show(what); };
-  const std::vector<Scheme> lattices = lattice_schemes(*scheme);
+  const std::vector<Scheme> lattices = scheme::lattice_schemes(*scheme);
   LatticeObjects json(scheme->name, lattices.size() > 1);
   std::string text;
   for (const Scheme& one : lattices) {
@@ -42,9 +42,10 @@ int analyse(const RegularityCommand& command) {
       regularity.error().file = scheme->file;
       return report(regularity.error());
     }
-    json.add(one, regularity_json(scheme->name, *regularity));
+    json.add(one, report::regularity_json(scheme->name, *regularity));
     text += (text.empty() ? "" : "\n") +
-            regularity_text(printable(label_on_lattice(scheme->name, one)), *regularity);
+            report::regularity_text(base::printable(scheme::label_on_lattice(scheme->name, one)),
+                                    *regularity);
   }
   if (command.json)
     print_json(json.object());

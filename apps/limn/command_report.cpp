@@ -32,7 +32,7 @@ struct ReportOptions {
 Status check_arguments(const ReportOptions& options, const Valences& range) {
   if (options.output.empty() && !options.json)
     return Error{"-o is missing: where the page is written", "as -o scheme.html, or give --json"};
-  if (options.json && is_standard_output(options.output))
+  if (options.json && base::is_standard_output(options.output))
     return Error{"standard output cannot have both the page and --json",
                  "write the page to a file"};
   if (range.last > kMostValence)
@@ -41,8 +41,8 @@ Status check_arguments(const ReportOptions& options, const Valences& range) {
 }
 
 Result<std::string> html_of(const nlohmann::ordered_json& record) {
-  if (page_file().empty()) return static_page(record);
-  return page_with_record(page_file(), record);
+  if (page_file().empty()) return report::static_page(record);
+  return report::page_with_record(page_file(), record);
 }
 
 int make_report(const ReportOptions& options) {
@@ -51,8 +51,8 @@ int make_report(const ReportOptions& options) {
   if (Status status = check_arguments(options, *range); !status) return report(status.error());
   const Result<Scheme> scheme = options.scheme.load();
   if (!scheme) return report(scheme.error());
-  ProgressLine line;
-  PageRecordOptions wanted;
+  base::ProgressLine line;
+  report::PageRecordOptions wanted;
   wanted.first_valence = range->first;
   wanted.last_valence = range->last;
   wanted.seconds = time_limit(options.seconds);
@@ -61,7 +61,7 @@ int make_report(const ReportOptions& options) {
   std::string label = scheme_label(options.scheme.name, *scheme);
   for (const std::string& parameter : options.scheme.parameters) label += " " + parameter;
   nlohmann::ordered_json record{{"limn", LIMN_VERSION}};
-  record.update(page_record_json(label, *scheme, wanted));
+  record.update(report::page_record_json(label, *scheme, wanted));
   if (!options.output.empty()) {
     const Result<std::string> html = html_of(record);
     if (!html) return report(html.error());
@@ -70,14 +70,16 @@ int make_report(const ReportOptions& options) {
           {{"this limn was built without its web page: the report is to be read, nothing "
             "in it can be moved",
             "build limn with the page (docs/page.md)"}});
-    if (Status status = write_file(options.output, *html); !status) return report(status.error());
+    if (Status status = base::write_file(options.output, *html); !status)
+      return report(status.error());
     record["output"] = options.output;
     record["interactive"] = !page_file().empty();
   }
   if (options.json)
     print_json(record);
-  else if (!is_standard_output(options.output))
-    print_text(fmt::format("{}: a page of {}\n", printable(options.output), printable(label)));
+  else if (!base::is_standard_output(options.output))
+    print_text(
+        fmt::format("{}: a page of {}\n", base::printable(options.output), base::printable(label)));
   return kDone;
 }
 

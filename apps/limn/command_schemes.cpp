@@ -19,7 +19,7 @@ int list_schemes(bool json) {
     const Result<Scheme> scheme = find_scheme(name);
     if (!scheme) return report(scheme.error());
     if (json) {
-      list.push_back(summary_json(*scheme));
+      list.push_back(report::summary_json(*scheme));
       continue;
     }
     std::string parameters;

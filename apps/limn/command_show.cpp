@@ -22,12 +22,12 @@ struct ShowOptions {
 
 /// Draws the stencils into the file that was asked for.
 Status draw_stencils(const ShowOptions& options, const Scheme& scheme,
-                     const std::vector<RulePicture>& pictures) {
+                     const std::vector<study::RulePicture>& pictures) {
   if (pictures.empty())
     return Error{"scheme '" + scheme.name + "' has no rules to draw",
                  scheme.stages ? "its step is a sequence of averagings"
                                : "its mask lacks the lattice's symmetry"};
-  const Figure figure = stencils_figure(printable(scheme.name), pictures);
+  const figure::Figure figure = report::stencils_figure(base::printable(scheme.name), pictures);
   if (Status status = figure.check(); !status) return status;
   return options.figure.write(figure);
 }
@@ -35,16 +35,17 @@ Status draw_stencils(const ShowOptions& options, const Scheme& scheme,
 int show(const ShowOptions& options) {
   const bool drawn = !options.figure.path.empty();
   if (drawn) {
-    if (!figures_available()) return report({"this limn draws no figures", "build it with cairo"});
+    if (!figure::figures_available())
+      return report({"this limn draws no figures", "build it with cairo"});
     if (Status status = options.figure.check(options.json); !status) return report(status.error());
     if (Status status = check_outputs({options.figure.path}); !status)
       return report(status.error());
   }
   const Result<Scheme> scheme = options.scheme.load();
   if (!scheme) return report(scheme.error());
-  std::vector<RulePicture> pictures;
+  std::vector<study::RulePicture> pictures;
   if (drawn || options.stencils) {
-    Result<std::vector<RulePicture>> found = rule_pictures(*scheme);
+    Result<std::vector<study::RulePicture>> found = study::rule_pictures(*scheme);
     if (!found) return report(found.error());
     pictures = std::move(*found);
   }
@@ -52,19 +53,19 @@ int show(const ShowOptions& options) {
     if (Status status = draw_stencils(options, *scheme, pictures); !status)
       return report(status.error());
   if (options.latex) {
-    const Result<std::string> latex = describe_latex(*scheme);
+    const Result<std::string> latex = report::describe_latex(*scheme);
     if (!latex) return report(latex.error());
     options.figure.print_report(*latex);
     return kDone;
   }
   if (options.json) {
-    nlohmann::ordered_json json = describe_json(*scheme);
-    if (options.stencils) json["stencils"] = stencils_json(pictures);
+    nlohmann::ordered_json json = report::describe_json(*scheme);
+    if (options.stencils) json["stencils"] = report::stencils_json(pictures);
     print_json(json);
     return kDone;
   }
-  options.figure.print_report(describe(*scheme) +
-                              (options.stencils ? stencils_text(pictures) : std::string()));
+  options.figure.print_report(report::describe(*scheme) +
+                              (options.stencils ? report::stencils_text(pictures) : std::string()));
   return kDone;
 }
 

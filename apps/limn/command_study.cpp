@@ -34,14 +34,14 @@ std::string time_text(double seconds) {
 
 int list_quantities(const StudyCommand& command) {
   if (command.json)
-    print_json(quantities_json());
+    print_json(report::quantities_json());
   else
-    print_text(quantities_text());
+    print_text(report::quantities_text());
   return kDone;
 }
 
-int forecast(const Study& study, const StudyCommand& command) {
-  const Result<StudyForecast> found = forecast_study(study);
+int forecast(const search::Study& study, const StudyCommand& command) {
+  const Result<search::StudyForecast> found = search::forecast_study(study);
   if (!found) return report(found.error());
   if (command.json) {
     print_json({{"study", study.title.empty() ? study.file : study.title},
@@ -53,36 +53,37 @@ int forecast(const Study& study, const StudyCommand& command) {
   } else {
     print_text(fmt::format(
         "{}: at most {} points of {} coordinates; {} each ({} measured), about {} on {} threads\n",
-        printable(study.title.empty() ? study.file : study.title), found->points,
+        base::printable(study.title.empty() ? study.file : study.title), found->points,
         study.coordinates.size(), time_text(found->seconds_each), found->measured,
         time_text(found->seconds), found->threads));
   }
   return kDone;
 }
 
-Result<StudyRun> run(const Study& study, Store& store, const StudyCommand& command,
-                     ProgressLine& line) {
+Result<search::StudyRun> run(const search::Study& study, search::Store& store,
+                             const StudyCommand& command, base::ProgressLine& line) {
   const TimeBudget budget(time_limit(command.seconds));
-  StudyOptions options;
+  search::StudyOptions options;
   options.stop = budget.stop();
-  options.progress = [&line](const StudyProgress& at) {
+  options.progress = [&line](const search::StudyProgress& at) {
     line.show(fmt::format("point {} of {}, {} feasible, generation {}, {} left at most", at.done,
                           at.most, at.feasible, at.generation, time_text(at.seconds_left)));
   };
-  return run_study(study, store, options);
+  return search::run_study(study, store, options);
 }
 
-int carry_out(const Study& study, const StudyCommand& command) {
-  Result<Store> store = open_study_folder(study, command.output, command.restart);
+int carry_out(const search::Study& study, const StudyCommand& command) {
+  Result<search::Store> store = report::open_study_folder(study, command.output, command.restart);
   if (!store) return report(store.error());
-  ProgressLine line;
-  const Result<StudyRun> done = run(study, *store, command, line);
+  base::ProgressLine line;
+  const Result<search::StudyRun> done = run(study, *store, command, line);
   if (!done) return report(done.error());
-  StudyFiles files{.folder = command.output, .all_points = command.csv, .schemes = command.schemes};
+  report::StudyFiles files{
+      .folder = command.output, .all_points = command.csv, .schemes = command.schemes};
   files.progress = [&line](const std::string& what) { line.show(what); };
   std::string text;
   nlohmann::ordered_json json;
-  if (const Status status = conclude_study(study, *done, files, text, json); !status)
+  if (const Status status = report::conclude_study(study, *done, files, text, json); !status)
     return report(status.error());
   if (command.json)
     print_json(json);
@@ -113,13 +114,13 @@ int study(const StudyCommand& command) {
   if (command.quantities) return list_quantities(command);
   if (command.study.empty())
     return report(Error{"STUDY.toml is missing", "`limn study --help` explains the use"});
-  const Result<Study> read = read_study(command.study);
+  const Result<search::Study> read = search::read_study(command.study);
   if (!read) return report(read.error());
   if (command.dry_run) return forecast(*read, command);
   if (command.output.empty())
     return report(Error{"-o is missing: a study is kept in a folder",
                         "add -o FOLDER, or --dry-run to see what it costs"});
-  if (command.output == kStandardStream)
+  if (command.output == base::kStandardStream)
     return report(Error{"a study is kept in a folder, which cannot be standard output"});
   return command.dask.empty() ? carry_out(*read, command) : leave_to_dask(command);
 }

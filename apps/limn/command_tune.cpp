@@ -90,9 +90,9 @@ Result<Solved> solve_each(Task& task, Walk& walk, bool json) {
     solved.any_value = solved.any_value || found->has_value;
     if (!found->has_value) solved.without_value.message = found->reason;
     if (json)
-      solved.list.push_back(tune_json(*found));
+      solved.list.push_back(report::tune_json(*found));
     else
-      solved.text += tune_text(task.freed.name(), *found);
+      solved.text += report::tune_text(task.freed.name(), *found);
     solved.all.push_back(std::move(*found));
     return true;
   });
@@ -108,16 +108,16 @@ int solve(Task& task, const TuneOptions& options) {
     return report({walk.what_was_reached() + ", so that no file is written", kMoreTime});
   if (!solved->any_value && !solved->all.empty()) return report(solved->without_value);
   const auto text_of = [&](const std::string& extends) {
-    return tuned_scheme_text(task.freed, task.requirement, solved->all, extends);
+    return report::tuned_scheme_text(task.freed, task.requirement, solved->all, extends);
   };
   if (!options.output.empty())
     if (Status written = write_tuned(options, text_of); !written) return report(written.error());
   if (options.json) {
     print_json(heading_json(task, solved->list, walk));
   } else {
-    std::string text = fmt::format("{}: {} such that {}\n", printable(task.scheme.name),
-                                   task.freed.name(), printable(task.requirement.text)) +
-                       solution_heading(task.freed.name()) + solved->text;
+    std::string text = fmt::format("{}: {} such that {}\n", base::printable(task.scheme.name),
+                                   task.freed.name(), base::printable(task.requirement.text)) +
+                       report::solution_heading(task.freed.name()) + solved->text;
     if (walk.ended_early()) text += walk.what_was_reached() + "; " + kMoreTime + "\n";
     print_text(text);
   }
@@ -127,8 +127,8 @@ int solve(Task& task, const TuneOptions& options) {
 int find_ranges(Task& task, const TuneOptions& options) {
   const bool json = options.json;
   nlohmann::ordered_json list = nlohmann::ordered_json::array();
-  std::string text = fmt::format("{}: {} such that {}\n", printable(task.scheme.name),
-                                 task.freed.name(), printable(task.requirement.text));
+  std::string text = fmt::format("{}: {} such that {}\n", base::printable(task.scheme.name),
+                                 task.freed.name(), base::printable(task.requirement.text));
   std::vector<ValenceRange> ranges;
   bool undecided = false;
   Walk walk(task.valences, options.seconds);
@@ -138,20 +138,20 @@ int find_ranges(Task& task, const TuneOptions& options) {
     if (!found) return found.error();
     if (found->time_ended) return false;
     if (json)
-      list.push_back(tune_json(*found));
+      list.push_back(report::tune_json(*found));
     else
-      text += tune_text(task.freed.name(), *found);
+      text += report::tune_text(task.freed.name(), *found);
     undecided = undecided || found->undecided;
     ranges.push_back(std::move(*found));
     return true;
   });
   if (!status) return report(status.error());
   const std::vector<Interval> common = common_range(ranges);
-  if (ranges.size() > 1) text += common_text(task.freed.name(), common);
+  if (ranges.size() > 1) text += report::common_text(task.freed.name(), common);
   if (walk.ended_early()) text += walk.what_was_reached() + "; " + kMoreTime + "\n";
   if (json) {
     nlohmann::ordered_json object = heading_json(task, list, walk);
-    object["common"] = intervals_json(common);
+    object["common"] = report::intervals_json(common);
     print_json(object);
   } else {
     print_text(text);

@@ -15,7 +15,7 @@ namespace {
 /// What the options ask for, read against the scheme.
 struct SystemTask {
   Scheme scheme;
-  FreedNames names;
+  tune::FreedNames names;
   std::vector<Requirement> requirements;
   Valences valences;
   std::vector<std::optional<SearchRange>> between;
@@ -40,13 +40,13 @@ Status check_use(const TuneOptions& options) {
   return check_outputs({options.output});
 }
 
-Result<SystemTask> read_task(const TuneOptions& options) {
+Result<SystemTask> read_system_task(const TuneOptions& options) {
   if (Status status = check_use(options); !status) return status.error();
   Result<Valences> valences = read_valences(options.valence);
   if (!valences) return valences.error();
   Result<Scheme> scheme = options.scheme.load();
   if (!scheme) return scheme.error();
-  Result<FreedNames> names = FreedNames::make(
+  Result<tune::FreedNames> names = tune::FreedNames::make(
       *scheme, options.free, options.everywhere ? Reach::everywhere : Reach::automatic);
   if (!names) return names.error();
   std::vector<Requirement> requirements;
@@ -67,17 +67,18 @@ Result<SystemTask> read_task(const TuneOptions& options) {
 
 std::string quoted_list(const std::vector<std::string>& words) {
   std::string text;
-  for (const std::string& word : words) text += (text.empty() ? "" : ", ") + printable(word);
+  for (const std::string& word : words) text += (text.empty() ? "" : ", ") + base::printable(word);
   return text;
 }
 
-void print(const SystemTask& task, const std::vector<SystemSolutions>& all, const Walk& walk,
+void print(const SystemTask& task, const std::vector<tune::SystemSolutions>& all, const Walk& walk,
            const TuneOptions& options) {
-  const std::vector<std::optional<std::string>> forms = common_forms(task.names, all);
+  const std::vector<std::optional<std::string>> forms = report::common_forms(task.names, all);
   if (options.json) {
     nlohmann::ordered_json list = nlohmann::ordered_json::array(),
                            closed = nlohmann::ordered_json::object();
-    for (const SystemSolutions& one : all) list.push_back(system_json(task.names, one));
+    for (const tune::SystemSolutions& one : all)
+      list.push_back(report::system_json(task.names, one));
     for (std::size_t j = 0; j < forms.size(); ++j)
       closed[task.names.one(j).name()] =
           forms[j] ? nlohmann::ordered_json(*forms[j]) : nlohmann::ordered_json();
@@ -89,10 +90,10 @@ void print(const SystemTask& task, const std::vector<SystemSolutions>& all, cons
                 {"time_ended", walk.ended_early()}});
     return;
   }
-  std::string text = fmt::format("{}: {} such that {}\n", printable(task.scheme.name),
+  std::string text = fmt::format("{}: {} such that {}\n", base::printable(task.scheme.name),
                                  quoted_list(options.free), quoted_list(options.require)) +
-                     system_heading();
-  for (const SystemSolutions& one : all) text += system_text(task.names, one);
+                     report::system_heading();
+  for (const tune::SystemSolutions& one : all) text += report::system_text(task.names, one);
   for (std::size_t j = 0; j < forms.size(); ++j)
     if (forms[j])
       text += fmt::format("    all  {} = {} (recognised, not proved)\n", task.names.one(j).name(),
@@ -104,13 +105,13 @@ void print(const SystemTask& task, const std::vector<SystemSolutions>& all, cons
 }  // namespace
 
 int tune_system(const TuneOptions& options) {
-  Result<SystemTask> task = read_task(options);
+  Result<SystemTask> task = read_system_task(options);
   if (!task) return report(task.error());
   Walk walk(task->valences, options.seconds);
-  std::vector<SystemSolutions> all;
+  std::vector<tune::SystemSolutions> all;
   const Status status = walk.each([&](int n) -> Result<bool> {
-    Result<SystemSolutions> found =
-        solve_system_at(task->names, task->requirements, n, task->searched(), walk.stop());
+    Result<tune::SystemSolutions> found =
+        tune::solve_system_at(task->names, task->requirements, n, task->searched(), walk.stop());
     if (!found) return found.error();
     if (found->time_ended) return false;
     all.push_back(*std::move(found));
@@ -120,14 +121,15 @@ int tune_system(const TuneOptions& options) {
   if (walk.ended_early() && !options.output.empty())
     return report({walk.what_was_reached() + ", so that no file is written", kMoreTime});
   const auto text_of = [&](const std::string& extends) {
-    return tuned_system_text(task->names, task->requirements, all, extends);
+    return report::tuned_system_text(task->names, task->requirements, all, extends);
   };
   if (!options.output.empty())
     if (Status written = write_tuned(options, text_of); !written) return report(written.error());
   print(*task, all, walk, options);
-  const bool undecided = std::any_of(all.begin(), all.end(), [](const SystemSolutions& at) {
-    return std::any_of(at.solutions.begin(), at.solutions.end(),
-                       [](const SystemSolution& one) { return one.holds == Truth::undecided; });
+  const bool undecided = std::any_of(all.begin(), all.end(), [](const tune::SystemSolutions& at) {
+    return std::any_of(
+        at.solutions.begin(), at.solutions.end(),
+        [](const tune::SystemSolution& one) { return one.holds == Truth::undecided; });
   });
   return undecided ? kUndecided : kDone;
 }

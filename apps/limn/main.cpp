@@ -33,7 +33,7 @@ Status check_command(const CLI::App& parser, const std::string& word) {
     known += (known.empty() ? "" : ", ") + names.back();
   }
   return Error{"there is no command '" + word + "'",
-               did_you_mean(word, names, "the commands are " + known)};
+               base::did_you_mean(word, names, "the commands are " + known)};
 }
 
 int run(int argc, char** argv) {
@@ -72,7 +72,7 @@ int run(int argc, char** argv) {
 /// The outputs of a command are all or none: they take their names once it is done and all that it
 /// prints has arrived.
 int run_whole(int argc, char** argv) {
-  FileTransaction outputs;
+  base::FileTransaction outputs;
   const int code = run(argc, argv);
   if (code == kBadInput) return code;
   if (Status status = check_standard_output(); !status) return report(status.error());

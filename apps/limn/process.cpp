@@ -40,7 +40,7 @@ extern "C" void remove_and_die(int signal) {
     errno = saved;
     return;
   }
-  remove_unfinished_files();
+  base::remove_unfinished_files();
   struct sigaction usual {};
   usual.sa_handler = SIG_DFL;
   ::sigaction(signal, &usual, nullptr);

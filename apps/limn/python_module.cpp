@@ -78,7 +78,7 @@ Error become_python(const std::string& module, const std::string& needed,
     std::vector<std::string> words{python, "-m", module};
     words.insert(words.end(), arguments.begin(), arguments.end());
     ::execvp(words[0].c_str(), pointers(words).data());
-    return {fmt::format("{} cannot be started: {}", printable(python),
+    return {fmt::format("{} cannot be started: {}", base::printable(python),
                         std::generic_category().message(errno))};
   }
   if (has_limn)

@@ -25,23 +25,23 @@ Result<Study> study() {
     if (!analysis) return analysis.error();
     result.schemes.push_back({words, *std::move(analysis)});
   }
-  result.grid = frequency_grid(Lattice::triangle, 48);
-  for (const NamedAnalysis& scheme : result.schemes) {
-    Result<DataTable> table = artifact_table(scheme.analysis, {}, result.grid);
+  result.grid = report::frequency_grid(Lattice::triangle, 48);
+  for (const study::NamedAnalysis& scheme : result.schemes) {
+    Result<report::DataTable> table = report::artifact_table(scheme.analysis, {}, result.grid);
     if (!table) return table.error();
     result.limit.push_back(*std::move(table));
   }
   for (const int stages : {1, 2}) {
-    Result<DataTable> table = artifact_table(result.schemes.front().analysis,
-                                             {Stage::Kind::smoothing, stages}, result.grid);
+    Result<report::DataTable> table = report::artifact_table(
+        result.schemes.front().analysis, {study::Stage::Kind::smoothing, stages}, result.grid);
     if (!table) return table.error();
     result.stages.push_back(*std::move(table));
   }
   return result;
 }
 
-Extremes extremes(const DataTable& table, const std::string& name) {
-  const std::vector<double> values = column(table, name);
+Extremes extremes(const report::DataTable& table, const std::string& name) {
+  const std::vector<double> values = report::column(table, name);
   const auto [low, high] = std::minmax_element(values.begin(), values.end());
   const auto at = static_cast<std::size_t>(high - values.begin());
   const auto snapped = [](double value) { return std::abs(value) < 1e-12 ? 0.0 : value; };
@@ -62,7 +62,7 @@ const char* const kCitation =
     "scheme files; frequencies are in cycles per control edge, f = Ω/√3.";
 
 /// The wave of Figure 1 on a fine grid, and on the control lattice.
-Figure wave_figure(DataTable& numbers) {
+figure::Figure wave_figure(report::DataTable& numbers) {
   const double root3 = std::sqrt(3.0);
   const Frequency f{0.1 / root3, 0.2 / root3};
   constexpr int kSide = 16;  // control edges along a side
@@ -72,7 +72,7 @@ Figure wave_figure(DataTable& numbers) {
     return std::array<double, 3>{x[0], x[1],
                                  std::cos(2 * std::numbers::pi * (f[0] * x[0] + f[1] * x[1]))};
   };
-  SurfacePanel panel;
+  figure::SurfacePanel panel;
   const int fine = kSide * kFine + 1;
   for (int j = 0; j < fine; ++j)
     for (int i = 0; i < fine; ++i)
@@ -95,18 +95,18 @@ Figure wave_figure(DataTable& numbers) {
     }
   panel.elevation = 35;
   panel.azimuth = -20;
-  Figure figure(1, 360);
+  figure::Figure figure(1, 360);
   figure.add(panel);
   return figure;
 }
 
 Status add_wave(PaperPage& page) {
-  DataTable numbers;
-  const Figure figure = wave_figure(numbers);
-  const DescribedTable described_numbers =
-      described(numbers, {{"x", "place of the control point [control edges]"},
-                          {"y", "place of the control point [control edges]"},
-                          {"z", "its height, cos 2πf·x [amplitudes of the wave]"}});
+  report::DataTable numbers;
+  const figure::Figure figure = wave_figure(numbers);
+  const report::DescribedTable described_numbers =
+      report::described(numbers, {{"x", "place of the control point [control edges]"},
+                                  {"y", "place of the control point [control edges]"},
+                                  {"z", "its height, cos 2πf·x [amplitudes of the wave]"}});
   return page.add_figure({"Figure 1", "fig01"}, figure, described_numbers,
                          "a triangular mesh (black) sampled from a sinusoidal surface (grey), Ω = "
                          "[0.1, 0.2].",
@@ -116,38 +116,40 @@ Status add_wave(PaperPage& page) {
 const std::vector<std::string> kThree{"Y1", "Y2", "Y3"};
 
 /// Three maps of the artifacts on one scale.
-Figure artifact_maps(const Study& study, const DataTable& table, double high) {
-  Figure figure(3);
+figure::Figure artifact_maps(const Study& study, const report::DataTable& table, double high) {
+  figure::Figure figure(3);
   const double low = std::min(
       {0.0, extremes(table, "Y1").low, extremes(table, "Y2").low, extremes(table, "Y3").low});
   for (int i = 0; i < 3; ++i)
-    figure.add(artifact_map_panel(study.grid, table, artifact_name(i),
-                                  fmt::format("Y_{{{}}}", i + 1), {low, high}));
+    figure.add(report::artifact_map_panel(study.grid, table, study::artifact_name(i),
+                                          fmt::format("Y_{{{}}}", i + 1), {low, high}));
   return figure;
 }
 
 Status add_stage_figures(PaperPage& page, const Study& study) {
-  const DataTable& one = study.stages[0];
-  const DataTable& two = study.stages[1];
+  const report::DataTable& one = study.stages[0];
+  const report::DataTable& two = study.stages[1];
   const Extremes y1 = extremes(one, "Y1");
   Status status = page.add_figure(
-      {"Figure 3", "fig03"}, artifact_maps(study, one, y1.high), described_artifacts(one, kThree),
+      {"Figure 3", "fig03"}, artifact_maps(study, one, y1.high),
+      report::described_artifacts(one, kThree),
       "the three artifacts after one smoothing stage; rotated copies of one another.",
       fmt::format(
           "each from {:.4g} to {:.4g}, the largest in the middle of the sides of the region.",
           y1.low, y1.high));
   if (!status) return status;
-  Figure four(2);
-  DescribedTable numbers = described_artifacts(one, {});
+  figure::Figure four(2);
+  report::DescribedTable numbers = report::described_artifacts(one, {});
   int stages = 0;
   for (const auto& [table, words] : {std::pair{&one, "one stage"}, std::pair{&two, "two stages"}}) {
     ++stages;
     for (const auto& [name, title] :
          {std::pair{"sum", "sum"}, std::pair{"mean_energy", "mean energy"}}) {
-      four.add(artifact_map_panel(study.grid, *table, name, fmt::format("{}, {}", title, words)));
-      append_column(numbers, *table, name,
-                    {fmt::format("{}_{}", name, stages),
-                     fmt::format("{}, after {}", artifact_meaning(name), words)});
+      four.add(report::artifact_map_panel(study.grid, *table, name,
+                                          fmt::format("{}, {}", title, words)));
+      report::append_column(numbers, *table, name,
+                            {fmt::format("{}_{}", name, stages),
+                             fmt::format("{}, after {}", report::artifact_meaning(name), words)});
     }
   }
   status = page.add_figure(
@@ -160,36 +162,38 @@ Status add_stage_figures(PaperPage& page, const Study& study) {
                   extremes(one, "mean_energy").high, extremes(two, "mean_energy").high,
                   stage_ratio(study, "sum"), stage_ratio(study, "mean_energy")));
   if (!status) return status;
-  Figure five(2);
-  five.add(artifact_map_panel(study.grid, one, "signal", "signal"));
-  five.add(artifact_map_panel(study.grid, one, "percent_of_signal", "mean energy, % of signal"));
+  figure::Figure five(2);
+  five.add(report::artifact_map_panel(study.grid, one, "signal", "signal"));
+  five.add(
+      report::artifact_map_panel(study.grid, one, "percent_of_signal", "mean energy, % of signal"));
   return page.add_figure(
-      {"Figure 5", "fig05"}, five, described_artifacts(one, {"signal", "percent_of_signal"}),
+      {"Figure 5", "fig05"}, five,
+      report::described_artifacts(one, {"signal", "percent_of_signal"}),
       "signal and artifacts in percent of it after one step with one smoothing stage.",
       fmt::format("the signal falls to {:.4g}; the artifacts reach {:.4g} % of it.",
                   extremes(one, "signal").low, extremes(one, "percent_of_signal").high));
 }
 
 Status add_scheme_figures(PaperPage& page, const Study& study, std::size_t which, int first) {
-  const DataTable& table = study.limit[which];
+  const report::DataTable& table = study.limit[which];
   const std::string& name = study.schemes[which].name;
   const Extremes y1 = extremes(table, "Y1");
   const auto item = [&](int number) {
     return PaperItem{fmt::format("Figure {}", number), fmt::format("fig{:02}", number)};
   };
   Status status = page.add_figure(
-      item(first), artifact_maps(study, table, y1.high), described_artifacts(table, kThree),
+      item(first), artifact_maps(study, table, y1.high), report::described_artifacts(table, kThree),
       fmt::format("the three artifacts in the limit surface, {}.", name),
       fmt::format("from {:.3g} to {:.4g}, at f = ({:.3f}, {:.3f}).", y1.low, y1.high, y1.at[0],
                   y1.at[1]));
   if (!status) return status;
-  Figure figure(3);
-  figure.add(artifact_map_panel(study.grid, table, "signal", "signal"));
-  figure.add(artifact_overlay_panel(study.grid, table, "artifacts"));
-  figure.add(
-      artifact_map_panel(study.grid, table, "percent_of_signal", "mean energy, % of signal"));
+  figure::Figure figure(3);
+  figure.add(report::artifact_map_panel(study.grid, table, "signal", "signal"));
+  figure.add(report::artifact_overlay_panel(study.grid, table, "artifacts"));
+  figure.add(report::artifact_map_panel(study.grid, table, "percent_of_signal",
+                                        "mean energy, % of signal"));
   return page.add_figure(
-      item(first + 1), figure, described_artifacts(table),
+      item(first + 1), figure, report::described_artifacts(table),
       fmt::format("signal, the three artifacts in red, green and blue, and their energy in percent "
                   "of the signal, in the limit, {}.",
                   name),
@@ -202,16 +206,16 @@ Status add_scheme_figures(PaperPage& page, const Study& study, std::size_t which
 
 Status add_comparison(PaperPage& page, const Study& study) {
   double high = 0;
-  for (const DataTable& table : study.limit)
+  for (const report::DataTable& table : study.limit)
     high = std::max(high, extremes(table, "percent_of_signal").high);
-  Figure figure(3);
-  DescribedTable numbers = described_artifacts(study.limit.front(), {});
+  figure::Figure figure(3);
+  report::DescribedTable numbers = report::described_artifacts(study.limit.front(), {});
   for (std::size_t i = 0; i < study.schemes.size(); ++i) {
-    figure.add(artifact_map_panel(study.grid, study.limit[i], "percent_of_signal",
-                                  study.schemes[i].name, {0.0, high}));
-    append_column(numbers, study.limit[i], "percent_of_signal",
-                  {study.schemes[i].name + " percent",
-                   artifact_meaning("percent_of_signal") + ", in the limit"});
+    figure.add(report::artifact_map_panel(study.grid, study.limit[i], "percent_of_signal",
+                                          study.schemes[i].name, {0.0, high}));
+    report::append_column(numbers, study.limit[i], "percent_of_signal",
+                          {study.schemes[i].name + " percent",
+                           report::artifact_meaning("percent_of_signal") + ", in the limit"});
   }
   return page.add_figure(
       {"Figure 12", "fig12"}, figure, numbers,
@@ -223,7 +227,7 @@ Status add_comparison(PaperPage& page, const Study& study) {
 }  // namespace ads
 
 Status write_augsdorfer(const std::string& directory, const PaperProgress& progress) {
-  if (!figures_available())
+  if (!figure::figures_available())
     return Error{"this limn draws no figures", "build it with cairo (LIMN_FIGURES)"};
   const Result<ads::Study> study = ads::study();
   if (!study) return study.error();

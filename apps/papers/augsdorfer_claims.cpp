@@ -17,15 +17,15 @@ namespace {
 constexpr double kRounding = 1e-12;
 constexpr double kFarMore = 2;  ///< times as much, at least, is "far more"
 
-double largest(const DataTable& table, const std::string& name) {
+double largest(const report::DataTable& table, const std::string& name) {
   double most = 0;
-  for (const double value : column(table, name)) most = std::max(most, std::abs(value));
+  for (const double value : report::column(table, name)) most = std::max(most, std::abs(value));
   return most;
 }
 
 /// The largest of Y2 and Y3 along Y1's direction.
 double across_y1(const ArtifactAnalysis& analysis) {
-  const DataTable curve = artifact_curve(analysis, {}, 90, 241).value();
+  const report::DataTable curve = report::artifact_curve(analysis, {}, 90, 241).value();
   return std::max(largest(curve, "Y2"), largest(curve, "Y3"));
 }
 
@@ -34,7 +34,7 @@ PaperFinding extruded(const Study& study) {
   PaperFinding result{"§2.3", "no artifacts Y2, Y3 where f is along Y1", {}, {}};
   std::string words;
   bool none = true, stages = true;
-  for (const NamedAnalysis& scheme : study.schemes) {
+  for (const study::NamedAnalysis& scheme : study.schemes) {
     const double most = across_y1(scheme.analysis);
     none = none && most < kRounding;
     stages = stages && scheme.analysis.factors().stages > 0;
@@ -88,8 +88,8 @@ PaperFinding smoothing(const Study& study) {
   double low = std::numeric_limits<double>::infinity(), high = 0;
   std::size_t kept = 0;
   for (const char* name : {"signal", "Y1", "Y2", "Y3"}) {
-    const std::vector<double> one = column(study.stages[0], name);
-    const std::vector<double> two = column(study.stages[1], name);
+    const std::vector<double> one = report::column(study.stages[0], name);
+    const std::vector<double> two = report::column(study.stages[1], name);
     for (std::size_t i = 0; i < one.size(); ++i) {
       if (std::abs(one[i]) < kRounding) continue;
       const double factor = std::abs(two[i] / one[i]);
@@ -123,7 +123,7 @@ PaperFinding later_steps(const Study& study) {
   bool first = true;
   double alone = 0;
   int falling = 0, kept = 0, count = 0;
-  for (const NamedAnalysis& scheme : study.schemes) {
+  for (const study::NamedAnalysis& scheme : study.schemes) {
     double growth = 0, change = 0;
     for (const Frequency& f : study.grid.nodes) {
       const Components one = scheme.analysis.after_steps(f, 1);
@@ -218,7 +218,7 @@ PaperFinding retained(const Study& study) {
                             : Judgement::contradicted};
 }
 
-double percent(const NamedAnalysis& scheme, double fy) {
+double percent(const study::NamedAnalysis& scheme, double fy) {
   return scheme.analysis.in_limit({0, fy}).percent_of_signal();
 }
 
@@ -235,7 +235,7 @@ PaperFinding near_nyquist(const Study& study) {
   constexpr double fy = 0.55;
   const double rim = nyquist_distance(Lattice::triangle, 90);
   std::string at_f, at_rim;
-  for (const NamedAnalysis& scheme : study.schemes) {
+  for (const study::NamedAnalysis& scheme : study.schemes) {
     at_f +=
         fmt::format("{}{:.1f} % ({})", at_f.empty() ? "" : ", ", percent(scheme, fy), scheme.name);
     at_rim += fmt::format("{}{:.1f} %", at_rim.empty() ? "" : ", ", percent(scheme, rim));
@@ -265,7 +265,7 @@ Result<PaperFinding> density(const Study& study) {
   std::string words;
   double loop = 0;
   bool higher = true;
-  for (const NamedAnalysis& scheme : study.schemes) {
+  for (const study::NamedAnalysis& scheme : study.schemes) {
     const Result<SamplingDensity> found =
         sampling_density(scheme.analysis, 1, ArtifactMeasure::mean_energy);
     if (!found) return found.error();

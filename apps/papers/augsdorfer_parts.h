@@ -8,10 +8,10 @@ namespace limn::ads {
 
 /// The three schemes of the paper and their numbers over the region of frequencies.
 struct Study {
-  std::vector<NamedAnalysis> schemes;
-  TriangleGrid grid;
-  std::vector<DataTable> limit;   ///< a scheme each
-  std::vector<DataTable> stages;  ///< after one and after two smoothing stages
+  std::vector<study::NamedAnalysis> schemes;
+  figure::TriangleGrid grid;
+  std::vector<report::DataTable> limit;   ///< a scheme each
+  std::vector<report::DataTable> stages;  ///< after one and after two smoothing stages
 };
 
 [[nodiscard]] Result<Study> study();
@@ -21,7 +21,7 @@ struct Extremes {
   double low, high;
   Frequency at;
 };
-[[nodiscard]] Extremes extremes(const DataTable& table, const std::string& name);
+[[nodiscard]] Extremes extremes(const report::DataTable& table, const std::string& name);
 
 /// How much larger the largest value of a column is after one smoothing stage than after two.
 [[nodiscard]] double stage_ratio(const Study& study, const std::string& name);

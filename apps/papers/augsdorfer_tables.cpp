@@ -30,7 +30,7 @@ constexpr std::array<std::array<const char*, 4>, 3> kPrinted{
 Result<double> value_of(const Expression& expression, Frequency f) {
   const Phase t = control_phase(Lattice::triangle, f);
   const std::array<double, 3> theta{t[0] / 2, t[1] / 2, -(t[0] + t[1]) / 2};
-  return limn::evaluate<double>(expression, [&](const std::string& name) -> Result<double> {
+  return limn::scheme::evaluate<double>(expression, [&](const std::string& name) -> Result<double> {
     const auto angle = [&](std::size_t i) {
       return theta[static_cast<std::size_t>(name[i] - '1')];
     };
@@ -41,7 +41,8 @@ Result<double> value_of(const Expression& expression, Frequency f) {
 std::string table_tex(const std::vector<std::string>& formulas, const std::string& name) {
   std::string text = fmt::format("% magnitudes in the limit, {}\n\\begin{{align*}}\n", name);
   for (std::size_t i = 0; i < formulas.size(); ++i)
-    text += fmt::format("  {} &= {} \\\\\n", component_name(static_cast<int>(i), Notation::latex),
+    text += fmt::format("  {} &= {} \\\\\n",
+                        regular::component_name(static_cast<int>(i), number::Notation::latex),
                         formulas[i]);
   return text + "\\end{align*}\n";
 }
@@ -70,26 +71,29 @@ std::vector<PaperFinding> misprints(const Study& study) {
 
 Status add_table(PaperPage& page, const Study& study, std::size_t which) {
   const ArtifactAnalysis& analysis = study.schemes[which].analysis;
-  const Result<std::vector<std::string>> formulas = limit_formulas(analysis.mask(), Notation::text);
+  const Result<std::vector<std::string>> formulas =
+      regular::limit_formulas(analysis.mask(), number::Notation::text);
   if (!formulas) return formulas.error();
   std::vector<std::vector<std::string>> rows{{"", "the paper", "limn, from the rules"}};
-  DescribedTable numbers{{{"fx", artifact_meaning("fx")}, {"fy", artifact_meaning("fy")}}, {}};
-  const TriangleGrid grid = frequency_grid(Lattice::triangle, 12);
+  report::DescribedTable numbers{
+      {{"fx", report::artifact_meaning("fx")}, {"fy", report::artifact_meaning("fy")}}, {}};
+  const figure::TriangleGrid grid = report::frequency_grid(Lattice::triangle, 12);
   for (const Frequency& f : grid.nodes) numbers.rows.push_back({f[0], f[1]});
   double worst = 0;
   for (std::size_t i = 0; i < formulas->size(); ++i) {
-    const std::string name = component_name(static_cast<int>(i), Notation::text);
+    const std::string name = regular::component_name(static_cast<int>(i), number::Notation::text);
     const Expression printed = Expression::parse(kPrinted[which][i]).value();
     rows.push_back({name, kPrinted[which][i], (*formulas)[i]});
     const std::string what =
-        artifact_meaning(i == 0 ? "signal" : artifact_name(static_cast<int>(i) - 1));
+        report::artifact_meaning(i == 0 ? "signal" : study::artifact_name(static_cast<int>(i) - 1));
     numbers.columns.push_back({name + "_printed", what + ", by the paper's expression"});
     numbers.columns.push_back({name + "_limn", what + ", from the rules"});
     for (std::size_t node = 0; node < grid.nodes.size(); ++node) {
       const Components components = analysis.in_limit(grid.nodes[node]);
       const double ours = i == 0 ? components.signal : components.artifacts[i - 1];
       const double theirs = value_of(printed, grid.nodes[node]).value();
-      numbers.rows[node].insert(numbers.rows[node].end(), {Cell{theirs}, Cell{ours}});
+      numbers.rows[node].insert(numbers.rows[node].end(),
+                                {report::Cell{theirs}, report::Cell{ours}});
       worst = std::max(worst, std::abs(theirs - ours));
     }
   }
@@ -100,7 +104,8 @@ Status add_table(PaperPage& page, const Study& study, std::size_t which) {
                   "region.",
                   study.schemes[which].name, worst));
   if (!status) return status;
-  const Result<std::vector<std::string>> latex = limit_formulas(analysis.mask(), Notation::latex);
+  const Result<std::vector<std::string>> latex =
+      regular::limit_formulas(analysis.mask(), number::Notation::latex);
   return page.add_file(stem + ".tex", table_tex(*latex, study.schemes[which].name),
                        "the formulas as LaTeX");
 }
@@ -115,14 +120,14 @@ Status add_words(PaperPage& page, const Study& study) {
   std::vector<std::vector<std::string>> rows{
       {"scheme", "all artifacts ≤ 1 %: worst", "best", "mean energy ≤ 1 %: worst", "best"}};
   const std::string edges = "control edges per wavelength in the ";
-  DescribedTable numbers{
+  report::DescribedTable numbers{
       {{"scheme", "its name"},
        {"total_worst", edges + "worst direction that keep all artifacts within 1 % of the signal"},
        {"total_best", edges + "best direction that keep all artifacts within 1 % of the signal"},
        {"mean_worst", edges + "worst direction that keep the mean energy within 1 % of the signal"},
        {"mean_best", edges + "best direction that keep the mean energy within 1 % of the signal"}},
       {}};
-  for (const NamedAnalysis& scheme : study.schemes) {
+  for (const study::NamedAnalysis& scheme : study.schemes) {
     std::vector<std::string>& row = rows.emplace_back();
     row.push_back(scheme.name);
     numbers.rows.push_back({scheme.name});

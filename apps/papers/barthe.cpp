@@ -15,7 +15,7 @@ constexpr const char* kCitation =
 }  // namespace
 
 Status write_barthe(const std::string& directory, const PaperProgress& progress) {
-  if (!figures_available())
+  if (!figure::figures_available())
     return Error{"this limn draws no figures", "build it with cairo (LIMN_FIGURES)"};
   PaperPage page(directory, kTitle, kCitation, progress);
   for (const auto& add :

@@ -20,7 +20,7 @@ Result<std::vector<Eigencomponents>> sqrt3_valences(int rings = 0) {
   if (!scheme) return scheme.error();
   FrequencyAnalysis analysis(*scheme, rings);
   std::vector<Eigencomponents> all;
-  for (int n = kSmallestValence; n <= kLastValence; ++n) {
+  for (int n = scheme::kSmallestValence; n <= kLastValence; ++n) {
     const Result<FrequencyBlocks> blocks = analysis.blocks(n);
     if (!blocks) return blocks.error();
     all.push_back(approx_eigencomponents(*blocks));
@@ -109,8 +109,8 @@ PaperFinding dominant(const std::vector<Eigencomponents>& all) {
                       found.valence, frequency, leads, printed);
     }
   return {"§4, (13)", "μ0 = 2/3 − α, μ1 = 2/3 k_1, μ2 = 2/3 k_2 are the dominant eigenvalues",
-          fmt::format("at the valences {} … {} they are, but in {} cases.{}", kSmallestValence,
-                      kLastValence, wrong, words),
+          fmt::format("at the valences {} … {} they are, but in {} cases.{}",
+                      scheme::kSmallestValence, kLastValence, wrong, words),
           wrong > 0 ? Judgement::refined : Judgement::supported};
 }
 
@@ -142,7 +142,7 @@ Result<PaperFinding> one_ring() {
   return PaperFinding{"§4", "the 1-ring alone gives μ0, μ1 and μ2",
                       fmt::format("its blocks are led by the printed values, to {:.0e}, at the "
                                   "valences {} … {}; the two rings show which others exceed them.",
-                                  worst, kSmallestValence, kLastValence),
+                                  worst, scheme::kSmallestValence, kLastValence),
                       worst < kRounding ? Judgement::supported : Judgement::contradicted};
 }
 
@@ -152,7 +152,7 @@ Result<PaperFinding> parameter() {
   if (!scheme) return scheme.error();
   FrequencyAnalysis analysis(*scheme, 1);
   double worst = 0;
-  for (int n = kSmallestValence; n <= kLastValence; ++n) {
+  for (int n = scheme::kSmallestValence; n <= kLastValence; ++n) {
     const Result<FrequencyBlocks> blocks = analysis.blocks(n);
     if (!blocks) return blocks.error();
     const Eigencomponents found = approx_eigencomponents(*blocks);
@@ -163,7 +163,7 @@ Result<PaperFinding> parameter() {
       fmt::format(
           "with it the two differ by {:.0e} at most on the 1-ring, v = {} … {}; the table of α "
           "above solves for it. It is an identity: 2/3 − α = 2/9 (1 + cos(2π/v)) = (2/3 k_1)².",
-          worst, kSmallestValence, kLastValence),
+          worst, scheme::kSmallestValence, kLastValence),
       worst < kRounding ? Judgement::confirmed : Judgement::contradicted};
 }
 

@@ -24,30 +24,31 @@ std::string index_text(double angle) {
   return halves == 1 ? "½" : fmt::format("{}½", halves / 2);
 }
 
-PagePoint turned(const Point3& p, double angle, double scale) {
+figure::PagePoint turned(const Point3& p, double angle, double scale) {
   return {scale * (p.x * std::cos(angle) - p.y * std::sin(angle)),
           scale * (p.x * std::sin(angle) + p.y * std::cos(angle))};
 }
 
 /// A step multiplies the characteristic map's net by the tangent's eigenvalue; √3 turns it too, by
 /// half a sector.
-Result<NetPanel> label_panel(const Scheme& scheme, const FrequencyBlocks& blocks,
-                             const std::string& title) {
+Result<figure::NetPanel> label_panel(const Scheme& scheme, const FrequencyBlocks& blocks,
+                                     const std::string& title) {
   const Result<CharacteristicMap> map = approx_characteristic_map(scheme, kValence, 1);
   if (!map) return map.error();
   const std::vector<StarPlace> places = star_places(blocks);
   const double turn = scheme.split->dilation.turns() ? 0.5 : 0;
-  const Colour fine{0.75, 0.1, 0.1, 1};
-  NetPanel panel;
+  const figure::Colour fine{0.75, 0.1, 0.1, 1};
+  figure::NetPanel panel;
   panel.title = title;
   panel.place_labels = true;
-  panel.nets = {{.colour = grey(0.45), .stroke = {.width = 0.8}, .dot = 2},
+  panel.nets = {{.colour = figure::grey(0.45), .stroke = {.width = 0.8}, .dot = 2},
                 {.colour = fine, .stroke = {.width = 0.5, .dash = {2, 1.5}}, .dot = 1.6}};
   for (int net = 0; net < 2; ++net) {
     const double sectors = net == 0 ? 0 : turn;
     const double angle = 2 * std::numbers::pi * sectors / kValence;
     for (std::size_t v = 0; v < places.size(); ++v) {
-      const PagePoint at = turned(map->net_points[v], angle, net == 0 ? 1 : map->eigenvalue);
+      const figure::PagePoint at =
+          turned(map->net_points[v], angle, net == 0 ? 1 : map->eigenvalue);
       panel.nets[static_cast<std::size_t>(net)].vertices.push_back(at);
       const int orbit = places[v].row - 1;
       const char upper = orbit < 0 ? 'A' : letter(blocks.orbits[static_cast<std::size_t>(orbit)]);
@@ -55,7 +56,7 @@ Result<NetPanel> label_panel(const Scheme& scheme, const FrequencyBlocks& blocks
       std::string text = fmt::format("/{{{}}}", shown);
       if (orbit >= 0)
         text += fmt::format("_{{{}}}", index_text(std::fmod(places[v].angle + sectors, kValence)));
-      panel.labels.push_back({at, text, {}, net == 0 ? Colour{} : fine});
+      panel.labels.push_back({at, text, {}, net == 0 ? figure::Colour{} : fine});
     }
     for (Index e = 0; e < map->net.edge_count(); ++e) {
       const Index h = map->net.halfedge_of_edge(e);
@@ -71,8 +72,8 @@ Result<NetPanel> label_panel(const Scheme& scheme, const FrequencyBlocks& blocks
 }  // namespace
 
 Status add_labels(PaperPage& page) {
-  Figure figure(1, 400);  // wide enough for labels between the lines
-  DescribedTable numbers{
+  figure::Figure figure(1, 400);  // wide enough for labels between the lines
+  report::DescribedTable numbers{
       {{"refinement", "dyadic or √3"},
        {"letter", "of the orbit, old; in small letters of the new one"},
        {"ring", "edges between the orbit and the vertex"},
@@ -83,7 +84,7 @@ Status add_labels(PaperPage& page) {
     if (!scheme) return scheme.error();
     const Result<FrequencyBlocks> blocks = FrequencyAnalysis(*scheme, 2).blocks(kValence);
     if (!blocks) return blocks.error();
-    const Result<NetPanel> panel = label_panel(*scheme, *blocks, title);
+    const Result<figure::NetPanel> panel = label_panel(*scheme, *blocks, title);
     if (!panel) return panel.error();
     figure.add(*panel);
     for (const Orbit& orbit : blocks->orbits)

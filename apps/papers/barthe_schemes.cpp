@@ -25,9 +25,9 @@ Result<Study> study(Scheme scheme) {
   Study result{std::move(scheme), {}, {}, {}};
   if (!has_rules(result.scheme)) return result;
   result.regular = find_regular_part(result.scheme);
-  result.proofs = c1_answers(result.scheme, kSmallestValence, kLastValence);
+  result.proofs = study::c1_answers(result.scheme, scheme::kSmallestValence, kLastValence);
   FrequencyAnalysis analysis(result.scheme);
-  for (int n = kSmallestValence; n <= kLastValence; ++n) {
+  for (int n = scheme::kSmallestValence; n <= kLastValence; ++n) {
     const Result<FrequencyBlocks> blocks = analysis.blocks(n);
     if (!blocks) return blocks.error();
     result.valences.push_back(approx_eigencomponents(*blocks, result.regular));
@@ -44,8 +44,8 @@ std::string shape_text(std::optional<Curvature> shape) {
 }
 
 std::string proof_text(const Study& study, const Eigencomponents& found) {
-  return std::string(
-      certify::to_string(study.proofs[static_cast<std::size_t>(found.valence - kSmallestValence)]));
+  return std::string(certify::to_string(
+      study.proofs[static_cast<std::size_t>(found.valence - scheme::kSmallestValence)]));
 }
 
 std::vector<std::vector<std::string>> table_rows(const Study& study) {
@@ -62,8 +62,8 @@ std::vector<std::vector<std::string>> table_rows(const Study& study) {
 }
 
 /// The verdicts as a file.
-DescribedTable verdicts_of(const Study& study) {
-  DescribedTable table{
+report::DescribedTable verdicts_of(const Study& study) {
+  report::DescribedTable table{
       {{"scheme", "its name"},
        {"valence", "edges of the vertex, of dual schemes corners of the face"},
        {"convergent", "whether 1 is simple and leads"},
@@ -111,13 +111,13 @@ std::string summary(const Study& study) {
       "C1 is proved at: {}; necessary conditions of C1 fail at: {}; curvature bounded, where C1, "
       "at: {}. On the regular "
       "lattice curvature is {} ({}).",
-      c1_answers_text(study.proofs, kSmallestValence), not_c1, bounded,
+      c1_answers_text(study.proofs, scheme::kSmallestValence), not_c1, bounded,
       words_of(study.regular.bounded), study.regular.reason);
 }
 
 /// Where eigenvalues are complex: " Complex, shown by modulus, at: …."
-std::string complex_words(const DataTable& numbers) {
-  const std::vector<int> list = complex_valences(numbers);
+std::string complex_words(const report::DataTable& numbers) {
+  const std::vector<int> list = report::complex_valences(numbers);
   return list.empty() ? "" : " Complex, shown by modulus, at: " + runs_text(list) + ".";
 }
 
@@ -136,9 +136,9 @@ Status add_schemes(PaperPage& page) {
   for (const std::string& name : shipped_schemes()) {
     const Result<Scheme> scheme = find_scheme(name);
     if (!scheme) return scheme.error();
-    for (Scheme& one : lattice_schemes(*scheme)) {
+    for (Scheme& one : scheme::lattice_schemes(*scheme)) {
       const bool alone = !one.stages || !one.stages->only;
-      const std::string_view lattice = lattice_name(one.split->lattice);
+      const std::string_view lattice = scheme::lattice_name(one.split->lattice);
       schemes.emplace_back(alone ? name : fmt::format("{}-on-{}s", name, lattice), std::move(one));
     }
   }
@@ -146,10 +146,11 @@ Status add_schemes(PaperPage& page) {
     const Result<Study> found = study(std::move(scheme));
     if (!found) return found.error();
     if (found->valences.empty()) continue;
-    const DataTable numbers = eigenvalue_table(found->valences);
-    Status status = page.add_figure({name, "eigenvalues-" + name}, eigenvalue_figure(name, numbers),
-                                    described_eigenvalues(numbers, name), "(not in the paper)",
-                                    summary(*found) + complex_words(numbers));
+    const report::DataTable numbers = report::eigenvalue_table(found->valences);
+    Status status =
+        page.add_figure({name, "eigenvalues-" + name}, report::eigenvalue_figure(name, numbers),
+                        report::described_eigenvalues(numbers, name), "(not in the paper)",
+                        summary(*found) + complex_words(numbers));
     if (!status) return status;
     status = page.add_table({name, "table-" + name}, table_rows(*found), verdicts_of(*found),
                             found->scheme.source);

@@ -51,10 +51,10 @@ Eigen::Matrix3cd found_block(const FrequencyBlocks& blocks, int omega) {
 }
 
 Status add_blocks(PaperPage& page, const Scheme& scheme) {
-  DescribedTable numbers{{{"valence", "v, edges of the vertex"},
-                          {"frequency", "ω, rotational"},
-                          {"largest difference", "of an entry from the printed one"}},
-                         {}};
+  report::DescribedTable numbers{{{"valence", "v, edges of the vertex"},
+                                  {"frequency", "ω, rotational"},
+                                  {"largest difference", "of an entry from the printed one"}},
+                                 {}};
   for (const char* whose : {"printed", "limn"})
     for (int i = 0; i < 9; ++i)
       numbers.columns.push_back(
@@ -71,8 +71,8 @@ Status add_blocks(PaperPage& page, const Scheme& scheme) {
       const Eigen::Matrix3d printed = printed_block(n, omega);
       const Eigen::Matrix3cd ours = found_block(*blocks, omega);
       const double difference = (ours - printed.cast<std::complex<double>>()).cwiseAbs().maxCoeff();
-      std::vector<Cell>& row = numbers.rows.emplace_back(
-          std::vector<Cell>{static_cast<double>(n), static_cast<double>(omega), difference});
+      std::vector<report::Cell>& row = numbers.rows.emplace_back(std::vector<report::Cell>{
+          static_cast<double>(n), static_cast<double>(omega), difference});
       for (int i = 0; i < 9; ++i) row.emplace_back(printed(i / 3, i % 3));
       for (int i = 0; i < 9; ++i) row.emplace_back(ours(i / 3, i % 3).real());
       worst = std::max(worst, difference);
@@ -98,11 +98,12 @@ Status add_formulas(PaperPage& page, const Scheme& scheme) {
     return Done{};
   }
   std::vector<std::vector<std::string>> rows{{"frequency", "ring", "eigenvalue"}};
-  DescribedTable numbers{{{"frequency", "ω, rotational"},
-                          {"and_above", "whether it holds for every larger one too"},
-                          {"ring", "the least that is invariant and has it"},
-                          {"eigenvalue", "a formula in the valence n, ω and the let alpha"}},
-                         {}};
+  report::DescribedTable numbers{
+      {{"frequency", "ω, rotational"},
+       {"and_above", "whether it holds for every larger one too"},
+       {"ring", "the least that is invariant and has it"},
+       {"eigenvalue", "a formula in the valence n, ω and the let alpha"}},
+      {}};
   for (const FrequencyFormulas& frequency : formulas->valences.front().frequencies)
     for (const EigenFormula& one : frequency.eigenvalues) {
       const ClosedRoot& root = one.by_lets ? *one.by_lets : one.root;
@@ -125,13 +126,14 @@ Status add_parameter(PaperPage& page, const Scheme& scheme) {
   if (!freed) return freed.error();
   const Result<SearchRange> range = SearchRange::parse("0,3/5");
   if (!range) return range.error();
-  DescribedTable numbers{{{"valence", "v, edges of the vertex"},
-                          {"alpha", "the vertex rule's parameter, solved from μ0 = μ1²"},
-                          {"paper", "the same by the paper's formula"},
-                          {"difference", "of the two"},
-                          {"holds", "whether the cup's eigenvalue is then the tangent's squared"},
-                          {"remark", "of the solver"}},
-                         {}};
+  report::DescribedTable numbers{
+      {{"valence", "v, edges of the vertex"},
+       {"alpha", "the vertex rule's parameter, solved from μ0 = μ1²"},
+       {"paper", "the same by the paper's formula"},
+       {"difference", "of the two"},
+       {"holds", "whether the cup's eigenvalue is then the tangent's squared"},
+       {"remark", "of the solver"}},
+      {}};
   std::vector<std::vector<std::string>> rows{{"n", "α printed", "α solved", "remark"}};
   for (int n = kFirst; n <= kLastValence; ++n) {
     const double printed = 2 / 9. * (2 - std::cos(2 * std::numbers::pi / n));

@@ -38,10 +38,10 @@ std::vector<Point3> control_points(double height) {
 }
 
 /// The refined plane, seen from above with its edges.
-Result<SurfacePanel> plane_panel(const Scheme& scheme, const Mesh& control) {
-  const auto fine = refine(scheme, control, control_points(0), 2);
+Result<figure::SurfacePanel> plane_panel(const Scheme& scheme, const Mesh& control) {
+  const auto fine = refine::refine(scheme, control, control_points(0), 2);
   if (!fine) return fine.error();
-  SurfacePanel panel;
+  figure::SurfacePanel panel;
   panel.azimuth = -90;
   panel.elevation = 90;
   panel.mesh_lines = true;
@@ -77,22 +77,22 @@ std::string verdict_words(const Eigencomponents& found) {
 }  // namespace
 
 Status add_variants(PaperPage& page) {
-  const Mesh control = star(Lattice::triangle, kValence, kRings);
-  Figure shaded(3);
-  Figure lines(3);
-  DescribedTable numbers{{{"row", "of the figure"},
-                          {"λ0", "eigenvalue of the position"},
-                          {"λ1", "eigenvalue of the tangent plane"},
-                          {"λ2", "eigenvalue of the tangent plane"},
-                          {"λ3", "eigenvalue of the cup"},
-                          {"λ4", "eigenvalue of a saddle"},
-                          {"λ5", "eigenvalue of a saddle"},
-                          {"λ6", "dominant eigenvalue of frequency 3"},
-                          {"λ7", "dominant eigenvalue of frequency 3"},
-                          {"scheme", "its name"},
-                          {"spectrum", "of the paper's that it has"}},
-                         {}};
-  DescribedTable verdicts{
+  const Mesh control = mesh::star(Lattice::triangle, kValence, kRings);
+  figure::Figure shaded(3);
+  figure::Figure lines(3);
+  report::DescribedTable numbers{{{"row", "of the figure"},
+                                  {"λ0", "eigenvalue of the position"},
+                                  {"λ1", "eigenvalue of the tangent plane"},
+                                  {"λ2", "eigenvalue of the tangent plane"},
+                                  {"λ3", "eigenvalue of the cup"},
+                                  {"λ4", "eigenvalue of a saddle"},
+                                  {"λ5", "eigenvalue of a saddle"},
+                                  {"λ6", "dominant eigenvalue of frequency 3"},
+                                  {"λ7", "dominant eigenvalue of frequency 3"},
+                                  {"scheme", "its name"},
+                                  {"spectrum", "of the paper's that it has"}},
+                                 {}};
+  report::DescribedTable verdicts{
       {{"row", "of the figure"},
        {"scheme", "its name"},
        {"spectrum", "of the paper's that it has"},
@@ -105,28 +105,31 @@ Status add_variants(PaperPage& page) {
   for (const Variant& variant : kVariants) {
     const Result<Scheme> scheme = find_scheme(variant.scheme);
     if (!scheme) return scheme.error();
-    const Result<SurfacePanel> plane = plane_panel(*scheme, control);
+    const Result<figure::SurfacePanel> plane = plane_panel(*scheme, control);
     if (!plane) return plane.error();
-    Result<SmoothSurface> surface = limit_surface(*scheme, control, control_points(0.16), 6);
+    Result<figure::SmoothSurface> surface =
+        study::limit_surface(*scheme, control, control_points(0.16), 6);
     if (!surface) return surface.error();
     const Result<FrequencyBlocks> blocks = FrequencyAnalysis(*scheme).blocks(kValence);
     if (!blocks) return blocks.error();
     const Eigencomponents found = approx_eigencomponents(*blocks, find_regular_part(*scheme));
-    SurfaceScene scene;
+    figure::SurfaceScene scene;
     scene.surfaces.push_back(std::move(*surface));
     scene.azimuth = -62;
     scene.elevation = 42;
-    const LightLines lights{.count = 44};
+    const figure::LightLines lights{.count = 44};
     shaded.add(*plane, fmt::format("{}: spectrum {}", variant.scheme, variant.spectrum));
-    shaded.add(ShadedPanel{.scene = scene, .resolution = 200}, "the saddle's limit surface");
-    shaded.add(ShadedPanel{.scene = scene, .stripes = lights, .resolution = 200},
+    shaded.add(figure::ShadedPanel{.scene = scene, .resolution = 200},
+               "the saddle's limit surface");
+    shaded.add(figure::ShadedPanel{.scene = scene, .stripes = lights, .resolution = 200},
                "reflection lines");
-    lines.add(ReflectionLinePanel{.scene = scene, .lights = lights},
+    lines.add(figure::ReflectionLinePanel{.scene = scene, .lights = lights},
               fmt::format("{}, spectrum {}", variant.scheme, variant.spectrum));
     const double row_number = static_cast<double>(numbers.rows.size() + 1);
-    std::vector<Cell>& row = numbers.rows.emplace_back(std::vector<Cell>{row_number});
+    std::vector<report::Cell>& row =
+        numbers.rows.emplace_back(std::vector<report::Cell>{row_number});
     for (const double value : spectrum_row(found)) row.emplace_back(value);
-    row.insert(row.end(), {Cell{variant.scheme}, Cell{variant.spectrum}});
+    row.insert(row.end(), {report::Cell{variant.scheme}, report::Cell{variant.spectrum}});
     verdicts.rows.push_back({row_number, variant.scheme, variant.spectrum,
                              std::string(to_string(found.verdict.c1_necessary)),
                              std::string(to_string(found.verdict.bounded_curvature)),

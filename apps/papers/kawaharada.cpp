@@ -18,7 +18,7 @@ constexpr const char* kCitation =
 }  // namespace
 
 Status write_kawaharada(const std::string& directory, const PaperProgress& progress) {
-  if (!figures_available())
+  if (!figure::figures_available())
     return Error{"this limn draws no figures", "build it with cairo (LIMN_FIGURES)"};
   PaperPage page(directory, kTitle, kCitation, progress);
   ks::Studio studio;

@@ -18,7 +18,7 @@ Result<PaperFinding> eigenvalues_of_laplacian(const Studio& studio) {
   std::string words = "they lie in ";
   bool inside = true;
   for (const Control* control : {&studio.torus, &studio.cube}) {
-    const Result<LaplacianModes> modes = approx_all_modes(control->mesh);
+    const Result<fairness::LaplacianModes> modes = fairness::approx_all_modes(control->mesh);
     if (!modes) return modes.error();
     const double least = modes->eigenvalues.front(), most = modes->eigenvalues.back();
     inside = inside && least > -kRounding && most < 2 + kRounding;
@@ -41,8 +41,8 @@ Result<double> largest_difference(const Member& one, const Member& other) {
   if (!b) return b.error();
   double largest = 0;
   for (int n = kFirstValence; n <= kLastValence; ++n) {
-    const auto first = subdivision_matrix<double>(*a, n, 2);
-    const auto second = subdivision_matrix<double>(*b, n, 2);
+    const auto first = refine::subdivision_matrix<double>(*a, n, 2);
+    const auto second = refine::subdivision_matrix<double>(*b, n, 2);
     if (!first) return first.error();
     if (!second) return second.error();
     for (std::size_t i = 0; i < first->entries.size(); ++i)
@@ -79,7 +79,7 @@ Result<PaperFinding> low_pass_at_three(const Members& members) {
   bool as_printed = true;
   for (const int n : {3, 4, 5, 6, 8, 12, 50, 1000}) {
     const Result<double> a =
-        Scope<double>(*low, n, std::nullopt)(low->equivalences.front().with.front().second);
+        scheme::Scope<double>(*low, n, std::nullopt)(low->equivalences.front().with.front().second);
     if (!a) return a.error();
     as_printed = as_printed && (*a > 0) == (n == 3);
     words += fmt::format("{}{:+.4f} at k = {}", words.empty() ? "" : ", ", *a, n);
@@ -177,9 +177,11 @@ Result<PaperFinding> outlines(Studio& studio) {
       ordered ? Judgement::confirmed : Judgement::contradicted};
 }
 
-const FairnessRecord& record_of(const std::vector<FairnessRecord>& records, const Member& member) {
-  return *std::find_if(records.begin(), records.end(),
-                       [&](const FairnessRecord& one) { return one.scheme == member.words; });
+const study::FairnessRecord& record_of(const std::vector<study::FairnessRecord>& records,
+                                       const Member& member) {
+  return *std::find_if(records.begin(), records.end(), [&](const study::FairnessRecord& one) {
+    return one.scheme == member.words;
+  });
 }
 
 }  // namespace
@@ -194,15 +196,15 @@ Judgement FairnessTally::no_gain() const {
   return larger > 0 ? Judgement::depends : Judgement::contradicted;
 }
 
-FairnessTally fairness_tally(const std::vector<FairnessRecord>& records, const Member& fairer,
-                             const Member& other) {
-  const FairnessRecord& a = record_of(records, fairer);
-  const FairnessRecord& b = record_of(records, other);
+FairnessTally fairness_tally(const std::vector<study::FairnessRecord>& records,
+                             const Member& fairer, const Member& other) {
+  const study::FairnessRecord& a = record_of(records, fairer);
+  const study::FairnessRecord& b = record_of(records, other);
   FairnessTally tally;
   tally.words = fmt::format("{} against {}", fairer.words, other.words);
   bool first = true;
   const auto compare = [&](const char* name, const auto& value, const auto& rounding,
-                           Trend FairnessRecord::*trend) {
+                           fairness::Trend study::FairnessRecord::*trend) {
     const double one = value(a.last()), two = value(b.last());
     const bool one_grows = (a.*trend).converges == Truth::no;
     const bool two_grows = (b.*trend).converges == Truth::no;
@@ -217,22 +219,22 @@ FairnessTally fairness_tally(const std::vector<FairnessRecord>& records, const M
     first = false;
   };
   compare(
-      "Σ|Lp|²·4^level", [](const FairnessLevel& level) { return level.scaled_laplacian; },
-      [](const FairnessLevel& level) {
+      "Σ|Lp|²·4^level", [](const study::FairnessLevel& level) { return level.scaled_laplacian; },
+      [](const study::FairnessLevel& level) {
         const double scale =
             level.laplacian_energy > 0 ? level.scaled_laplacian / level.laplacian_energy : 1;
         return level.laplacian_rounding * scale;
       },
-      &FairnessRecord::scaled_laplacian);
+      &study::FairnessRecord::scaled_laplacian);
   compare(
-      "thin plate", [](const FairnessLevel& level) { return level.energies.thin_plate; },
-      [](const FairnessLevel& level) { return level.energies.rounding.thin_plate; },
-      &FairnessRecord::thin_plate);
+      "thin plate", [](const study::FairnessLevel& level) { return level.energies.thin_plate; },
+      [](const study::FairnessLevel& level) { return level.energies.rounding.thin_plate; },
+      &study::FairnessRecord::thin_plate);
   compare(
       "curvature variation",
-      [](const FairnessLevel& level) { return level.energies.curvature_variation; },
-      [](const FairnessLevel& level) { return level.energies.rounding.curvature_variation; },
-      &FairnessRecord::curvature_variation);
+      [](const study::FairnessLevel& level) { return level.energies.curvature_variation; },
+      [](const study::FairnessLevel& level) { return level.energies.rounding.curvature_variation; },
+      &study::FairnessRecord::curvature_variation);
   return tally;
 }
 

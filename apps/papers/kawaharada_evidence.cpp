@@ -26,7 +26,7 @@ Status add_smoothness_table(PaperPage& page, const std::vector<const Evidence*>&
   std::vector<std::vector<std::string>> rows{
       {"scheme", "Hölder exponent, regular vertices", "C1", "C2",
        "C1 proved at n =", "C1 ruled out at n =", "curvature unbounded at n ="}};
-  DescribedTable numbers{
+  report::DescribedTable numbers{
       {{"scheme", "its name"},
        {"holder_lower", "of the Hölder exponent at regular vertices, proved"},
        {"holder_upper", "of the same; empty where none is proved"},
@@ -66,12 +66,13 @@ Status add_range_table(PaperPage& page, const std::vector<ValenceRange>& ranges,
                        const std::vector<double>& tangents) {
   std::vector<std::vector<std::string>> rows{
       {"n", "paper: 0 < a <", "−μ1 − μ1² < a < μ1 − μ1²", "limn, from the whole neighbourhood"}};
-  DescribedTable numbers{{{"n", "edges of the vertex"},
-                          {"low", "least a at which C1 is not ruled out, from all blocks"},
-                          {"high", "largest a at which C1 is not ruled out, from all blocks"},
-                          {"formula_low", "−μ1 − μ1²"},
-                          {"formula_high", "μ1 − μ1², the paper's upper end"}},
-                         {}};
+  report::DescribedTable numbers{
+      {{"n", "edges of the vertex"},
+       {"low", "least a at which C1 is not ruled out, from all blocks"},
+       {"high", "largest a at which C1 is not ruled out, from all blocks"},
+       {"formula_low", "−μ1 − μ1²"},
+       {"formula_high", "μ1 − μ1², the paper's upper end"}},
+      {}};
   double worst = 0;
   for (std::size_t i = 0; i < ranges.size(); ++i) {
     const ValenceRange& range = ranges[i];
@@ -103,7 +104,7 @@ Status add_low_pass_range(PaperPage& page, const Findings& found, const Member& 
   if (!scheme) return scheme.error();
   std::vector<std::vector<std::string>> rows{
       {"n", "paper", "the condition allows", "limn, of 0 ≤ á ≤ 1"}};
-  DescribedTable numbers{
+  report::DescribedTable numbers{
       {{"n", "edges of the vertex"},
        {"low", "least á of [0, 1] at which C1 is not ruled out, from all blocks"},
        {"high", "largest á of [0, 1] at which C1 is not ruled out"},
@@ -112,7 +113,7 @@ Status add_low_pass_range(PaperPage& page, const Findings& found, const Member& 
       {}};
   for (std::size_t i = 0; i < found.a_of_low.size(); ++i) {
     const ValenceRange& range = found.a_of_low[i];
-    const Result<double> full = Scope<double>(*scheme, range.valence, std::nullopt)(
+    const Result<double> full = scheme::Scope<double>(*scheme, range.valence, std::nullopt)(
         scheme->equivalences.front().with.front().second);  // á = 1 as a high pass
     if (!full) return full.error();
     const double tangent = found.tangents[i];
@@ -156,7 +157,7 @@ Result<std::vector<double>> loop_tangents(const Member& member) {
 }
 
 /// Of a table of energies; `unit` of length.
-DescribedTable fairness_columns(const std::string& unit) {
+report::DescribedTable fairness_columns(const std::string& unit) {
   const std::string squared = fmt::format(" [{}, squared]", unit);
   return {{{"scheme", "its name"},
            {"level", "the last, at which energies are taken [steps]"},
@@ -170,8 +171,8 @@ DescribedTable fairness_columns(const std::string& unit) {
           {}};
 }
 
-std::vector<Cell> fairness_row(const FairnessRecord& record) {
-  const FairnessLevel& last = record.last();
+std::vector<report::Cell> fairness_row(const study::FairnessRecord& record) {
+  const study::FairnessLevel& last = record.last();
   return {record.scheme,
           static_cast<double>(last.level),
           last.laplacian_energy,
@@ -185,18 +186,18 @@ std::vector<Cell> fairness_row(const FairnessRecord& record) {
 
 /// Energies of the limit surfaces at the finest level, and whether they converge.
 Status add_fairness_table(PaperPage& page, const Control& control,
-                          const std::vector<FairnessRecord>& records) {
+                          const std::vector<study::FairnessRecord>& records) {
   std::vector<std::vector<std::string>> rows{
       {"scheme", "Σ|Lp|² · 4^level", "thin plate", "curvature variation"}};
-  DescribedTable numbers = fairness_columns(fmt::format("unit of {}.obj", control.name));
-  const auto cell = [](double value, const Trend& trend) {
+  report::DescribedTable numbers = fairness_columns(fmt::format("unit of {}.obj", control.name));
+  const auto cell = [](double value, const fairness::Trend& trend) {
     return fmt::format("{:.4g}{}", value,
                        trend.converges == Truth::yes  ? ""
                        : trend.converges == Truth::no ? " and growing"
                                                       : " (not settled)");
   };
-  for (const FairnessRecord& record : records) {
-    const FairnessLevel& last = record.last();
+  for (const study::FairnessRecord& record : records) {
+    const study::FairnessLevel& last = record.last();
     rows.push_back({record.scheme, cell(last.scaled_laplacian, record.scaled_laplacian),
                     cell(last.energies.thin_plate, record.thin_plate),
                     cell(last.energies.curvature_variation, record.curvature_variation)});
@@ -211,16 +212,16 @@ Status add_fairness_table(PaperPage& page, const Control& control,
           control.name, records.front().last().level));
 }
 
-Result<std::vector<FairnessRecord>> fairness_of(PaperPage& page, const Control& control,
-                                                const std::vector<Member>& members) {
-  std::vector<FairnessRecord> records;
-  FairnessOptions options;
+Result<std::vector<study::FairnessRecord>> fairness_of(PaperPage& page, const Control& control,
+                                                       const std::vector<Member>& members) {
+  std::vector<study::FairnessRecord> records;
+  study::FairnessOptions options;
   options.levels = control.steps;
   for (const Member& member : members) {
     const Result<Scheme> scheme = member.load();
     if (!scheme) return scheme.error();
-    Result<FairnessRecord> record =
-        approx_fairness(member.words, *scheme, control.mesh, control.points, options);
+    Result<study::FairnessRecord> record =
+        study::approx_fairness(member.words, *scheme, control.mesh, control.points, options);
     if (!record) return record.error();
     records.push_back(std::move(*record));
   }
@@ -229,28 +230,28 @@ Result<std::vector<FairnessRecord>> fairness_of(PaperPage& page, const Control& 
 }
 
 /// The optimal scheme and its low pass at valences that the cube does not have.
-Result<std::vector<std::pair<int, std::vector<FairnessRecord>>>> fairness_by_valence(
+Result<std::vector<std::pair<int, std::vector<study::FairnessRecord>>>> fairness_by_valence(
     PaperPage& page, const Members& m) {
-  std::vector<std::pair<int, std::vector<FairnessRecord>>> all;
+  std::vector<std::pair<int, std::vector<study::FairnessRecord>>> all;
   std::vector<std::vector<std::string>> rows{
       {"k", "scheme", "Σ|Lp|² · 4^level", "thin plate", "curvature variation"}};
-  DescribedTable numbers = fairness_columns("edge of the flat mesh");
+  report::DescribedTable numbers = fairness_columns("edge of the flat mesh");
   numbers.columns.insert(numbers.columns.begin(), {"k", "edges of the raised vertex"});
   for (const int k : {3, 4, 5, 6, 7, 8, 10}) {
     const Control control = raised_control(k);
-    std::vector<FairnessRecord> records;
+    std::vector<study::FairnessRecord> records;
     for (const Member& member : {m.optimal, m.optimal_low}) {
       const Result<Scheme> scheme = member.load();
       if (!scheme) return scheme.error();
-      FairnessOptions options;
+      study::FairnessOptions options;
       options.levels = 4;
-      Result<FairnessRecord> record =
-          approx_fairness(member.words, *scheme, control.mesh, control.points, options);
+      Result<study::FairnessRecord> record =
+          study::approx_fairness(member.words, *scheme, control.mesh, control.points, options);
       if (!record) return record.error();
-      std::vector<Cell> row = fairness_row(*record);
+      std::vector<report::Cell> row = fairness_row(*record);
       row.insert(row.begin(), static_cast<double>(k));
       numbers.rows.push_back(std::move(row));
-      const auto cell = [](double value, const Trend& trend) {
+      const auto cell = [](double value, const fairness::Trend& trend) {
         return fmt::format("{:.4g}{}", value, trend.converges == Truth::no ? " and growing" : "");
       };
       const SurfaceEnergies& energies = record->last().energies;
@@ -282,7 +283,7 @@ Result<Evidence> evidence_of(const Member& member) {
   Result<std::vector<Eigencomponents>> valences = components_of(*scheme, kLastValence);
   if (!valences) return valences.error();
   return Evidence{member, std::move(*regularity), std::move(*valences),
-                  c1_answers(*scheme, kFirstValence, kLastValence)};
+                  study::c1_answers(*scheme, kFirstValence, kLastValence)};
 }
 
 std::string bracket_text(const HolderBracket& bracket) {
@@ -366,7 +367,7 @@ Result<Findings> find_all(PaperPage& page, Studio& studio) {
     std::vector<Member> members;
     for (const std::vector<Member>* list : lists)
       members.insert(members.end(), list->begin(), list->end());
-    Result<std::vector<FairnessRecord>> records = fairness_of(page, *control, members);
+    Result<std::vector<study::FairnessRecord>> records = fairness_of(page, *control, members);
     if (!records) return records.error();
     *place = std::move(*records);
   }

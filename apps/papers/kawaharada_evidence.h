@@ -52,10 +52,10 @@ struct Findings {
   std::vector<double> tangents;                    ///< Loop's μ1 from 3 on, as many
   std::vector<ValenceRange> b_of_butterfly;        ///< of laplacian-butterfly, at 6 alone
   /// Of the members on the torus, the cube and the raised vertex.
-  std::vector<FairnessRecord> torus, cube, raised;
+  std::vector<study::FairnessRecord> torus, cube, raised;
   /// Of the optimal scheme and its low pass, from one raised vertex of valence k over a mesh that
   /// is regular elsewhere.
-  std::vector<std::pair<int, std::vector<FairnessRecord>>> by_valence;
+  std::vector<std::pair<int, std::vector<study::FairnessRecord>>> by_valence;
 };
 [[nodiscard]] Result<Findings> find_all(PaperPage& page, Studio& studio);
 
@@ -71,7 +71,7 @@ struct FairnessTally {
   /// Of the claim that the first brings no gain.
   [[nodiscard]] Judgement no_gain() const;
 };
-[[nodiscard]] FairnessTally fairness_tally(const std::vector<FairnessRecord>& records,
+[[nodiscard]] FairnessTally fairness_tally(const std::vector<study::FairnessRecord>& records,
                                            const Member& fairer, const Member& other);
 
 /// The claims of §3, §4 and §5.

@@ -42,7 +42,7 @@ Control torus_control() {
     }
   return {"torus",
           "a torus of 12 × 6 vertices, each with six edges",
-          torus(Lattice::triangle, kAround, kAcross),
+          mesh::torus(Lattice::triangle, kAround, kAcross),
           std::move(points),
           5,
           -60,
@@ -68,7 +68,7 @@ Control cube_control() {
 }
 
 Control raised_control(int valence) {
-  Mesh mesh = star(Lattice::triangle, valence, kRings);
+  Mesh mesh = mesh::star(Lattice::triangle, valence, kRings);
   std::vector<Point3> points{{0, 0, 1}};
   for (Index ring = 1; ring <= kRings; ++ring)
     for (Index sector = 0; sector < valence; ++sector)

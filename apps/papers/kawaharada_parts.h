@@ -61,10 +61,11 @@ class Studio {
   Members members;
 
   /// The limit surface; the reference lives as long as the studio.
-  [[nodiscard]] Result<const SmoothSurface*> surface(const Control& control, const Member& member);
+  [[nodiscard]] Result<const figure::SmoothSurface*> surface(const Control& control,
+                                                             const Member& member);
 
  private:
-  std::map<std::pair<std::string, std::string>, SmoothSurface> surfaces_;
+  std::map<std::pair<std::string, std::string>, figure::SmoothSurface> surfaces_;
 };
 
 /// What one sees of a surface in a number.
@@ -73,10 +74,11 @@ struct SurfaceSize {
   double volume = 0;  ///< under it: what it encloses, or what lies between it and the plane z = 0
   double lowest = 0, highest = 0;
 };
-[[nodiscard]] SurfaceSize size_of(const SmoothSurface& surface);
+[[nodiscard]] SurfaceSize size_of(const figure::SmoothSurface& surface);
 
 /// A mesh with flat faces.
-[[nodiscard]] ShadedPanel control_panel(const Control& control, const ViewFrame& frame);
+[[nodiscard]] figure::ShadedPanel control_panel(const Control& control,
+                                                const figure::ViewFrame& frame);
 
 /// Figures 6-15, 23-34 and 37-46; the control meshes as files.
 [[nodiscard]] Status add_surfaces(PaperPage& page, Studio& studio);

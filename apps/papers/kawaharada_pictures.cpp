@@ -14,23 +14,23 @@ namespace limn::ks {
 namespace {
 
 constexpr int kFirst = 3, kLast = 12;  // valences of the numbers
-constexpr Colour kRed{0.8, 0.1, 0.1, 1};
+constexpr figure::Colour kRed{0.8, 0.1, 0.1, 1};
 
-PagePoint on_circle(double radius, double turns) {
+figure::PagePoint on_circle(double radius, double turns) {
   return {radius * std::cos(2 * std::numbers::pi * turns),
           radius * std::sin(2 * std::numbers::pi * turns)};
 }
 
 /// A wheel of k spokes; label 0 stands at the hub, the others at the rim in turn.
-NetPanel wheel(int k, const std::string& title, const std::vector<std::string>& texts) {
-  NetPanel panel;
+figure::NetPanel wheel(int k, const std::string& title, const std::vector<std::string>& texts) {
+  figure::NetPanel panel;
   panel.title = title;
   panel.place_labels = true;
-  NetPanel::Net net{.colour = grey(0.3), .dot = 1.8};
+  figure::NetPanel::Net net{.colour = figure::grey(0.3), .dot = 1.8};
   net.vertices.push_back({0, 0});
   panel.labels.push_back({{0, 0}, texts[0]});
   for (int i = 0; i < k; ++i) {
-    const PagePoint at = on_circle(1, 0.25 + static_cast<double>(i) / k);
+    const figure::PagePoint at = on_circle(1, 0.25 + static_cast<double>(i) / k);
     net.vertices.push_back(at);
     net.edges.push_back({0, i + 1});
     net.edges.push_back({i + 1, (i + 1) % k + 1});
@@ -42,13 +42,14 @@ NetPanel wheel(int k, const std::string& title, const std::vector<std::string>& 
 }
 
 /// Fig. 2: the old vertices, and the new ones on the edges, in red.
-NetPanel numbering(int k) {
+figure::NetPanel numbering(int k) {
   std::vector<std::string> texts;
   for (int i = 0; i <= k; ++i) texts.push_back(fmt::format("v_{{{}}}", i));
-  NetPanel panel = wheel(k, "Fig. 2", texts);
-  NetPanel::Net fine{.colour = kRed, .stroke = {.width = 0.5, .dash = {2, 1.5}}, .dot = 1.6};
+  figure::NetPanel panel = wheel(k, "Fig. 2", texts);
+  figure::NetPanel::Net fine{
+      .colour = kRed, .stroke = {.width = 0.5, .dash = {2, 1.5}}, .dot = 1.6};
   for (int i = 0; i < k; ++i) {
-    const PagePoint at = on_circle(0.5, 0.25 + static_cast<double>(i) / k);
+    const figure::PagePoint at = on_circle(0.5, 0.25 + static_cast<double>(i) / k);
     fine.vertices.push_back(at);
     fine.edges.push_back({i, (i + 1) % k});
     panel.labels.push_back({at, fmt::format("v'_{{{}}}", i + 1), {}, kRed});
@@ -57,17 +58,17 @@ NetPanel numbering(int k) {
   return panel;
 }
 
-NetPanel edge_stencil() {
+figure::NetPanel edge_stencil() {
   const double h = std::sqrt(3.0) / 2;
-  NetPanel panel;
+  figure::NetPanel panel;
   panel.title = "Fig. 3, new vertices";
   panel.place_labels = true;
   panel.nets = {{.vertices = {{-0.5, 0}, {0.5, 0}, {0, h}, {0, -h}},
                  .edges = {{0, 1}, {0, 2}, {2, 1}, {0, 3}, {3, 1}},
-                 .colour = grey(0.3),
+                 .colour = figure::grey(0.3),
                  .dot = 1.8},
                 {.vertices = {{0, 0}}, .colour = kRed, .dot = 1.8}};
-  for (const auto& [at, text] : {std::pair{PagePoint{-0.5, 0}, "/{b}"},
+  for (const auto& [at, text] : {std::pair{figure::PagePoint{-0.5, 0}, "/{b}"},
                                  {{0.5, 0}, "/{b}"},
                                  {{0, h}, "/{c}"},
                                  {{0, -h}, "/{c}"}})
@@ -80,24 +81,26 @@ Result<double> vertex_weight(const Member& member, const std::string& role, int 
   const Result<Scheme> scheme = member.load();
   if (!scheme) return scheme.error();
   for (const Weight& weight : scheme->rule(RuleKind::vertex)->front().weights)
-    if (weight.role == role) return Scope<double>(*scheme, n, std::nullopt)(weight.value);
+    if (weight.role == role) return scheme::Scope<double>(*scheme, n, std::nullopt)(weight.value);
   return 0.0;
 }
 
 /// The stencils at each valence: Loop's, the Laplacian's (a high pass with a = 1 without its Loop),
 /// its pseudo inverse's (the low pass with á = 1).
-Result<DescribedTable> stencil_numbers(const Members& members) {
-  DescribedTable table{{{"k", "edges of the vertex"},
-                        {"loop_self", "1 − kβ, weight of the vertex in Loop's rule (Fig. 3)"},
-                        {"loop_ring", "β, weight of each neighbour in Loop's rule (Fig. 3)"},
-                        {"laplacian_self", "weight of the vertex in L (Fig. 4)"},
-                        {"laplacian_ring", "weight of each neighbour in L (Fig. 4)"},
-                        {"inverse_self", "weight of the vertex in I − L/2 (Fig. 5)"},
-                        {"inverse_ring", "weight of each neighbour in I − L/2 (Fig. 5)"}},
-                       {}};
+Result<report::DescribedTable> stencil_numbers(const Members& members) {
+  report::DescribedTable table{
+      {{"k", "edges of the vertex"},
+       {"loop_self", "1 − kβ, weight of the vertex in Loop's rule (Fig. 3)"},
+       {"loop_ring", "β, weight of each neighbour in Loop's rule (Fig. 3)"},
+       {"laplacian_self", "weight of the vertex in L (Fig. 4)"},
+       {"laplacian_ring", "weight of each neighbour in L (Fig. 4)"},
+       {"inverse_self", "weight of the vertex in I − L/2 (Fig. 5)"},
+       {"inverse_ring", "weight of each neighbour in I − L/2 (Fig. 5)"}},
+      {}};
   const Member full{"a = 1", "laplacian-loop", {"a=1"}};
   for (int k = kFirst; k <= kLast; ++k) {
-    std::vector<Cell>& row = table.rows.emplace_back(std::vector<Cell>{static_cast<double>(k)});
+    std::vector<report::Cell>& row =
+        table.rows.emplace_back(std::vector<report::Cell>{static_cast<double>(k)});
     std::vector<double> values;
     for (const Member* member : {&members.loop, &full, &members.low})
       for (const char* role : {"self", "ring"}) {
@@ -114,9 +117,9 @@ Result<DescribedTable> stencil_numbers(const Members& members) {
 
 Status add_stencil_wheels(PaperPage& page, const Members& members) {
   constexpr int k = 5;
-  const Result<DescribedTable> numbers = stencil_numbers(members);
+  const Result<report::DescribedTable> numbers = stencil_numbers(members);
   if (!numbers) return numbers.error();
-  Figure figure(3);
+  figure::Figure figure(3);
   figure.add(numbering(k), "Old vertices, and the new ones of a step in red.");
   figure.add(wheel(k, "Fig. 3, old vertices", {"1 − /{k}β", "β"}));
   figure.add(edge_stencil(), "2(/{b} + /{c}) = 1; the new vertex in red.");
@@ -135,17 +138,17 @@ Status add_steps(PaperPage& page, Studio& studio) {
   const Control& cube = studio.cube;
   const Result<Scheme> loop = studio.members.loop.load();
   if (!loop) return loop.error();
-  SurfaceScene all;
+  figure::SurfaceScene all;
   all.azimuth = cube.azimuth;
   all.elevation = cube.elevation;
-  all.net = control_net(cube.mesh, cube.points);
-  const ViewFrame frame = limn::frame_of(all);
-  Figure figure(4);
-  DescribedTable numbers{{{"step", "0: the control mesh"},
-                          {"vertices", "of the mesh"},
-                          {"faces", "of the mesh, triangles"},
-                          {"volume", "enclosed [unit of cube.obj, cubed]"}},
-                         {}};
+  all.net = study::control_net(cube.mesh, cube.points);
+  const figure::ViewFrame frame = limn::figure::frame_of(all);
+  figure::Figure figure(4);
+  report::DescribedTable numbers{{{"step", "0: the control mesh"},
+                                  {"vertices", "of the mesh"},
+                                  {"faces", "of the mesh, triangles"},
+                                  {"volume", "enclosed [unit of cube.obj, cubed]"}},
+                                 {}};
   const auto volume = [](const Mesh& mesh, const std::vector<Point3>& points) {
     double sum = 0;
     for (Index f = 0; f < mesh.face_count(); ++f) {
@@ -156,7 +159,7 @@ Status add_steps(PaperPage& page, Studio& studio) {
     return sum;
   };
   for (int step = 0; step <= 2; ++step) {
-    const auto fine = refine(*loop, cube.mesh, cube.points, step);
+    const auto fine = refine::refine(*loop, cube.mesh, cube.points, step);
     if (!fine) return fine.error();
     Control refined = cube;
     refined.mesh = fine->mesh;
@@ -170,11 +173,12 @@ Status add_steps(PaperPage& page, Studio& studio) {
   }
   const auto limit = studio.surface(cube, studio.members.loop);
   if (!limit) return limit.error();
-  SurfaceScene scene = all;
+  figure::SurfaceScene scene = all;
   scene.net = {};
   scene.seen_frame = frame;
   scene.surfaces.push_back(**limit);
-  figure.add(ShadedPanel{.scene = std::move(scene), .resolution = 200}, "the limit surface");
+  figure.add(figure::ShadedPanel{.scene = std::move(scene), .resolution = 200},
+             "the limit surface");
   return page.add_figure(
       {"Figure 1", "fig01"}, figure, numbers,
       "Loop subdivision: a mesh, after one and two steps, and the limit surface.",
@@ -202,29 +206,29 @@ Status add_circle(PaperPage& page, const Members& members) {
   for (const char* role : {"end", "wing"})
     for (const Weight& weight : scheme->rule(RuleKind::edge)->front().weights)
       if (weight.role == role) {
-        const Result<double> value = Scope<double>(*scheme, k, std::nullopt)(weight.value);
+        const Result<double> value = scheme::Scope<double>(*scheme, k, std::nullopt)(weight.value);
         if (!value) return value.error();
         b.push_back(*value);
       }
   const double centre = b[0], radius = 2 * std::abs(b[1]);
-  NetPanel panel;
+  figure::NetPanel panel;
   panel.place_labels = true;
   constexpr int kRound = 180;
-  NetPanel::Net circle{.colour = grey(0.5), .dot = 0},
-      drops{.colour = grey(0.6), .stroke = {.width = 0.4, .dash = {1.5, 1.5}}, .dot = 1.1},
+  figure::NetPanel::Net circle{.colour = figure::grey(0.5), .dot = 0},
+      drops{.colour = figure::grey(0.6), .stroke = {.width = 0.4, .dash = {1.5, 1.5}}, .dot = 1.1},
       values{.colour = kRed, .dot = 2.2};
   for (int i = 0; i < kRound; ++i) {
-    const PagePoint at = on_circle(radius, static_cast<double>(i) / kRound);
+    const figure::PagePoint at = on_circle(radius, static_cast<double>(i) / kRound);
     circle.vertices.push_back({centre + at[0], at[1]});
     circle.edges.push_back({i, (i + 1) % kRound});
   }
-  DescribedTable numbers{{{"frequency", "rotational, j of 0 … k/2"},
-                          {"eigenvalue", "of D_k, from the scheme's 1-ring"},
-                          {"formula", "b + 2c cos(2πj/k); at j = 0 less kβ"}},
-                         {}};
+  report::DescribedTable numbers{{{"frequency", "rotational, j of 0 … k/2"},
+                                  {"eigenvalue", "of D_k, from the scheme's 1-ring"},
+                                  {"formula", "b + 2c cos(2πj/k); at j = 0 less kβ"}},
+                                 {}};
   double worst = 0;
   for (int j = 0; j < k; ++j) {
-    const PagePoint at = on_circle(radius, static_cast<double>(j) / k);
+    const figure::PagePoint at = on_circle(radius, static_cast<double>(j) / k);
     drops.vertices.push_back({centre + at[0], at[1]});
     drops.vertices.push_back({centre + at[0], 0});
     drops.edges.push_back({2 * j, 2 * j + 1});
@@ -232,7 +236,7 @@ Status add_circle(PaperPage& page, const Members& members) {
   for (int j = 0; j <= k / 2; ++j) {
     const auto& list = found.spectra[static_cast<std::size_t>(j)].eigenvalues;
     const double value = list[j == 0 ? 1 : 0].value.real();
-    const Result<double> ring = Scope<double>(
+    const Result<double> ring = scheme::Scope<double>(
         *scheme, k, std::nullopt)(scheme->rule(RuleKind::vertex)->front().weights.back().value);
     if (!ring) return ring.error();
     const double formula =
@@ -242,11 +246,11 @@ Status add_circle(PaperPage& page, const Members& members) {
     values.vertices.push_back({value, 0});
     panel.labels.push_back({{value, 0}, j == 0 ? "cup" : fmt::format("/{{j}} = {}", j), {}, kRed});
   }
-  NetPanel::Net middle{.vertices = {{centre, 0}}, .dot = 1.2};
+  figure::NetPanel::Net middle{.vertices = {{centre, 0}}, .dot = 1.2};
   panel.labels.push_back({{centre, 0}, "(/{b}, 0)"});
-  panel.arrows.push_back({{-0.02, 0}, {centre + 1.25 * radius, 0}, grey(0.2)});
+  panel.arrows.push_back({{-0.02, 0}, {centre + 1.25 * radius, 0}, figure::grey(0.2)});
   panel.nets = {circle, drops, values, middle};
-  Figure figure(1, 300);
+  figure::Figure figure(1, 300);
   figure.add(panel, fmt::format("Loop's /{{b}} = {:.4g}, /{{c}} = {:.4g} at /{{k}} = {}.", centre,
                                 b[1], k));
   return page.add_figure(

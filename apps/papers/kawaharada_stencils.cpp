@@ -23,7 +23,8 @@ using Vectors = Eigen::Matrix2Xd;
 /// The vertices round the centre after many steps, as vectors from it, scaled to mean length 1.
 Result<Vectors> limit_differences(const Scheme& scheme, const Vectors& ring) {
   const int n = static_cast<int>(ring.cols());
-  const Result<SubdivisionMatrix<double>> matrix = subdivision_matrix<double>(scheme, n, 1);
+  const Result<refine::SubdivisionMatrix<double>> matrix =
+      refine::subdivision_matrix<double>(scheme, n, 1);
   if (!matrix) return matrix.error();
   Eigen::MatrixXd step(n + 1, n + 1);
   for (int row = 0; row <= n; ++row)
@@ -64,9 +65,9 @@ DifferenceFit fit(const Vectors& vectors) {
   return {(vectors - map * polygon).colwise().norm().maxCoeff(), half_axes[0] / half_axes[1]};
 }
 
-NetPanel panel_of(const Vectors& vectors) {
-  NetPanel panel;
-  NetPanel::Net net;
+figure::NetPanel panel_of(const Vectors& vectors) {
+  figure::NetPanel panel;
+  figure::NetPanel::Net net;
   net.vertices.push_back({0, 0});
   const int n = static_cast<int>(vectors.cols());
   for (int k = 0; k < n; ++k) {
@@ -84,7 +85,8 @@ Result<std::string> edge_weight(const Member& member, const std::string& role) {
   if (!scheme) return scheme.error();
   for (const Weight& weight : scheme->rule(RuleKind::edge)->front().weights) {
     if (weight.role != role) continue;
-    const Result<Exact> value = Scope<Exact>(*scheme, std::nullopt, std::nullopt)(weight.value);
+    const Result<number::Exact> value =
+        scheme::Scope<number::Exact>(*scheme, std::nullopt, std::nullopt)(weight.value);
     if (!value) return value.error();
     return to_string(value->rational());
   }
@@ -93,7 +95,7 @@ Result<std::string> edge_weight(const Member& member, const std::string& role) {
 
 /// A place of the butterfly's edge stencil and its role.
 struct StencilPlace {
-  PagePoint at;
+  figure::PagePoint at;
   const char* role;
 };
 std::vector<StencilPlace> stencil_places() {
@@ -104,11 +106,11 @@ std::vector<StencilPlace> stencil_places() {
 }
 
 /// The stencil's net with a text at each place; the new vertex in red.
-NetPanel stencil_panel(const std::string& title, const std::vector<std::string>& texts) {
-  NetPanel panel;
+figure::NetPanel stencil_panel(const std::string& title, const std::vector<std::string>& texts) {
+  figure::NetPanel panel;
   panel.title = title;
   panel.place_labels = true;
-  NetPanel::Net net{.colour = grey(0.45), .stroke = {.width = 0.5}, .dot = 1.6};
+  figure::NetPanel::Net net{.colour = figure::grey(0.45), .stroke = {.width = 0.5}, .dot = 1.6};
   const std::vector<StencilPlace> places = stencil_places();
   for (std::size_t i = 0; i < places.size(); ++i) {
     net.vertices.push_back(places[i].at);
@@ -127,7 +129,8 @@ Result<std::vector<std::string>> one_end_texts(const Member& low) {
   if (!scheme) return scheme.error();
   std::string self, ring;
   for (const Weight& weight : scheme->rule(RuleKind::vertex)->front().weights) {
-    const Result<Exact> value = Scope<Exact>(*scheme, 6, std::nullopt)(weight.value);
+    const Result<number::Exact> value =
+        scheme::Scope<number::Exact>(*scheme, 6, std::nullopt)(weight.value);
     if (!value) return value.error();
     (weight.role == "self" ? self : ring) = to_string(value->rational());
   }
@@ -140,12 +143,12 @@ Result<std::vector<std::string>> one_end_texts(const Member& low) {
 }
 
 Status add_stencil_figure(PaperPage& page, const Members& members, const Member& whole) {
-  Figure figure(2);
-  DescribedTable numbers{{{"figure", "of the paper"},
-                          {"x", "place of the old vertex, the new one at 0 [edges]"},
-                          {"y", "place of the old vertex, the new one at 0 [edges]"},
-                          {"weight", "of the old vertex in the new one"}},
-                         {}};
+  figure::Figure figure(2);
+  report::DescribedTable numbers{{{"figure", "of the paper"},
+                                  {"x", "place of the old vertex, the new one at 0 [edges]"},
+                                  {"y", "place of the old vertex, the new one at 0 [edges]"},
+                                  {"weight", "of the old vertex in the new one"}},
+                                 {}};
   const auto add = [&](const std::string& title, const std::vector<std::string>& texts) {
     figure.add(stencil_panel(title, texts));
     const std::vector<StencilPlace> places = stencil_places();
@@ -183,23 +186,23 @@ Status add_stencil_figure(PaperPage& page, const Members& members, const Member&
 /// Fig. 16: what the operators do to one step from the raised vertex, in section.
 Status add_operators(PaperPage& page, const Members& members, const Member& whole) {
   const Control raised = raised_control();
-  Figure figure(2);
-  DescribedTable numbers{{{"scheme", "whose step it is"},
-                          {"x", "along a line of edges [control edges]"},
-                          {"z", "height after one step"}},
-                         {}};
+  figure::Figure figure(2);
+  report::DescribedTable numbers{{{"scheme", "whose step it is"},
+                                  {"x", "along a line of edges [control edges]"},
+                                  {"z", "height after one step"}},
+                                 {}};
   for (const auto& pair : {std::pair{&members.loop, &members.low}, {&members.butterfly, &whole}}) {
-    ChartPanel panel{.x_label = "edges of the control mesh"};
+    figure::ChartPanel panel{.x_label = "edges of the control mesh"};
     for (const Member* member : {pair.first, pair.second}) {
       const Result<Scheme> scheme = member->load();
       if (!scheme) return scheme.error();
-      const auto fine = refine(*scheme, raised.mesh, raised.points, 1);
+      const auto fine = refine::refine(*scheme, raised.mesh, raised.points, 1);
       if (!fine) return fine.error();
       std::vector<std::pair<double, double>> points;
       for (const Point3& p : fine->values)
         if (std::abs(p.y) < 1e-9 && std::abs(p.x) < 2.01) points.emplace_back(p.x, p.z);
       std::sort(points.begin(), points.end());
-      ChartPanel::Series series{.name = member->words, .markers = true};
+      figure::ChartPanel::Series series{.name = member->words, .markers = true};
       for (const auto& [x, z] : points) {
         series.x.push_back(x);
         series.y.push_back(z);
@@ -229,13 +232,13 @@ Status add_stencils(PaperPage& page, const Members& members) {
   std::vector<std::vector<std::string>> rows{{"role (positions)", "Fig. 17: butterfly",
                                               "Fig. 19: b = 1", "Fig. 20: b = 1/4",
                                               "Fig. 21: b = 1/8", "Fig. 22: b = 3/16"}};
-  DescribedTable numbers{{{"role", "of the old vertices, and how many there are"},
-                          {"butterfly", "weight of each in the new vertex (Fig. 17)"},
-                          {"b_1", "weight at b = 1 (Fig. 19)"},
-                          {"b_1_4", "weight at b = 1/4 (Fig. 20)"},
-                          {"b_1_8", "weight at b = 1/8 (Fig. 21)"},
-                          {"b_3_16", "weight at b = 3/16 (Fig. 22)"}},
-                         {}};
+  report::DescribedTable numbers{{{"role", "of the old vertices, and how many there are"},
+                                  {"butterfly", "weight of each in the new vertex (Fig. 17)"},
+                                  {"b_1", "weight at b = 1 (Fig. 19)"},
+                                  {"b_1_4", "weight at b = 1/4 (Fig. 20)"},
+                                  {"b_1_8", "weight at b = 1/8 (Fig. 21)"},
+                                  {"b_3_16", "weight at b = 3/16 (Fig. 22)"}},
+                                 {}};
   for (const auto& [role, words] : {std::pair{"end", "end (2)"},
                                     {"wing", "wing (2)"},
                                     {"outer", "outer (4)"},
@@ -269,12 +272,12 @@ Status add_differences(PaperPage& page, const Members& members) {
   page.add_heading("§5.1 Difference vectors in the limit");
   const Result<Scheme> scheme = members.optimal.load();
   if (!scheme) return scheme.error();
-  Figure figure(4);
-  DescribedTable numbers{{{"panel", "of the figure, and what it starts from"},
-                          {"k", "number of the difference vector"},
-                          {"x", "of it [mean lengths of the vectors]"},
-                          {"y", "of it [mean lengths of the vectors]"}},
-                         {}};
+  figure::Figure figure(4);
+  report::DescribedTable numbers{{{"panel", "of the figure, and what it starts from"},
+                                  {"k", "number of the difference vector"},
+                                  {"x", "of it [mean lengths of the vectors]"},
+                                  {"y", "of it [mean lengths of the vectors]"}},
+                                 {}};
   const auto add = [&](const Vectors& start, const std::string& words) -> Status {
     const Result<Vectors> limit = limit_differences(*scheme, start);
     if (!limit) return limit.error();

@@ -20,8 +20,8 @@ constexpr double kResolution = 200;
 constexpr double kSupport = 3.01;  // where basis functions are not 0
 constexpr double kFar = std::numeric_limits<double>::infinity();
 
-SurfaceScene empty_scene(const Control& control, const ViewFrame& frame) {
-  SurfaceScene scene;
+figure::SurfaceScene empty_scene(const Control& control, const figure::ViewFrame& frame) {
+  figure::SurfaceScene scene;
   scene.azimuth = control.azimuth;
   scene.elevation = control.elevation;
   scene.seen_frame = frame;
@@ -53,11 +53,11 @@ std::string found_words(const Control& control, const Plate& plate,
 }
 
 /// What shows all that is in a plate.
-Result<ViewFrame> frame_of(Studio& studio, const Control& control, const Plate& plate) {
-  SurfaceScene all;
+Result<figure::ViewFrame> frame_of(Studio& studio, const Control& control, const Plate& plate) {
+  figure::SurfaceScene all;
   all.azimuth = control.azimuth;
   all.elevation = control.elevation;
-  if (plate.shows_control) all.net = control_net(control.mesh, control.points);
+  if (plate.shows_control) all.net = study::control_net(control.mesh, control.points);
   std::vector<Member> members = plate.alone;
   for (const auto& [green, pink] : plate.overlaid) members.insert(members.end(), {green, pink});
   for (const Member& member : members) {
@@ -65,12 +65,12 @@ Result<ViewFrame> frame_of(Studio& studio, const Control& control, const Plate& 
     if (!surface) return surface.error();
     all.surfaces.emplace_back().vertices = (*surface)->vertices;
   }
-  return limn::frame_of(all);
+  return limn::figure::frame_of(all);
 }
 
-Status add_alone(Figure& figure, DescribedTable& numbers, std::vector<SurfaceSize>& sizes,
-                 Studio& studio, const Control& control, const Plate& plate,
-                 const ViewFrame& frame) {
+Status add_alone(figure::Figure& figure, report::DescribedTable& numbers,
+                 std::vector<SurfaceSize>& sizes, Studio& studio, const Control& control,
+                 const Plate& plate, const figure::ViewFrame& frame) {
   const std::string unit = fmt::format("[unit of {}.obj", control.name);
   numbers.columns = {
       {"surface", "the scheme of the limit surface"},
@@ -82,9 +82,10 @@ Status add_alone(Figure& figure, DescribedTable& numbers, std::vector<SurfaceSiz
   for (const Member& member : plate.alone) {
     const auto surface = studio.surface(control, member);
     if (!surface) return surface.error();
-    SurfaceScene scene = empty_scene(control, frame);
+    figure::SurfaceScene scene = empty_scene(control, frame);
     scene.surfaces.push_back(**surface);
-    figure.add(ShadedPanel{.scene = std::move(scene), .resolution = kResolution}, member.words);
+    figure.add(figure::ShadedPanel{.scene = std::move(scene), .resolution = kResolution},
+               member.words);
     const SurfaceSize size = size_of(**surface);
     sizes.push_back(size);
     numbers.rows.push_back({member.words, size.area, size.volume, size.lowest, size.highest});
@@ -92,15 +93,16 @@ Status add_alone(Figure& figure, DescribedTable& numbers, std::vector<SurfaceSiz
   return Done{};
 }
 
-SpaceVector between(const std::vector<SpaceVector>& list, int from, int to, double t) {
-  const SpaceVector& a = list[static_cast<std::size_t>(from)];
-  const SpaceVector& b = list[static_cast<std::size_t>(to)];
+figure::SpaceVector between(const std::vector<figure::SpaceVector>& list, int from, int to,
+                            double t) {
+  const figure::SpaceVector& a = list[static_cast<std::size_t>(from)];
+  const figure::SpaceVector& b = list[static_cast<std::size_t>(to)];
   return {a[0] + t * (b[0] - a[0]), a[1] + t * (b[1] - a[1]), a[2] + t * (b[2] - a[2])};
 }
 
 /// The part of a surface beyond the vertical plane through the middle of its control mesh, as the
 /// viewer sees it: what it covers comes to light.
-SmoothSurface far_half(const SmoothSurface& surface, const Control& control) {
+figure::SmoothSurface far_half(const figure::SmoothSurface& surface, const Control& control) {
   const double azimuth = control.azimuth * std::numbers::pi / 180;
   const auto nearness = [&](double x, double y) {
     return std::cos(azimuth) * x + std::sin(azimuth) * y;
@@ -108,10 +110,10 @@ SmoothSurface far_half(const SmoothSurface& surface, const Control& control) {
   double middle = 0;
   for (const Point3& p : control.points) middle += nearness(p.x, p.y);
   middle /= static_cast<double>(control.points.size());
-  SmoothSurface half = surface;
+  figure::SmoothSurface half = surface;
   half.triangles.clear();
   const auto height = [&](int v) {  // above the plane, towards the viewer
-    const SpaceVector& p = half.vertices[static_cast<std::size_t>(v)];
+    const figure::SpaceVector& p = half.vertices[static_cast<std::size_t>(v)];
     return nearness(p[0], p[1]) - middle;
   };
   for (const std::array<int, 3>& t : surface.triangles) {
@@ -131,8 +133,8 @@ SmoothSurface far_half(const SmoothSurface& surface, const Control& control) {
   return half;
 }
 
-Status add_overlays(Figure& figure, DescribedTable& numbers, Studio& studio, const Control& control,
-                    const Plate& plate, const ViewFrame& frame) {
+Status add_overlays(figure::Figure& figure, report::DescribedTable& numbers, Studio& studio,
+                    const Control& control, const Plate& plate, const figure::ViewFrame& frame) {
   const std::string unit = fmt::format("[unit of {}.obj]", control.name);
   numbers.columns = {{"green", "the scheme of the green limit surface"},
                      {"pink", "the scheme of the pink one"},
@@ -143,15 +145,15 @@ Status add_overlays(Figure& figure, DescribedTable& numbers, Studio& studio, con
     const auto first = studio.surface(control, green), second = studio.surface(control, pink);
     if (!first) return first.error();
     if (!second) return second.error();
-    const Result<SurfaceDistance> apart =
-        approx_surface_distance(polygons_of(**first), polygons_of(**second));
+    const Result<mesh::SurfaceDistance> apart =
+        mesh::approx_surface_distance(study::polygons_of(**first), study::polygons_of(**second));
     if (!apart) return apart.error();
-    ShadedPanel panel = overlaid({green.words, **first}, {pink.words, **second});
-    SurfaceScene scene = empty_scene(control, frame);
+    figure::ShadedPanel panel = report::overlaid({green.words, **first}, {pink.words, **second});
+    figure::SurfaceScene scene = empty_scene(control, frame);
     scene.surfaces = std::move(panel.scene.surfaces);
     panel.scene = std::move(scene);
     panel.resolution = kResolution;
-    figure.add(panel, "Distance: " + distance_text(*apart));
+    figure.add(panel, "Distance: " + report::distance_text(*apart));
     if (!control.mesh.has_boundary()) {
       panel.scene.surfaces.front() = far_half(panel.scene.surfaces.front(), control);
       panel.outlines = false;
@@ -163,10 +165,10 @@ Status add_overlays(Figure& figure, DescribedTable& numbers, Studio& studio, con
 }
 
 Status add_plate(PaperPage& page, Studio& studio, const Control& control, const Plate& plate) {
-  Figure figure(2);
-  DescribedTable numbers;
+  figure::Figure figure(2);
+  report::DescribedTable numbers;
   std::vector<SurfaceSize> sizes;
-  const Result<ViewFrame> frame = frame_of(studio, control, plate);
+  const Result<figure::ViewFrame> frame = frame_of(studio, control, plate);
   if (!frame) return frame.error();
   if (plate.shows_control) figure.add(control_panel(control, *frame), control.title);
   Status status = plate.overlaid.empty()
@@ -210,20 +212,20 @@ Status add_torus_and_cube(PaperPage& page, Studio& studio) {
 /// A cut through basis functions, along an edge of the control mesh.
 Status add_profiles(PaperPage& page, Studio& studio) {
   const Members& m = studio.members;
-  Figure figure(2);
-  DescribedTable numbers{{{"x", "along a line of edges [control edges]"}}, {}};
+  figure::Figure figure(2);
+  report::DescribedTable numbers{{{"x", "along a line of edges [control edges]"}}, {}};
   for (const auto& list : {std::vector<Member>{m.butterfly, m.eighth, m.sixteenths},
                            {m.loop, m.optimal_high, m.optimal, m.optimal_low}}) {
-    ChartPanel panel;
+    figure::ChartPanel panel;
     panel.x_label = "edges of the control mesh";
     for (const Member& member : list) {
       const auto surface = studio.surface(studio.raised, member);
       if (!surface) return surface.error();
       std::vector<std::pair<double, double>> points;
-      for (const SpaceVector& p : (*surface)->vertices)
+      for (const figure::SpaceVector& p : (*surface)->vertices)
         if (std::abs(p[1]) < 1e-9 && std::abs(p[0]) < kSupport) points.emplace_back(p[0], p[2]);
       std::sort(points.begin(), points.end());
-      ChartPanel::Series series{.name = member.words};
+      figure::ChartPanel::Series series{.name = member.words};
       for (std::size_t i = 0; i < points.size(); ++i) {
         series.x.push_back(points[i].first);
         series.y.push_back(points[i].second);
@@ -313,8 +315,8 @@ Status add_control_files(PaperPage& page, const Studio& studio) {
 
 }  // namespace
 
-ShadedPanel control_panel(const Control& control, const ViewFrame& frame) {
-  SmoothSurface faces;
+figure::ShadedPanel control_panel(const Control& control, const figure::ViewFrame& frame) {
+  figure::SmoothSurface faces;
   for (Index f = 0; f < control.mesh.face_count(); ++f) {
     const Index first = control.mesh.face_begin(f);
     std::array<Point3, 3> corner;
@@ -327,16 +329,16 @@ ShadedPanel control_panel(const Control& control, const ViewFrame& frame) {
     }
     faces.triangles.push_back({at, at + 1, at + 2});
   }
-  SurfaceScene scene = empty_scene(control, frame);
+  figure::SurfaceScene scene = empty_scene(control, frame);
   scene.surfaces.push_back(std::move(faces));
-  scene.net = control_net(control.mesh, control.points);
+  scene.net = study::control_net(control.mesh, control.points);
   return {.scene = std::move(scene), .resolution = kResolution};
 }
 
-SurfaceSize size_of(const SmoothSurface& surface) {
+SurfaceSize size_of(const figure::SmoothSurface& surface) {
   SurfaceSize size{.lowest = kFar, .highest = -kFar};
   const auto point = [&](int v) {
-    const SpaceVector& p = surface.vertices[static_cast<std::size_t>(v)];
+    const figure::SpaceVector& p = surface.vertices[static_cast<std::size_t>(v)];
     return Point3{p[0], p[1], p[2]};
   };
   for (const auto& [i, j, k] : surface.triangles) {
@@ -345,7 +347,7 @@ SurfaceSize size_of(const SmoothSurface& surface) {
     size.area += std::sqrt(dot(normal, normal)) / 2;
     size.volume += normal.z / 2 * (a.z + b.z + c.z) / 3;
   }
-  for (const SpaceVector& p : surface.vertices) {
+  for (const figure::SpaceVector& p : surface.vertices) {
     size.lowest = std::min(size.lowest, p[2]);
     size.highest = std::max(size.highest, p[2]);
   }
@@ -367,12 +369,13 @@ Result<Scheme> Member::load() const {
 
 Studio::Studio() : torus(torus_control()), cube(cube_control()), raised(raised_control()) {}
 
-Result<const SmoothSurface*> Studio::surface(const Control& control, const Member& member) {
+Result<const figure::SmoothSurface*> Studio::surface(const Control& control, const Member& member) {
   const std::pair key{control.name, member.words};
   if (const auto known = surfaces_.find(key); known != surfaces_.end()) return &known->second;
   const Result<Scheme> scheme = member.load();
   if (!scheme) return scheme.error();
-  Result<SmoothSurface> made = limit_surface(*scheme, control.mesh, control.points, control.steps);
+  Result<figure::SmoothSurface> made =
+      study::limit_surface(*scheme, control.mesh, control.points, control.steps);
   if (!made) return made.error();
   return &surfaces_.emplace(key, std::move(*made)).first->second;
 }

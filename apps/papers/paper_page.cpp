@@ -59,7 +59,7 @@ PaperPage::PaperPage(std::string directory, std::string title, std::string citat
       title_(std::move(title)),
       citation_(std::move(citation)),
       progress_(std::move(progress)) {
-  (void)make_folder(directory_);  // the first write says what is wrong
+  (void)base::make_folder(directory_);  // the first write says what is wrong
 }
 
 std::string PaperPage::path(const std::string& name) const {
@@ -75,21 +75,21 @@ void PaperPage::add_paragraph(const std::string& text) {
 }
 
 Result<std::string> PaperPage::write_numbers(const std::string& stem,
-                                             const DescribedTable& numbers) {
-  const std::string csv = csv_text(numbers);
+                                             const report::DescribedTable& numbers) {
+  const std::string csv = report::csv_text(numbers);
   const auto [known, fresh] = stems_.try_emplace(csv, stem);
   if (!fresh) return known->second;
-  if (Status status = write_file(path(stem + ".csv"), csv); !status) return status.error();
-  if (Status status = write_file(path(stem + ".json"), json_text(numbers)); !status)
+  if (Status status = base::write_file(path(stem + ".csv"), csv); !status) return status.error();
+  if (Status status = base::write_file(path(stem + ".json"), report::json_text(numbers)); !status)
     return status.error();
   return stem;
 }
 
-Status PaperPage::add_figure(const PaperItem& item, const Figure& figure,
-                             const DescribedTable& numbers, const std::string& printed,
+Status PaperPage::add_figure(const PaperItem& item, const figure::Figure& figure,
+                             const report::DescribedTable& numbers, const std::string& printed,
                              const std::string& found) {
   if (progress_) progress_(item.label);
-  const Canvas canvas = figure.canvas();
+  const figure::Canvas canvas = figure.canvas();
   for (const char* extension : {".pdf", ".svg"})
     if (Status status = canvas.write(path(item.stem + extension)); !status) return status;
   const Result<std::string> data = write_numbers(item.stem, numbers);
@@ -117,7 +117,7 @@ void PaperPage::append_rows(const std::vector<std::vector<std::string>>& rows) {
 
 Status PaperPage::add_table(const PaperItem& item,
                             const std::vector<std::vector<std::string>>& rows,
-                            const DescribedTable& numbers, const std::string& found) {
+                            const report::DescribedTable& numbers, const std::string& found) {
   if (progress_) progress_(item.label);
   const Result<std::string> data = write_numbers(item.stem, numbers);
   if (!data) return data.error();
@@ -130,20 +130,21 @@ Status PaperPage::add_table(const PaperItem& item,
 
 Status PaperPage::add_findings(const PaperItem& item, const std::vector<PaperFinding>& findings) {
   const bool judged = !findings.empty() && findings.front().judgement.has_value();
-  DescribedTable table{{{"place", "where in the paper"}, {"paper", "what it says"}}, {}};
+  report::DescribedTable table{{{"place", "where in the paper"}, {"paper", "what it says"}}, {}};
   if (judged) table.columns.push_back({"verdict", "what the evidence shows of it"});
   table.columns.push_back({"limn", "what limn finds"});
   add_heading(item.label);
   body_ += fmt::format("<table id=\"{}\">\n<tr>", item.stem);
-  for (const DescribedColumn& column : table.columns)
+  for (const report::DescribedColumn& column : table.columns)
     body_ += fmt::format("<th>{}</th>", html_escaped(column.name));
   body_ += "</tr>\n";
   for (const auto& [place, printed, found, judgement] : findings) {
-    std::vector<Cell>& row = table.rows.emplace_back(std::vector<Cell>{place, printed});
+    std::vector<report::Cell>& row =
+        table.rows.emplace_back(std::vector<report::Cell>{place, printed});
     if (judged) row.emplace_back(std::string(judgement ? to_string(*judgement) : ""));
     row.emplace_back(found);
     body_ += "<tr>";
-    for (const Cell& cell : row)
+    for (const report::Cell& cell : row)
       body_ += fmt::format("<td>{}</td>", html_escaped(std::get<std::string>(cell)));
     body_ += "</tr>\n";
   }
@@ -156,7 +157,7 @@ Status PaperPage::add_findings(const PaperItem& item, const std::vector<PaperFin
 Status PaperPage::add_file(const std::string& name, const std::string& content,
                            const std::string& what) {
   if (progress_) progress_(name);
-  if (Status status = write_file(path(name), content); !status) return status;
+  if (Status status = base::write_file(path(name), content); !status) return status;
   body_ +=
       fmt::format("<p><a href=\"{0}\">{0}</a>: {1}</p>\n", html_escaped(name), html_escaped(what));
   return Done{};
@@ -195,9 +196,9 @@ std::string html_page(const std::string& title, const std::string& body) {
 }
 
 Status PaperPage::write_index() const {
-  return write_file(path("index.html"),
-                    html_page(title_, fmt::format("<p class=\"cite\">{}</p>\n{}",
-                                                  html_escaped(citation_), body_)));
+  return base::write_file(path("index.html"),
+                          html_page(title_, fmt::format("<p class=\"cite\">{}</p>\n{}",
+                                                        html_escaped(citation_), body_)));
 }
 
 }  // namespace limn

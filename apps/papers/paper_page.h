@@ -52,14 +52,14 @@ class PaperPage {
 
   /// Writes the figure as .pdf and .svg and its numbers as .csv and .json, and puts it on the page.
   /// Numbers that the folder holds already are not written twice: the page leads to the first.
-  [[nodiscard]] Status add_figure(const PaperItem& item, const Figure& figure,
-                                  const DescribedTable& numbers, const std::string& printed,
+  [[nodiscard]] Status add_figure(const PaperItem& item, const figure::Figure& figure,
+                                  const report::DescribedTable& numbers, const std::string& printed,
                                   const std::string& found);
 
   /// A table of text, its first row the header; and its numbers as .csv and .json.
   [[nodiscard]] Status add_table(const PaperItem& item,
                                  const std::vector<std::vector<std::string>>& rows,
-                                 const DescribedTable& numbers, const std::string& found);
+                                 const report::DescribedTable& numbers, const std::string& found);
 
   /// A table of claims or misprints under a heading, and as .csv and .json.
   [[nodiscard]] Status add_findings(const PaperItem& item,
@@ -76,7 +76,7 @@ class PaperPage {
   [[nodiscard]] std::string path(const std::string& name) const;
   /// Gives the stem of the files that hold the numbers.
   [[nodiscard]] Result<std::string> write_numbers(const std::string& stem,
-                                                  const DescribedTable& numbers);
+                                                  const report::DescribedTable& numbers);
   void append_rows(const std::vector<std::vector<std::string>>& rows);
 
   std::string directory_, title_, citation_, body_;

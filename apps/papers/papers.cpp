@@ -38,8 +38,8 @@ Status write_paper_list(const std::string& directory, const std::vector<const Pa
         "href=\"{0}/index.html\"><img src=\"{0}/{3}.svg\" alt=\"a figure of it\"></a></figure>\n",
         paper->name, html_escaped(paper->authors), html_escaped(paper->title), paper->picture,
         html_escaped(paper->content));
-  return write_file((std::filesystem::path(directory) / "index.html").string(),
-                    html_page("Three papers on subdivision, made anew", body));
+  return base::write_file((std::filesystem::path(directory) / "index.html").string(),
+                          html_page("Three papers on subdivision, made anew", body));
 }
 
 }  // namespace limn

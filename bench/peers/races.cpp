@@ -60,8 +60,9 @@ class PlainTrial final : public Trial {
         sharpness_(sharpness_of(result_.mesh, tags)) {}
 
   void run() override {
-    result_ = value_or_throw(refine(scheme_, std::move(result_.mesh), std::move(result_.values),
-                                    steps_, {}, std::move(sharpness_)));
+    result_ =
+        value_or_throw(refine::refine(scheme_, std::move(result_.mesh), std::move(result_.values),
+                                      steps_, {}, std::move(sharpness_)));
   }
   [[nodiscard]] Size size() const override {
     return {double(result_.mesh.vertex_count()), double(result_.mesh.halfedge_count())};
@@ -70,7 +71,7 @@ class PlainTrial final : public Trial {
  private:
   const Scheme& scheme_;
   int steps_;
-  Refined<Point3> result_;
+  refine::Refined<Point3> result_;
   Sharpness sharpness_;
 };
 

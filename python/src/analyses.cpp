@@ -31,12 +31,12 @@ py::object eigen(const Scheme& scheme, const std::vector<int>& valences, int rin
     const RegularPart regular = find_regular_part(scheme);
     Json list = Json::array();
     for (const int n : valences) {
-      check_interrupt();
+      base::check_interrupt();
       const Result<FrequencyBlocks> blocks = analysis.blocks(n);
       if (!blocks) return blocks.error();
       const Eigencomponents components = approx_eigencomponents(*blocks, regular);
-      list.push_back(eigen_json(*blocks, components));
-      if (vectors) add_vectors_json(*blocks, components, list.back());
+      list.push_back(report::eigen_json(*blocks, components));
+      if (vectors) report::add_vectors_json(*blocks, components, list.back());
     }
     return list;
   });
@@ -47,7 +47,7 @@ py::object eigen(const Scheme& scheme, const std::vector<int>& valences, int rin
 py::object formulas(const Scheme& scheme, const std::set<std::string>& evaluated, int rings) {
   const auto found = without_gil([&] { return eigen_formulas(scheme, evaluated, rings); });
   if (!found) raise(in_file(found.error(), scheme.file), Fault::scheme);
-  return to_python(eigen_formulas_json(scheme.name, *found));
+  return to_python(report::eigen_formulas_json(scheme.name, *found));
 }
 
 py::object regularity(const Scheme& scheme, int budget, double tolerance, double seconds) {
@@ -61,7 +61,7 @@ py::object regularity(const Scheme& scheme, int budget, double tolerance, double
     options.progress = on_progress;
     const Result<Regularity> regularity = enclose_regularity(*mask, options);
     if (!regularity) return regularity.error();
-    return regularity_json(scheme.name, *regularity);
+    return report::regularity_json(scheme.name, *regularity);
   });
   if (!found) raise(in_file(found.error(), scheme.file), Fault::scheme);
   return to_python(*found);
@@ -100,7 +100,8 @@ void bind_analyses(py::module_& module) {
   module.def("regularity", &regularity, py::arg("scheme"), py::arg("budget"), py::arg("tolerance"),
              py::arg("seconds"));
   module.def("regular_part", [](const Scheme& scheme) {
-    return to_python(regular_part_json(without_gil([&] { return find_regular_part(scheme); })));
+    return to_python(
+        report::regular_part_json(without_gil([&] { return find_regular_part(scheme); })));
   });
   module.def("characteristic_map", &characteristic_map, py::arg("scheme"), py::arg("valence"),
              py::arg("steps"));

@@ -41,7 +41,7 @@ std::vector<Index> to_indices(const py::array& array, const std::string& what) {
   if (array.dtype().kind() == 'u' && array.dtype().itemsize() == 8) {
     const auto wide = py::array_t<std::uint64_t, py::array::c_style>::ensure(array);
     for (py::ssize_t i = 0; i < wide.size(); ++i)
-      if (wide.data()[i] > kMostElements) refuse(what + " have a number beyond 2^31");
+      if (wide.data()[i] > mesh::kMostElements) refuse(what + " have a number beyond 2^31");
   }
   const auto wide =
       py::array_t<std::int64_t, py::array::c_style | py::array::forcecast>::ensure(array);
@@ -56,7 +56,7 @@ std::vector<Index> to_indices(const py::array& array, const std::string& what) {
 }
 
 void check_size(std::size_t faces, std::size_t corners) {
-  if (const auto fault = too_many(0, faces, corners)) raise(*fault, Fault::mesh);
+  if (const auto fault = mesh::too_many(0, faces, corners)) raise(*fault, Fault::mesh);
 }
 
 Polygons uniform_faces(const py::array& array) {
@@ -147,7 +147,7 @@ Positions::Positions(const py::object& object) : array(as_array(object, "positio
   const char kind = array.dtype().kind();
   if (kind != 'f' && kind != 'i' && kind != 'u' && kind != 'b')
     refuse("positions are no real numbers");
-  if (const auto fault = too_many(static_cast<std::size_t>(count()), 0, 0))
+  if (const auto fault = mesh::too_many(static_cast<std::size_t>(count()), 0, 0))
     raise(*fault, Fault::mesh);
   is_float = py::isinstance<py::array_t<float>>(array);
   if (is_float)

@@ -20,11 +20,11 @@ void look_for_signals() {
 
 }  // namespace
 
-SignalWatch::SignalWatch() : before_(set_interrupt_check(look_for_signals)) {
+SignalWatch::SignalWatch() : before_(base::set_interrupt_check(look_for_signals)) {
   next_look = Clock::now() + kBetweenLooks;
 }
 
-SignalWatch::~SignalWatch() { set_interrupt_check(before_); }
+SignalWatch::~SignalWatch() { base::set_interrupt_check(before_); }
 
 void raise_interrupt() {
   if (PyErr_Occurred() == nullptr) PyErr_SetNone(PyExc_KeyboardInterrupt);

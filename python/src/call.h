@@ -26,7 +26,7 @@ class SignalWatch {
   SignalWatch& operator=(const SignalWatch&) = delete;
 
  private:
-  InterruptCheck before_;
+  base::InterruptCheck before_;
 };
 
 /// Raises in Python what a handler of a signal has raised, or KeyboardInterrupt.
@@ -45,12 +45,12 @@ auto without_gil(Work&& work) {
 }
 
 /// For the library's callbacks that say what is done next: looks for signals.
-inline void on_progress(const std::string& /*what*/) { check_interrupt(); }
+inline void on_progress(const std::string& /*what*/) { base::check_interrupt(); }
 
 /// A time budget's end, and signals.
 [[nodiscard]] inline Stop stop_of(const TimeBudget& budget) {
   return [budget] {
-    check_interrupt();
+    base::check_interrupt();
     return budget.ended();
   };
 }

@@ -21,25 +21,25 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 /// "limit", "steps" or "stages", and how many.
-Stage stage_of(const std::string& kind, int count) {
-  if (kind == "steps") return {Stage::Kind::steps, count};
-  if (kind == "stages") return {Stage::Kind::smoothing, count};
+study::Stage stage_of(const std::string& kind, int count) {
+  if (kind == "steps") return {study::Stage::Kind::steps, count};
+  if (kind == "stages") return {study::Stage::Kind::smoothing, count};
   return {};
 }
 
-Result<NamedAnalysis> analysis_of(const Scheme& scheme) {
+Result<study::NamedAnalysis> analysis_of(const Scheme& scheme) {
   const Result<Mask> mask = regular_mask(scheme);
   if (!mask) return mask.error();
   Result<ArtifactAnalysis> analysis = ArtifactAnalysis::of(*mask);
   if (!analysis) return analysis.error();
-  return NamedAnalysis{scheme.name, *std::move(analysis)};
+  return study::NamedAnalysis{scheme.name, *std::move(analysis)};
 }
 
 py::object artifacts(const Scheme& scheme, Frequency f, const std::string& stage, int count) {
   const Result<Json> found = without_gil([&]() -> Result<Json> {
-    const Result<NamedAnalysis> analysis = analysis_of(scheme);
+    const Result<study::NamedAnalysis> analysis = analysis_of(scheme);
     if (!analysis) return analysis.error();
-    return artifacts_json(*analysis, f, stage_of(stage, count));
+    return report::artifacts_json(*analysis, f, stage_of(stage, count));
   });
   if (!found) raise(in_file(found.error(), scheme.file), Fault::scheme);
   return to_python(*found);
@@ -47,31 +47,31 @@ py::object artifacts(const Scheme& scheme, Frequency f, const std::string& stage
 
 py::object sampling(const Scheme& scheme, double tolerance) {
   const Result<Json> found = without_gil([&]() -> Result<Json> {
-    const Result<NamedAnalysis> analysis = analysis_of(scheme);
+    const Result<study::NamedAnalysis> analysis = analysis_of(scheme);
     if (!analysis) return analysis.error();
-    SamplingDensities densities;
-    return sampling_json(*analysis, tolerance, densities);
+    study::SamplingDensities densities;
+    return report::sampling_json(*analysis, tolerance, densities);
   });
   if (!found) raise(in_file(found.error(), scheme.file), Fault::scheme);
   return to_python(*found);
 }
 
 struct MapArrays {
-  FrequencyGrid grid;
+  regular::FrequencyGrid grid;
   std::vector<std::vector<double>> components;
   std::vector<double> percent;  // of the signal: mean energy
   std::vector<Frequency> region;
 };
 
 Result<MapArrays> map_of(const Scheme& scheme, int width, int height) {
-  const Result<NamedAnalysis> named = analysis_of(scheme);
+  const Result<study::NamedAnalysis> named = analysis_of(scheme);
   if (!named) return named.error();
   const ArtifactAnalysis& analysis = named->analysis;
   if (!analysis.limit_status()) return analysis.limit_status().error();
   MapArrays map;
   const Lattice lattice = analysis.mask().lattice;
-  map.grid = nyquist_grid(lattice, width, height);
-  map.components = limit_map(analysis, map.grid);
+  map.grid = regular::nyquist_grid(lattice, width, height);
+  map.components = regular::limit_map(analysis, map.grid);
   map.region = nyquist_region(lattice);
   Components at;
   at.artifacts.resize(map.components.size() - 1);
@@ -98,7 +98,7 @@ py::dict artifact_map(const Scheme& scheme, int width, int height) {
   Result<MapArrays> found = without_gil([&] { return map_of(scheme, width, height); });
   if (!found) raise(in_file(found.error(), scheme.file), Fault::scheme);
   py::dict map;
-  const FrequencyGrid& grid = found->grid;
+  const regular::FrequencyGrid& grid = found->grid;
   map["fx"] = axis(grid.x0, grid.dx, grid.nx);
   map["fy"] = axis(grid.y0, grid.dy, grid.ny);
   const std::vector<py::ssize_t> shape{grid.ny, grid.nx};

@@ -23,12 +23,13 @@ namespace limn::python {
 namespace {
 
 /// What names of faces say, as tags.
-SharpnessTags tags_of_labels(const std::string& path, const Mesh& mesh, const LabelTags& labels) {
+SharpnessTags tags_of_labels(const std::string& path, const Mesh& mesh,
+                             const surface::LabelTags& labels) {
   if (labels.statements.empty()) return {};
   const MeshFile file = value_of(
       without_gil([&] { return read_mesh_file(path, {.attributes = true}); }), Fault::mesh);
   Sharpness sharpness;
-  check(apply_label_tags(mesh, file.attributes, labels, sharpness), Fault::mesh);
+  check(surface::apply_label_tags(mesh, file.attributes, labels, sharpness), Fault::mesh);
   SharpnessTags tags = limn::tags_of(mesh, sharpness);
   // those along the boundary count where that makes holes
   for (Index e = 0; e < static_cast<Index>(sharpness.edges.size()); ++e) {
@@ -43,9 +44,9 @@ SharpnessTags tags_of_labels(const std::string& path, const Mesh& mesh, const La
 /// Those of a mesh file, then those of a file of tags, which count more.
 SharpnessTags with_tags_file(const MeshFile& file, const std::string& mesh_path,
                              const std::string& path) {
-  LabelTags labels;
+  surface::LabelTags labels;
   const SharpnessTags stated =
-      value_of(read_tags_file(path, file.source.first, &labels), Fault::mesh);
+      value_of(surface::read_tags_file(path, file.source.first, &labels), Fault::mesh);
   const Mesh mesh = value_of(without_gil([&] { return Mesh::build(file.polygons); }), Fault::mesh);
   SharpnessTags all = file.tags;
   for (const SharpnessTags& more : {tags_of_labels(mesh_path, mesh, labels), stated}) {
@@ -101,13 +102,14 @@ void write(const std::string& path, const py::object& vertices, const py::object
   check(without_gil([&] { return write_mesh(path, polygons, options); }), Fault::mesh);
 }
 
-py::object check_polygons(MeshCheck look) {
-  if (const auto fault = too_many(look.polygons.positions.size(), look.polygons.face_begin.size(),
-                                  look.polygons.corners.size()))
+py::object check_polygons(report::MeshCheck look) {
+  if (const auto fault =
+          mesh::too_many(look.polygons.positions.size(), look.polygons.face_begin.size(),
+                         look.polygons.corners.size()))
     raise(*fault, Fault::mesh);
   return to_python(without_gil([&] {
-    look.survey = survey_mesh(look.polygons);
-    return mesh_check_json(look);
+    look.survey = mesh::survey_mesh(look.polygons);
+    return report::mesh_check_json(look);
   }));
 }
 
@@ -119,37 +121,38 @@ py::object check_file(const std::string& path) {
 }
 
 /// What holds the copies of cut vertices together; nothing where the mesh has more faults.
-SharpnessTags tags_of_cuts(const Repaired& repaired) {
-  const Cuts cuts = cuts_of(repaired);
+SharpnessTags tags_of_cuts(const mesh::Repaired& repaired) {
+  const mesh::Cuts cuts = mesh::cuts_of(repaired);
   if (cuts.empty()) return {};
   const Result<Mesh> mesh = Mesh::build(repaired.polygons);
   if (!mesh) return {};
   Sharpness sharpness;
-  hold_cuts(*mesh, cuts, sharpness);
+  mesh::hold_cuts(*mesh, cuts, sharpness);
   return limn::tags_of(*mesh, sharpness);
 }
 
 /// What no repair mends.
 void check_vertices(const Polygons& polygons) {
-  MeshFaults faults = find_mesh_faults(polygons);
-  std::erase_if(faults.list,
-                [](const MeshFault& fault) { return fault.kind != MeshFault::Kind::out_of_range; });
-  if (!faults.list.empty()) raise(error_of(faults, polygons, {}), Fault::mesh);
+  mesh::MeshFaults faults = mesh::find_mesh_faults(polygons);
+  std::erase_if(faults.list, [](const mesh::MeshFault& fault) {
+    return fault.kind != mesh::MeshFault::Kind::out_of_range;
+  });
+  if (!faults.list.empty()) raise(mesh::error_of(faults, polygons, {}), Fault::mesh);
   for (std::size_t v = 0; v < polygons.positions.size(); ++v)
-    if (!is_finite(polygons.positions[v]))
+    if (!mesh::is_finite(polygons.positions[v]))
       raise({"vertex " + std::to_string(v) + " is not finite, which no repair mends"}, Fault::mesh);
 }
 
 /// (V, F, tags, [what was done]).
-py::tuple mend(const py::object& vertices, const py::object& faces, const RepairOptions& options,
-               bool triangulate) {
+py::tuple mend(const py::object& vertices, const py::object& faces,
+               const mesh::RepairOptions& options, bool triangulate) {
   Polygons polygons = polygons_of(vertices, faces);
   SharpnessTags tags;
   py::list done;
   if (options.any()) {
-    Repaired repaired =
-        value_of(without_gil([&] { return repair(polygons, options); }), Fault::mesh);
-    for (const RepairStep& step : repaired.done) {
+    mesh::Repaired repaired =
+        value_of(without_gil([&] { return mesh::repair(polygons, options); }), Fault::mesh);
+    for (const mesh::RepairStep& step : repaired.done) {
       py::dict one;
       one["what"] = to_str(step.what);
       one["count"] = step.count;
@@ -161,8 +164,8 @@ py::tuple mend(const py::object& vertices, const py::object& faces, const Repair
     check_vertices(polygons);
   }
   if (triangulate) {
-    Triangulation cut =
-        value_of(without_gil([&] { return limn::triangulate(polygons); }), Fault::mesh);
+    mesh::Triangulation cut =
+        value_of(without_gil([&] { return limn::mesh::triangulate(polygons); }), Fault::mesh);
     polygons = std::move(cut.polygons);
   }
   return py::make_tuple(points_array(std::move(polygons.positions)),

@@ -5,7 +5,7 @@
 
 PYBIND11_MODULE(_limn, module) {
   namespace python = limn::python;
-  limn::ProgressLine::show_none();
+  limn::base::ProgressLine::show_none();
   module.attr("__version__") = LIMN_VERSION;
   python::bind_schemes(module);
   python::bind_analyses(module);

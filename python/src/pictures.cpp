@@ -26,47 +26,48 @@ constexpr double kWidth = 482;  // points, of a page that shows a surface
 /// Makes the figure and its file without the interpreter's lock.
 template <class Make>
 py::bytes drawn(const std::string& format, const std::string& file, Make make) {
-  const Result<FigureFormat> kind = figure_format("figure." + format);
+  const Result<figure::FigureFormat> kind = figure::figure_format("figure." + format);
   if (!kind) raise(kind.error(), Fault::other);
   const Result<std::string> bytes = without_gil([&]() -> Result<std::string> {
-    const Result<Figure> figure = make();
+    const Result<figure::Figure> figure = make();
     if (!figure) return figure.error();
     if (Status status = figure->check(); !status) return status.error();
-    return figure->canvas(*kind == FigureFormat::png ? kPngDensity : 0).render(*kind);
+    return figure->canvas(*kind == figure::FigureFormat::png ? figure::kPngDensity : 0)
+        .render(*kind);
   });
   if (!bytes) raise(in_file(bytes.error(), file), Fault::other);
   return py::bytes(*bytes);
 }
 
 py::bytes draw_stencils(const Scheme& scheme, const std::string& format) {
-  return drawn(format, scheme.file, [&]() -> Result<Figure> {
-    const auto pictures = rule_pictures(scheme);
+  return drawn(format, scheme.file, [&]() -> Result<figure::Figure> {
+    const auto pictures = study::rule_pictures(scheme);
     if (!pictures) return pictures.error();
     if (pictures->empty()) return Error{"scheme '" + scheme.name + "' has no rules to draw"};
-    return stencils_figure(printable(scheme.name), *pictures);
+    return report::stencils_figure(base::printable(scheme.name), *pictures);
   });
 }
 
 py::bytes draw_artifacts(const Scheme& scheme, const std::string& format) {
-  return drawn(format, scheme.file, [&]() -> Result<Figure> {
+  return drawn(format, scheme.file, [&]() -> Result<figure::Figure> {
     const Result<Mask> mask = regular_mask(scheme);
     if (!mask) return mask.error();
     Result<ArtifactAnalysis> analysis = ArtifactAnalysis::of(*mask);
     if (!analysis) return analysis.error();
-    return artifact_figure({scheme.name, *std::move(analysis)}, {});
+    return report::artifact_figure({scheme.name, *std::move(analysis)}, {});
   });
 }
 
 py::bytes draw_maps(const Scheme& scheme, const std::vector<int>& valences, int steps,
                     const std::string& format) {
-  return drawn(format, scheme.file, [&]() -> Result<Figure> {
+  return drawn(format, scheme.file, [&]() -> Result<figure::Figure> {
     std::vector<CharacteristicMap> maps;
     for (const int n : valences) {
       Result<CharacteristicMap> map = approx_characteristic_map(scheme, n, steps);
       if (!map) return map.error();
       maps.push_back(*std::move(map));
     }
-    return characteristic_maps_figure(scheme.name, maps);
+    return report::characteristic_maps_figure(scheme.name, maps);
   });
 }
 
@@ -77,29 +78,30 @@ struct Look {
   bool net = false, marks = false;
 };
 
-Result<Figure> surface_figure(const Scheme& scheme, const Mesh& mesh,
-                              const std::vector<Point3>& points, const MarkedOptions& options,
-                              const Look& look) {
-  if (Status status = check_drawable(scheme, mesh, options.steps); !status) return status.error();
-  Result<MarkedSurface> surface = marked_surface(scheme, mesh, points, options);
+Result<figure::Figure> surface_figure(const Scheme& scheme, const Mesh& mesh,
+                                      const std::vector<Point3>& points,
+                                      const study::MarkedOptions& options, const Look& look) {
+  if (Status status = study::check_drawable(scheme, mesh, options.steps); !status)
+    return status.error();
+  Result<study::MarkedSurface> surface = study::marked_surface(scheme, mesh, points, options);
   if (!surface) return surface.error();
-  SurfaceScene scene;
+  figure::SurfaceScene scene;
   scene.surfaces.push_back(std::move(surface->surface));
   scene.marks = std::move(surface->marks);
   scene.azimuth = look.azimuth;
   scene.elevation = look.elevation;
-  if (look.net) scene.net = control_net(mesh, points);
-  scale_to_draw(scene);
-  const LightLines lights{.count = look.lights};
+  if (look.net) scene.net = study::control_net(mesh, points);
+  figure::scale_to_draw(scene);
+  const figure::LightLines lights{.count = look.lights};
   if (look.kind != "shaded")
-    if (Status status = check_lights(scene, lights, kWidth); !status) return status.error();
-  Figure figure(1, kWidth);
+    if (Status status = figure::check_lights(scene, lights, kWidth); !status) return status.error();
+  figure::Figure figure(1, kWidth);
   if (look.kind == "lines")
-    figure.add(ReflectionLinePanel{.scene = scene, .lights = lights});
+    figure.add(figure::ReflectionLinePanel{.scene = scene, .lights = lights});
   else if (look.kind == "stripes")
-    figure.add(ShadedPanel{.scene = scene, .stripes = lights});
+    figure.add(figure::ShadedPanel{.scene = scene, .stripes = lights});
   else
-    figure.add(ShadedPanel{.scene = scene});
+    figure.add(figure::ShadedPanel{.scene = scene});
   return figure;
 }
 
@@ -115,7 +117,7 @@ py::bytes draw_surface(const Scheme& given, const py::object& vertices, const py
   const SharpnessTags tags = tags_of(tags_given);
   std::optional<CreaseAngle> angle;
   if (crease_angle >= 0) angle.emplace(CreaseAngle{crease_angle, polygons.positions});
-  const MarkedOptions options{
+  const study::MarkedOptions options{
       .steps = levels, .sharpness = sharpness_of(mesh, tags, angle), .marks = look.marks};
   const std::optional<Scheme> smooth = smoothed(given, tags);
   return drawn(format, "", [&] {
@@ -126,7 +128,7 @@ py::bytes draw_surface(const Scheme& given, const py::object& vertices, const py
 }  // namespace
 
 void bind_pictures(py::module_& module) {
-  module.def("figures_available", &figures_available);
+  module.def("figures_available", &figure::figures_available);
   module.def("draw_stencils", &draw_stencils, py::arg("scheme"), py::arg("format"));
   module.def("draw_artifacts", &draw_artifacts, py::arg("scheme"), py::arg("format"));
   module.def("draw_maps", &draw_maps, py::arg("scheme"), py::arg("valences"), py::arg("steps"),

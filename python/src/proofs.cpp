@@ -30,7 +30,8 @@ py::tuple certify_scheme(const Scheme& scheme, const std::vector<int>& valences,
   if (!found) raise(in_file(found.error(), scheme.file), Fault::scheme);
   return py::make_tuple(to_python(certify::answers_json(*found)),
                         to_str(certify::certificate_json(*found).dump(1) + "\n"),
-                        to_str(certificate_text(*found)), to_str(certificate_latex(*found)));
+                        to_str(report::certificate_text(*found)),
+                        to_str(report::certificate_latex(*found)));
 }
 
 /// The answers of a certificate that was verified.

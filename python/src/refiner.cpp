@@ -140,7 +140,7 @@ void Refiner::take_tags(const Mesh& mesh, const SharpnessTags& tags) {
   if (std::optional<Scheme> smooth = smoothed(*scheme_, tags))
     rules_ = std::make_shared<const Scheme>(*std::move(smooth));
   sharpness_ = sharpness_of(mesh, tags);
-  check(check_takes_sharpness(*rules_, sharpness_), Fault::other);
+  check(refine::check_takes_sharpness(*rules_, sharpness_), Fault::other);
   if (const auto why = why_no_fast_sharpness(*rules_, mesh, sharpness_))
     raise({"a Refiner cannot evaluate this mesh by " + rules_->name + ": " + *why,
            "Scheme.refine refines it, by the plain engine"},
@@ -151,7 +151,7 @@ void Refiner::take_tags(const Mesh& mesh, const SharpnessTags& tags) {
 
 void Refiner::make_fast(Mesh mesh) {
   const RefineEstimate needed = FastRefiner::estimate(*rules_->split, mesh, levels_);
-  check(check_memory(needed, levels_, available_memory()), Fault::mesh);
+  check(check_memory(needed, levels_, base::available_memory()), Fault::mesh);
   fast_.emplace(value_of(
       without_gil([&] { return FastRefiner::make(*rules_, std::move(mesh), levels_, sharpness_); }),
       Fault::other));

@@ -37,18 +37,18 @@ py::object fairness(const LabelledSchemes& schemes, const py::object& vertices,
                     const py::object& faces, int levels) {
   const ControlNet net = net_of(vertices, faces);
   const Result<Json> found = without_gil([&]() -> Result<Json> {
-    FairnessOptions options;
+    study::FairnessOptions options;
     options.levels = levels;
     options.partial = true;
-    options.progress = [](int, int) { check_interrupt(); };
-    std::vector<FairnessRecord> records;
+    options.progress = [](int, int) { base::check_interrupt(); };
+    std::vector<study::FairnessRecord> records;
     for (const auto& [label, scheme] : schemes) {
-      Result<FairnessRecord> record =
-          approx_fairness(label, *scheme, net.mesh, net.points, options);
+      Result<study::FairnessRecord> record =
+          study::approx_fairness(label, *scheme, net.mesh, net.points, options);
       if (!record) return record.error();
       records.push_back(*std::move(record));
     }
-    return fairness_json("", records);
+    return report::fairness_json("", records);
   });
   if (!found) raise(found.error(), Fault::other);
   return to_python(*found);
@@ -64,37 +64,39 @@ struct CompareWanted {
 /// (as JSON, as a table).
 py::tuple compare(const LabelledSchemes& schemes, const std::optional<ControlNet>& net,
                   const CompareWanted& wanted) {
-  std::vector<LabelledScheme> labelled;
+  std::vector<report::LabelledScheme> labelled;
   for (const auto& [label, scheme] : schemes) labelled.push_back({label, *scheme});
-  Comparison comparison{.tolerance = wanted.tolerance};
+  report::Comparison comparison{.tolerance = wanted.tolerance};
   const Status done = without_gil([&]() -> Status {
     if (net) {
-      MeshOptions options;
+      report::MeshOptions options;
       options.steps = wanted.levels;
       options.progress = on_progress;
-      if (Status status = check_steps(labelled, net->mesh, options); !status) return status;
-      comparison.on_mesh = compare_on_mesh(labelled, "mesh", net->mesh, net->points, options);
+      if (Status status = report::check_steps(labelled, net->mesh, options); !status) return status;
+      comparison.on_mesh =
+          report::compare_on_mesh(labelled, "mesh", net->mesh, net->points, options);
     }
-    RecordOptions options{.first_valence = wanted.first_valence,
-                          .last_valence = wanted.last_valence,
-                          .tolerance = wanted.tolerance,
-                          .progress = on_progress};
+    study::RecordOptions options{.first_valence = wanted.first_valence,
+                                 .last_valence = wanted.last_valence,
+                                 .tolerance = wanted.tolerance,
+                                 .progress = on_progress};
     options.regularity.budget = wanted.budget;
     options.regularity.seconds = wanted.seconds;
     options.regularity.progress = on_progress;
     for (const auto& [label, scheme] : labelled)
-      comparison.schemes.push_back(approx_record(label, scheme, options));
+      comparison.schemes.push_back(study::approx_record(label, scheme, options));
     return Done{};
   });
   check(done, Fault::other);
-  return py::make_tuple(to_python(compare_json(comparison)), to_str(compare_text(comparison)));
+  return py::make_tuple(to_python(report::compare_json(comparison)),
+                        to_str(report::compare_text(comparison)));
 }
 
 py::object spectrum(const py::object& vertices, const py::object& faces, int count) {
   const ControlNet net = net_of(vertices, faces);
-  const SpectrumEnds ends =
-      value_of(without_gil([&] { return approx_spectrum_ends(net.mesh, count); }), Fault::other);
-  return to_python(spectrum_json(ends));
+  const report::SpectrumEnds ends = value_of(
+      without_gil([&] { return report::approx_spectrum_ends(net.mesh, count); }), Fault::other);
+  return to_python(report::spectrum_json(ends));
 }
 
 }  // namespace

@@ -70,10 +70,10 @@ py::dict parameters_of(const Scheme& scheme) {
 
 py::object show(const Scheme& scheme, bool stencils) {
   const nlohmann::ordered_json json = without_gil([&] {
-    nlohmann::ordered_json described = describe_json(scheme);
+    nlohmann::ordered_json described = report::describe_json(scheme);
     if (stencils)
-      if (const auto pictures = rule_pictures(scheme))
-        described["stencils"] = stencils_json(*pictures);
+      if (const auto pictures = study::rule_pictures(scheme))
+        described["stencils"] = report::stencils_json(*pictures);
     return described;
   });
   return to_python(json);
@@ -83,11 +83,11 @@ std::string prescribe(const Scheme& scheme, const std::string& base, int valence
                       const std::vector<std::string>& eigenvalues) {
   if (eigenvalues.empty())
     raise({"no eigenvalues", "give the cup's, then those of frequency 1, 2, …"}, Fault::scheme);
-  const Prescription wanted{
+  const tune::Prescription wanted{
       valence, eigenvalues.front(), {eigenvalues.begin() + 1, eigenvalues.end()}};
   return value_of(without_gil([&] {
-                    return prescribed_scheme(scheme, base, scheme.name + "-prescribed.toml",
-                                             wanted);
+                    return tune::prescribed_scheme(scheme, base, scheme.name + "-prescribed.toml",
+                                                   wanted);
                   }),
                   Fault::scheme);
 }
@@ -117,12 +117,13 @@ void bind_schemes(py::module_& module) {
           },
           py::arg("assignments"))
       .def("show", &show, py::arg("stencils"))
-      .def("summary", [](const Scheme& s) { return to_python(summary_json(s)); })
+      .def("summary", [](const Scheme& s) { return to_python(report::summary_json(s)); })
       .def("describe",
-           [](const Scheme& s) { return to_str(without_gil([&] { return describe(s); })); })
+           [](const Scheme& s) { return to_str(without_gil([&] { return report::describe(s); })); })
       .def("latex",
            [](const Scheme& s) {
-             return to_str(value_of(without_gil([&] { return describe_latex(s); }), Fault::scheme));
+             return to_str(
+                 value_of(without_gil([&] { return report::describe_latex(s); }), Fault::scheme));
            })
       .def("prescribe", &prescribe, py::arg("base"), py::arg("valence"), py::arg("eigenvalues"));
   module.def("shipped_schemes", &shipped_schemes);

@@ -19,7 +19,7 @@ namespace limn::python {
 namespace {
 
 using Words = std::vector<std::string>;
-using StudyPointer = std::shared_ptr<Study>;
+using StudyPointer = std::shared_ptr<search::Study>;
 
 /// feasible, reason, violation, objectives, demands (yes, no, undecided), seconds: what travels
 /// between machines.
@@ -28,28 +28,30 @@ using OutcomeTuple = std::tuple<bool, py::bytes, double, std::vector<std::option
 
 /// Of the file, or of a text in its place.
 StudyPointer read(const std::string& path, const std::optional<std::string>& text) {
-  return std::make_shared<Study>(
-      value_of(without_gil([&] { return text ? parse_study(*text, path) : read_study(path); }),
-               Fault::other));
+  return std::make_shared<search::Study>(value_of(without_gil([&] {
+                                                    return text ? search::parse_study(*text, path)
+                                                                : search::read_study(path);
+                                                  }),
+                                                  Fault::other));
 }
 
-Point point_of(const Study& study, const Words& fractions) {
+search::Point point_of(const search::Study& study, const Words& fractions) {
   if (fractions.size() != study.coordinates.size())
     raise({"a point has a number for each coordinate"}, Fault::other);
-  Point point;
+  search::Point point;
   for (const std::string& fraction : fractions) point.emplace_back(fraction);
   return point;
 }
 
-Words words_of(const Point& point) {
+Words words_of(const search::Point& point) {
   Words words;
   for (const Rational& value : point) words.push_back(to_string(value));
   return words;
 }
 
-OutcomeTuple evaluate(const Study& study, const Words& fractions) {
-  const Point point = point_of(study, fractions);
-  const Outcome found = without_gil([&] { return evaluate_point(study, point); });
+OutcomeTuple evaluate(const search::Study& study, const Words& fractions) {
+  const search::Point point = point_of(study, fractions);
+  const search::Outcome found = without_gil([&] { return search::evaluate_point(study, point); });
   std::vector<std::optional<std::string>> demands;
   for (const std::optional<Truth>& truth : found.demands)
     demands.push_back(truth ? std::optional<std::string>(to_string(*truth)) : std::nullopt);
@@ -57,8 +59,8 @@ OutcomeTuple evaluate(const Study& study, const Words& fractions) {
           found.seconds};
 }
 
-Outcome outcome_of(const Study& study, const OutcomeTuple& tuple) {
-  Outcome outcome;
+search::Outcome outcome_of(const search::Study& study, const OutcomeTuple& tuple) {
+  search::Outcome outcome;
   std::vector<std::optional<std::string>> demands;
   py::bytes reason;
   std::tie(outcome.feasible, reason, outcome.violation, outcome.objectives, demands,
@@ -84,9 +86,10 @@ class StudySearch {
   StudySearch(StudyPointer study, const std::string& folder, bool restart)
       : study_(std::move(study)),
         folder_(folder),
-        store_(value_of(without_gil([&] { return open_study_folder(*study_, folder_, restart); }),
-                        Fault::other)),
-        search_(value_of(KeptSearch::begin(*study_, *store_), Fault::other)) {}
+        store_(value_of(
+            without_gil([&] { return report::open_study_folder(*study_, folder_, restart); }),
+            Fault::other)),
+        search_(value_of(search::KeptSearch::begin(*study_, *store_), Fault::other)) {}
 
   /// The missing points of the next generation by their places; nothing at the end.
   std::optional<std::vector<std::pair<std::size_t, Words>>> next() {
@@ -110,7 +113,7 @@ class StudySearch {
   }
 
   py::dict progress() {
-    const StudyProgress at = search().progress();
+    const search::StudyProgress at = search().progress();
     py::dict dict;
     dict["generation"] = at.generation;
     dict["done"] = at.done;
@@ -122,35 +125,35 @@ class StudySearch {
 
   /// The files, and what `limn study` prints: JSON and text. The store is closed.
   std::pair<py::object, py::str> conclude(bool all_points, int schemes) {
-    StudyFiles files{.folder = folder_, .all_points = all_points, .schemes = schemes};
+    report::StudyFiles files{.folder = folder_, .all_points = all_points, .schemes = schemes};
     files.progress = on_progress;
     nlohmann::ordered_json json;
     std::string text;
     check(without_gil([&] {
-            const StudyRun run = std::move(search()).end();
+            const search::StudyRun run = std::move(search()).end();
             search_.reset();
             store_.reset();
-            return conclude_study(*study_, run, files, text, json);
+            return report::conclude_study(*study_, run, files, text, json);
           }),
           Fault::other);
     return {to_python(json), to_str(text)};
   }
 
  private:
-  KeptSearch& search() {
+  search::KeptSearch& search() {
     if (!search_) raise({"the study is concluded"}, Fault::other);
     return *search_;
   }
 
   StudyPointer study_;
   std::string folder_;
-  std::optional<Store> store_;
-  std::unique_ptr<KeptSearch> search_;
+  std::optional<search::Store> store_;
+  std::unique_ptr<search::KeptSearch> search_;
 };
 
-py::dict forecast(const Study& study, int sample) {
-  const StudyForecast found =
-      value_of(without_gil([&] { return forecast_study(study, sample); }), Fault::other);
+py::dict forecast(const search::Study& study, int sample) {
+  const search::StudyForecast found =
+      value_of(without_gil([&] { return search::forecast_study(study, sample); }), Fault::other);
   py::dict dict;
   dict["study"] = to_str(study.title.empty() ? study.file : study.title);
   dict["points"] = found.points;
@@ -164,23 +167,24 @@ py::dict forecast(const Study& study, int sample) {
 }  // namespace
 
 void bind_studies(py::module_& module) {
-  py::class_<Study, StudyPointer>(module, "StudyData")
+  py::class_<search::Study, StudyPointer>(module, "StudyData")
       .def(py::init(&read), py::arg("path"), py::arg("text") = py::none())
-      .def_property_readonly("text", [](const Study& s) { return py::bytes(s.text); })
-      .def_property_readonly("file", [](const Study& s) { return py::bytes(s.file); })
-      .def_property_readonly("title", [](const Study& s) { return to_str(s.title); })
-      .def_property_readonly("identity", [](const Study& s) { return py::bytes(s.identity()); })
+      .def_property_readonly("text", [](const search::Study& s) { return py::bytes(s.text); })
+      .def_property_readonly("file", [](const search::Study& s) { return py::bytes(s.file); })
+      .def_property_readonly("title", [](const search::Study& s) { return to_str(s.title); })
+      .def_property_readonly("identity",
+                             [](const search::Study& s) { return py::bytes(s.identity()); })
       .def_property_readonly("files",
-                             [](const Study& s) {
+                             [](const search::Study& s) {
                                py::list list;
                                for (const std::string& file : s.files())
                                  list.append(py::bytes(file));
                                return list;
                              })
       .def_property_readonly("coordinates",
-                             [](const Study& s) {
+                             [](const search::Study& s) {
                                Words labels;
-                               for (const Coordinate& one : s.coordinates)
+                               for (const search::Coordinate& one : s.coordinates)
                                  labels.push_back(one.label());
                                return labels;
                              })
@@ -194,7 +198,7 @@ void bind_studies(py::module_& module) {
       .def("tell", &StudySearch::tell)
       .def("progress", &StudySearch::progress)
       .def("conclude", &StudySearch::conclude, py::arg("all_points"), py::arg("schemes"));
-  module.def("study_quantities", [] { return to_python(quantities_json()); });
+  module.def("study_quantities", [] { return to_python(report::quantities_json()); });
 }
 
 }  // namespace limn::python

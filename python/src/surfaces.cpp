@@ -43,12 +43,12 @@ Mesh mesh_of(Polygons polygons, std::size_t vertices) {
 }
 
 void check_memory_for(const Scheme& scheme, const Mesh& mesh, const Wanted& wanted, bool quick) {
-  const LimitWork work{.quick = quick,
-                       .limit = wanted.limit || wanted.normals,
-                       .curvatures = wanted.curvatures,
-                       .written = false};
-  const RefineEstimate needed = estimate_with_limit(scheme, mesh, wanted.levels, work);
-  check(check_memory(needed, wanted.levels, available_memory()), Fault::mesh);
+  const surface::LimitWork work{.quick = quick,
+                                .limit = wanted.limit || wanted.normals,
+                                .curvatures = wanted.curvatures,
+                                .written = false};
+  const RefineEstimate needed = surface::estimate_with_limit(scheme, mesh, wanted.levels, work);
+  check(check_memory(needed, wanted.levels, base::available_memory()), Fault::mesh);
 }
 
 double seconds_since(std::chrono::steady_clock::time_point start) {
@@ -109,8 +109,9 @@ py::dict surface_dict(RefinedSurface surface, const Wanted& wanted, bool is_floa
   }
   result["sharp"] = tags_dict(surface.sharp);
   if (surface.gaps.any()) {
-    result["missing"] = to_python(gaps_json(surface.gaps));
-    warn(gaps_text(surface.gaps, {.mesh = "", .normal = "given as 0 0 0", .curvatures = ""}));
+    result["missing"] = to_python(report::gaps_json(surface.gaps));
+    warn(report::gaps_text(surface.gaps,
+                           {.mesh = "", .normal = "given as 0 0 0", .curvatures = ""}));
   }
   result["seconds"] = surface.refinement_seconds;
   return result;
@@ -172,14 +173,15 @@ py::tuple limit_points(const Scheme& scheme, const py::object& vertices, const p
   const std::vector<Point3> points = positions.points();
   LimitOptions options;
   options.partial = true;
-  options.progress = [](int) { check_interrupt(); };
+  options.progress = [](int) { base::check_interrupt(); };
   LimitPoints found =
       value_of(without_gil([&] { return approx_limit_points(scheme, mesh, points, options); }),
                Fault::other);
   LimitGaps gaps;
   gaps.limits = std::move(found.refused);
   gaps.normals = without_normal(found.normals);
-  if (gaps.any()) warn(gaps_text(gaps, {.mesh = "", .normal = "given as 0 0 0", .curvatures = ""}));
+  if (gaps.any())
+    warn(report::gaps_text(gaps, {.mesh = "", .normal = "given as 0 0 0", .curvatures = ""}));
   return py::make_tuple(as_wanted(points_array(std::move(found.positions)), positions.is_float),
                         as_wanted(points_array(std::move(found.normals)), positions.is_float));
 }

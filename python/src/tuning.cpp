@@ -71,17 +71,17 @@ py::object solve(const Scheme& scheme, const std::string& name, const std::strin
     const auto ranges = at_each<ValenceRange>(valences, seconds, [&](int n, const Stop& stop) {
       return range_at(task.freed, task.requirement, n, task.searched(), stop);
     });
-    for (const ValenceRange& one : ranges) list.push_back(tune_json(one));
-    result["common"] = intervals_json(common_range(ranges));
+    for (const ValenceRange& one : ranges) list.push_back(report::tune_json(one));
+    result["common"] = report::intervals_json(common_range(ranges));
   } else {
     const auto solutions =
         at_each<ValenceSolutions>(valences, seconds, [&](int n, const Stop& stop) {
           return solve_at(task.freed, task.requirement, n, task.searched(), stop);
         });
-    for (const ValenceSolutions& one : solutions) list.push_back(tune_json(one));
+    for (const ValenceSolutions& one : solutions) list.push_back(report::tune_json(one));
     if (!extends.empty()) {
       const Result<std::string> text =
-          tuned_scheme_text(task.freed, task.requirement, solutions, extends);
+          report::tuned_scheme_text(task.freed, task.requirement, solutions, extends);
       result[text ? "text" : "no_text"] = text ? *text : text.error().text();
     }
   }
@@ -95,9 +95,9 @@ py::object solve_system(const Scheme& scheme, const std::vector<std::string>& fr
                         const std::vector<std::string>& require, const std::vector<int>& valences,
                         const std::vector<std::string>& between, bool everywhere, double seconds,
                         const std::string& extends) {
-  FreedNames names =
-      value_of(FreedNames::make(scheme, free, everywhere ? Reach::everywhere : Reach::automatic),
-               Fault::scheme);
+  tune::FreedNames names = value_of(
+      tune::FreedNames::make(scheme, free, everywhere ? Reach::everywhere : Reach::automatic),
+      Fault::scheme);
   std::vector<Requirement> requirements;
   for (const std::string& text : require)
     requirements.push_back(value_of(Requirement::parse(text, scheme), Fault::scheme));
@@ -108,17 +108,20 @@ py::object solve_system(const Scheme& scheme, const std::vector<std::string>& fr
     raise({"there are other numbers of ranges and of names"}, Fault::scheme);
   std::vector<const SearchRange*> searched(free.size(), nullptr);
   for (std::size_t j = 0; j < ranges.size(); ++j) searched[j] = &ranges[j];
-  const auto solutions = at_each<SystemSolutions>(valences, seconds, [&](int n, const Stop& stop) {
-    return solve_system_at(names, requirements, n, searched, stop);
-  });
+  const auto solutions =
+      at_each<tune::SystemSolutions>(valences, seconds, [&](int n, const Stop& stop) {
+        return tune::solve_system_at(names, requirements, n, searched, stop);
+      });
   Json list = Json::array(), closed = Json::object();
-  for (const SystemSolutions& one : solutions) list.push_back(system_json(names, one));
-  const std::vector<std::optional<std::string>> forms = common_forms(names, solutions);
+  for (const tune::SystemSolutions& one : solutions)
+    list.push_back(report::system_json(names, one));
+  const std::vector<std::optional<std::string>> forms = report::common_forms(names, solutions);
   for (std::size_t j = 0; j < forms.size(); ++j)
     closed[free[j]] = forms[j] ? Json(*forms[j]) : Json();
   Json result{{"scheme", scheme.name}, {"free", free}, {"require", require}};
   if (!extends.empty()) {
-    const Result<std::string> text = tuned_system_text(names, requirements, solutions, extends);
+    const Result<std::string> text =
+        report::tuned_system_text(names, requirements, solutions, extends);
     result[text ? "text" : "no_text"] = text ? *text : text.error().text();
   }
   result["time_ended"] = list.size() != valences.size();

@@ -28,50 +28,50 @@ class FileTransactionTest : public testing::Test {
 };
 
 TEST_F(FileTransactionTest, NothingIsThereBeforeTheCommitAndAllAfterIt) {
-  ASSERT_TRUE(write_file(path("old"), "old").ok());
-  FileTransaction transaction;
-  ASSERT_TRUE(write_file(path("old"), "new").ok());
-  ASSERT_TRUE(write_file(path("a"), "1").ok());
-  EXPECT_EQ(*read_file(path("old")), "old");
+  ASSERT_TRUE(base::write_file(path("old"), "old").ok());
+  base::FileTransaction transaction;
+  ASSERT_TRUE(base::write_file(path("old"), "new").ok());
+  ASSERT_TRUE(base::write_file(path("a"), "1").ok());
+  EXPECT_EQ(*base::read_file(path("old")), "old");
   EXPECT_FALSE(fs::exists(path("a")));
   ASSERT_TRUE(transaction.commit().ok());
-  EXPECT_EQ(*read_file(path("old")), "new");
-  EXPECT_EQ(*read_file(path("a")), "1");
+  EXPECT_EQ(*base::read_file(path("old")), "new");
+  EXPECT_EQ(*base::read_file(path("a")), "1");
   EXPECT_EQ(entries(), 2);
 }
 
 TEST_F(FileTransactionTest, WithoutACommitNothingIsLeft) {
-  ASSERT_TRUE(write_file(path("old"), "old").ok());
+  ASSERT_TRUE(base::write_file(path("old"), "old").ok());
   {
-    FileTransaction transaction;
-    ASSERT_TRUE(write_file(path("old"), "new").ok());
-    ASSERT_TRUE(make_folder(path("x/y/z")).ok());
-    ASSERT_TRUE(write_file(path("x/y/z/a"), "1").ok());
-    ASSERT_TRUE(write_file(path("x/b"), "2").ok());
+    base::FileTransaction transaction;
+    ASSERT_TRUE(base::write_file(path("old"), "new").ok());
+    ASSERT_TRUE(base::make_folder(path("x/y/z")).ok());
+    ASSERT_TRUE(base::write_file(path("x/y/z/a"), "1").ok());
+    ASSERT_TRUE(base::write_file(path("x/b"), "2").ok());
     EXPECT_FALSE(fs::exists(path("x")));
   }
-  EXPECT_EQ(*read_file(path("old")), "old");
+  EXPECT_EQ(*base::read_file(path("old")), "old");
   EXPECT_EQ(entries(), 1);
-  ASSERT_TRUE(write_file(path("later"), "at once").ok());
+  ASSERT_TRUE(base::write_file(path("later"), "at once").ok());
   EXPECT_TRUE(fs::exists(path("later")));
 }
 
 TEST_F(FileTransactionTest, ARenameThatFailsUndoesTheEarlierOnes) {
-  ASSERT_TRUE(write_file(path("old"), "old").ok());
+  ASSERT_TRUE(base::write_file(path("old"), "old").ok());
   ::chmod(path("old").c_str(), 0640);
   {
-    FileTransaction transaction;
-    ASSERT_TRUE(make_folder(path("x")).ok());
-    ASSERT_TRUE(write_file(path("x/a"), "1").ok());
-    ASSERT_TRUE(write_file(path("old"), "new").ok());
-    ASSERT_TRUE(write_file(path("fresh"), "2").ok());
-    ASSERT_TRUE(write_file(path("blocked"), "3").ok());
+    base::FileTransaction transaction;
+    ASSERT_TRUE(base::make_folder(path("x")).ok());
+    ASSERT_TRUE(base::write_file(path("x/a"), "1").ok());
+    ASSERT_TRUE(base::write_file(path("old"), "new").ok());
+    ASSERT_TRUE(base::write_file(path("fresh"), "2").ok());
+    ASSERT_TRUE(base::write_file(path("blocked"), "3").ok());
     fs::create_directories(path("blocked/inside"));  // nothing can be renamed over it
     const Status status = transaction.commit();
     ASSERT_FALSE(status.ok());
     EXPECT_EQ(status.error().file, path("blocked"));
   }
-  EXPECT_EQ(*read_file(path("old")), "old");
+  EXPECT_EQ(*base::read_file(path("old")), "old");
   EXPECT_FALSE(fs::exists(path("fresh")));
   EXPECT_FALSE(fs::exists(path("x")));
   EXPECT_EQ(entries(), 3);  // old, blocked, blocked/inside
@@ -79,30 +79,30 @@ TEST_F(FileTransactionTest, ARenameThatFailsUndoesTheEarlierOnes) {
 
 TEST_F(FileTransactionTest, AFolderIsRenamedAndAnOldOneKeepsItsOtherFiles) {
   fs::create_directories(path("there"));
-  ASSERT_TRUE(write_file(path("there/mine"), "mine").ok());
-  ASSERT_TRUE(write_file(path("there/page"), "old").ok());
+  ASSERT_TRUE(base::write_file(path("there/mine"), "mine").ok());
+  ASSERT_TRUE(base::write_file(path("there/page"), "old").ok());
   {
-    FileTransaction transaction;
-    ASSERT_TRUE(make_folder(path("there/")).ok());
-    ASSERT_TRUE(make_folder(path("there//deeper/still")).ok());
-    ASSERT_TRUE(write_file(path("there/page"), "new").ok());
-    ASSERT_TRUE(write_file(path("there/deeper/still/page"), "1").ok());
-    ASSERT_TRUE(make_folder(path("new/./folder")).ok());
-    ASSERT_TRUE(write_file(path("new/folder/page"), "2").ok());
+    base::FileTransaction transaction;
+    ASSERT_TRUE(base::make_folder(path("there/")).ok());
+    ASSERT_TRUE(base::make_folder(path("there//deeper/still")).ok());
+    ASSERT_TRUE(base::write_file(path("there/page"), "new").ok());
+    ASSERT_TRUE(base::write_file(path("there/deeper/still/page"), "1").ok());
+    ASSERT_TRUE(base::make_folder(path("new/./folder")).ok());
+    ASSERT_TRUE(base::write_file(path("new/folder/page"), "2").ok());
     ASSERT_TRUE(transaction.commit().ok());
   }
-  EXPECT_EQ(*read_file(path("there/mine")), "mine");
-  EXPECT_EQ(*read_file(path("there/page")), "new");
-  EXPECT_EQ(*read_file(path("there/deeper/still/page")), "1");
-  EXPECT_EQ(*read_file(path("new/folder/page")), "2");
+  EXPECT_EQ(*base::read_file(path("there/mine")), "mine");
+  EXPECT_EQ(*base::read_file(path("there/page")), "new");
+  EXPECT_EQ(*base::read_file(path("there/deeper/still/page")), "1");
+  EXPECT_EQ(*base::read_file(path("new/folder/page")), "2");
   EXPECT_EQ(entries(), 9);
 }
 
 TEST_F(FileTransactionTest, AFolderWhereAFileIsCannotBeMade) {
-  ASSERT_TRUE(write_file(path("file"), "x").ok());
-  EXPECT_FALSE(make_folder(path("file/below")).ok());
-  FileTransaction transaction;
-  const Status status = make_folder(path("file/below"));
+  ASSERT_TRUE(base::write_file(path("file"), "x").ok());
+  EXPECT_FALSE(base::make_folder(path("file/below")).ok());
+  base::FileTransaction transaction;
+  const Status status = base::make_folder(path("file/below"));
   ASSERT_FALSE(status.ok());
   EXPECT_EQ(status.error().file, path("file"));
 }
@@ -110,14 +110,15 @@ TEST_F(FileTransactionTest, AFolderWhereAFileIsCannotBeMade) {
 TEST_F(FileTransactionTest, OneFileIsWrittenOnce) {
   fs::create_symlink("b", path("link"));
   fs::create_symlink(".", path("here"));
-  FileTransaction transaction;
-  ASSERT_TRUE(write_file(path("a"), "1").ok());
-  EXPECT_FALSE(write_file(path("here/../a"), "2").ok() && write_file(path("here/a"), "2").ok());
-  ASSERT_TRUE(write_file(path("b"), "1").ok());
-  EXPECT_FALSE(write_file(path("link"), "2").ok());
+  base::FileTransaction transaction;
+  ASSERT_TRUE(base::write_file(path("a"), "1").ok());
+  EXPECT_FALSE(base::write_file(path("here/../a"), "2").ok() &&
+               base::write_file(path("here/a"), "2").ok());
+  ASSERT_TRUE(base::write_file(path("b"), "1").ok());
+  EXPECT_FALSE(base::write_file(path("link"), "2").ok());
   ASSERT_TRUE(transaction.commit().ok());
-  EXPECT_EQ(*read_file(path("a")), "1");
-  EXPECT_EQ(*read_file(path("link")), "1");
+  EXPECT_EQ(*base::read_file(path("a")), "1");
+  EXPECT_EQ(*base::read_file(path("link")), "1");
 }
 
 TEST_F(FileTransactionTest, SignalsWaitForTheEndOfACommit) {
@@ -126,13 +127,13 @@ TEST_F(FileTransactionTest, SignalsWaitForTheEndOfACommit) {
     const pid_t child = ::fork();
     if (child == 0) {
       ::signal(SIGTERM, [](int) {
-        remove_unfinished_files();
+        base::remove_unfinished_files();
         ::_exit(0);
       });
       for (int k = 0;; ++k) {
-        FileTransaction transaction;
+        base::FileTransaction transaction;
         for (const char* name : {"a", "b", "c", "d"})
-          if (!write_file(path(name), std::to_string(k))) ::_exit(1);
+          if (!base::write_file(path(name), std::to_string(k))) ::_exit(1);
         if (!transaction.commit()) ::_exit(2);
       }
     }
@@ -143,17 +144,18 @@ TEST_F(FileTransactionTest, SignalsWaitForTheEndOfACommit) {
     EXPECT_TRUE(WIFEXITED(status) && WEXITSTATUS(status) == 0) << status;
     if (entries() == 0) continue;  // a slow machine had not begun
     EXPECT_EQ(entries(), 4);
-    const std::string content = *read_file(path("a"));
-    for (const char* name : {"b", "c", "d"}) EXPECT_EQ(*read_file(path(name)), content) << name;
+    const std::string content = *base::read_file(path("a"));
+    for (const char* name : {"b", "c", "d"})
+      EXPECT_EQ(*base::read_file(path(name)), content) << name;
   }
 }
 
 TEST_F(FileTransactionTest, ASignalRemovesNewFolders) {
   const pid_t child = ::fork();
   if (child == 0) {
-    FileTransaction transaction;
-    if (!make_folder(path("x/y")) || !write_file(path("x/y/a"), "1")) ::_exit(1);
-    remove_unfinished_files();
+    base::FileTransaction transaction;
+    if (!base::make_folder(path("x/y")) || !base::write_file(path("x/y/a"), "1")) ::_exit(1);
+    base::remove_unfinished_files();
     ::_exit(0);
   }
   int status = 0;
@@ -169,15 +171,15 @@ TEST_F(FileTransactionTest, DevicesAndDescriptorsAreWrittenDirectly) {
   const std::string name = "/dev/fd/" + std::to_string(fd);
   fs::create_symlink(name, path("link"));
   {
-    FileTransaction transaction;
-    EXPECT_TRUE(write_file("/dev/null", "x").ok());
-    EXPECT_TRUE(write_file("/dev/null", "x").ok());
-    EXPECT_TRUE(write_file(name, "2").ok());
-    EXPECT_TRUE(write_file(path("link"), "3").ok());
+    base::FileTransaction transaction;
+    EXPECT_TRUE(base::write_file("/dev/null", "x").ok());
+    EXPECT_TRUE(base::write_file("/dev/null", "x").ok());
+    EXPECT_TRUE(base::write_file(name, "2").ok());
+    EXPECT_TRUE(base::write_file(path("link"), "3").ok());
     EXPECT_TRUE(transaction.commit().ok());
   }
   ::close(fd);
-  EXPECT_EQ(*read_file(path("log")), "123");  // neither replaced nor begun anew
+  EXPECT_EQ(*base::read_file(path("log")), "123");  // neither replaced nor begun anew
   EXPECT_TRUE(fs::is_character_file("/dev/null"));
 }
 

@@ -21,24 +21,24 @@ class Interrupt : public ::testing::TestWithParam<int> {
   void SetUp() override { set_thread_limit(GetParam()); }
   void TearDown() override {
     set_thread_limit(0);
-    set_interrupt_check(nullptr);
+    base::set_interrupt_check(nullptr);
   }
   static void loop() {
-    parallel_for(
+    base::parallel_for(
         0, 1000, [](int, int) {}, 1);
   }
 };
 
 TEST_P(Interrupt, WhatTheCheckThrowsEndsTheLoop) {
   loop();  // without one
-  EXPECT_EQ(set_interrupt_check(end_at_once), nullptr);
+  EXPECT_EQ(base::set_interrupt_check(end_at_once), nullptr);
   EXPECT_THROW(loop(), Ended);
-  EXPECT_EQ(set_interrupt_check(nullptr), end_at_once);
+  EXPECT_EQ(base::set_interrupt_check(nullptr), end_at_once);
   loop();
 }
 
 TEST_P(Interrupt, TheThreadThatSetItIsTheOneThatLooks) {
-  set_interrupt_check(count);
+  base::set_interrupt_check(count);
   looks = 0;
   loop();
   EXPECT_GT(looks, 0);

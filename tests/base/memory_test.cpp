@@ -20,7 +20,7 @@ class MemoryTest : public testing::Test {
     fs::create_directories((root_ / name).parent_path());
     std::ofstream(root_ / name) << content;
   }
-  [[nodiscard]] double available() const { return available_memory_of(root_.string()); }
+  [[nodiscard]] double available() const { return base::available_memory_of(root_.string()); }
 
  private:
   test::TemporaryFolder folder_;
@@ -70,13 +70,13 @@ TEST_F(MemoryTest, GroupsOfVersionOne) {
 }
 
 TEST_F(MemoryTest, ThisProcessHasSome) {
-  EXPECT_GT(available_memory(), 1e6);
-  EXPECT_LE(available_memory(), available_memory_of(""));
+  EXPECT_GT(base::available_memory(), 1e6);
+  EXPECT_LE(base::available_memory(), base::available_memory_of(""));
 }
 
 TEST(MemoryText, HasUnits) {
-  EXPECT_EQ(bytes_text(12.0 * 1024 * 1024), "12.0 MiB");
-  EXPECT_EQ(bytes_text(1.5 * 1024 * 1024 * 1024), "1.5 GiB");
+  EXPECT_EQ(base::bytes_text(12.0 * 1024 * 1024), "12.0 MiB");
+  EXPECT_EQ(base::bytes_text(1.5 * 1024 * 1024 * 1024), "1.5 GiB");
 }
 
 }  // namespace

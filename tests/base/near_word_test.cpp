@@ -10,31 +10,31 @@ using Words = std::vector<std::string>;
 
 TEST(NearWord, SlipsOfThePen) {
   const Words keys{"name", "title", "split", "source", "notes", "extends", "let", "vertex", "edge"};
-  EXPECT_EQ(near_words("splitt", keys), Words{"split"});
-  EXPECT_EQ(near_words("slpit", keys), Words{"split"});
-  EXPECT_EQ(near_words("Split", keys), Words{"split"});
-  EXPECT_EQ(near_words("titel", keys), Words{"title"});
-  EXPECT_EQ(near_words("note", keys), Words{"notes"});
-  EXPECT_EQ(near_words("lte", keys), Words{"let"});
-  EXPECT_EQ(near_words("egde", keys), Words{"edge"});
-  EXPECT_EQ(near_words("extend", keys), Words{"extends"});
-  EXPECT_TRUE(near_words("valence", keys).empty());
-  EXPECT_TRUE(near_words("x", keys).empty());
-  EXPECT_TRUE(near_words("", keys).empty());
+  EXPECT_EQ(base::near_words("splitt", keys), Words{"split"});
+  EXPECT_EQ(base::near_words("slpit", keys), Words{"split"});
+  EXPECT_EQ(base::near_words("Split", keys), Words{"split"});
+  EXPECT_EQ(base::near_words("titel", keys), Words{"title"});
+  EXPECT_EQ(base::near_words("note", keys), Words{"notes"});
+  EXPECT_EQ(base::near_words("lte", keys), Words{"let"});
+  EXPECT_EQ(base::near_words("egde", keys), Words{"edge"});
+  EXPECT_EQ(base::near_words("extend", keys), Words{"extends"});
+  EXPECT_TRUE(base::near_words("valence", keys).empty());
+  EXPECT_TRUE(base::near_words("x", keys).empty());
+  EXPECT_TRUE(base::near_words("", keys).empty());
 }
 
 TEST(NearWord, ShortWordsAreNotAllNear) {
-  EXPECT_TRUE(near_words("w", {"i", "j", "p", "q"}).empty());
-  EXPECT_EQ(near_words("k4", {"i", "j", "k3"}), Words{"k3"});
+  EXPECT_TRUE(base::near_words("w", {"i", "j", "p", "q"}).empty());
+  EXPECT_EQ(base::near_words("k4", {"i", "j", "k3"}), Words{"k3"});
 }
 
 TEST(NearWord, AsAQuestion) {
-  EXPECT_EQ(did_you_mean("lop", {"loop", "sqrt3"}), "did you mean loop?");
-  EXPECT_EQ(did_you_mean("abc", {"abd", "abe"}), "did you mean abd or abe?");
-  EXPECT_EQ(did_you_mean("zzz", {"loop"}), "");
-  EXPECT_EQ(did_you_mean("zzz", {"loop"}, "it has loop"), "it has loop");
-  EXPECT_EQ(did_you_mean("lopp", {"loop"}, "it has loop"), "did you mean loop? it has loop");
-  EXPECT_EQ(did_you_mean("modified", {"butterfly", "butterfly-modified"}),
+  EXPECT_EQ(base::did_you_mean("lop", {"loop", "sqrt3"}), "did you mean loop?");
+  EXPECT_EQ(base::did_you_mean("abc", {"abd", "abe"}), "did you mean abd or abe?");
+  EXPECT_EQ(base::did_you_mean("zzz", {"loop"}), "");
+  EXPECT_EQ(base::did_you_mean("zzz", {"loop"}, "it has loop"), "it has loop");
+  EXPECT_EQ(base::did_you_mean("lopp", {"loop"}, "it has loop"), "did you mean loop? it has loop");
+  EXPECT_EQ(base::did_you_mean("modified", {"butterfly", "butterfly-modified"}),
             "did you mean butterfly-modified?");
 }
 
@@ -50,7 +50,7 @@ RC_GTEST_PROP(NearWordLaws, OneSlipIsFound, ()) {
     case 2: slip[at] = 'q'; break;
     default: std::swap(slip[at], slip[at + 1]);
   }
-  RC_ASSERT(near_words(slip, {"entirely other", word}) == Words{word});
+  RC_ASSERT(base::near_words(slip, {"entirely other", word}) == Words{word});
 }
 
 }  // namespace

@@ -27,33 +27,33 @@ TEST_P(Parallel, ChunksDependOnTheGrainAlone) {
     const std::lock_guard<std::mutex> hold(guard);
     EXPECT_TRUE(chunks.insert({first, last}).second);
   };
-  parallel_for(5, 26, note, 10);
+  base::parallel_for(5, 26, note, 10);
   EXPECT_EQ(chunks, (std::set<std::pair<int, int>>{{5, 15}, {15, 25}, {25, 26}}));
   chunks.clear();
-  parallel_for(0, 20, note, 10);
+  base::parallel_for(0, 20, note, 10);
   EXPECT_EQ(chunks, (std::set<std::pair<int, int>>{{0, 10}, {10, 20}}));
   chunks.clear();
-  parallel_for(3, 3, note, 10);
-  parallel_for(3, -7, note, 10);
+  base::parallel_for(3, 3, note, 10);
+  base::parallel_for(3, -7, note, 10);
   EXPECT_TRUE(chunks.empty());
-  parallel_for(0, 2, note, 0);  // a grain below one counts as one
+  base::parallel_for(0, 2, note, 0);  // a grain below one counts as one
   EXPECT_EQ(chunks.size(), 2U);
 }
 
 TEST_P(Parallel, MeetsEveryIndexOnce) {
   const std::int32_t count = 1000003;
   std::vector<std::int32_t> met(static_cast<std::size_t>(count), 0);
-  parallel_for_each(count, [&](std::int32_t i) { met[i] += i + 1; });
+  base::parallel_for_each(count, [&](std::int32_t i) { met[i] += i + 1; });
   for (std::int32_t i = 0; i < count; ++i) ASSERT_EQ(met[i], i + 1);
 }
 
 TEST_P(Parallel, Nests) {
   std::atomic<long> sum{0};
-  parallel_for(
+  base::parallel_for(
       0, 4,
       [&](int first, int last) {
         for (int i = first; i < last; ++i)
-          parallel_for(
+          base::parallel_for(
               0L, 100L, [&](long a, long b) { sum += b - a; }, 7);
       },
       1);
@@ -61,7 +61,7 @@ TEST_P(Parallel, Nests) {
 }
 
 TEST_P(Parallel, PassesExceptionsOn) {
-  EXPECT_THROW(parallel_for(
+  EXPECT_THROW(base::parallel_for(
                    0, 100,
                    [](int first, int) {
                      if (first == 50) throw std::runtime_error("fifty");
@@ -73,7 +73,7 @@ TEST_P(Parallel, PassesExceptionsOn) {
 TEST_P(Parallel, EndsAreSafeAtTheLimitsOfTheIndex) {
   const std::int32_t top = 2147483647;
   std::atomic<long> length{0};
-  parallel_for(
+  base::parallel_for(
       top - 5, top, [&](std::int32_t a, std::int32_t b) { length += b - a; }, 4096);
   EXPECT_EQ(length, 5);
 }
@@ -83,11 +83,11 @@ TEST(ThreadLimit, MayChangeWhileLoopsRun) {
   const auto work = [&] {
     for (int round = 0; round < 300; ++round) {
       std::atomic<long> sum{0};
-      parallel_for(
+      base::parallel_for(
           0, 64,
           [&](int first, int last) {
             for (int i = first; i < last; ++i)
-              parallel_for(
+              base::parallel_for(
                   0, 8, [&](int a, int b) { sum += b - a; }, 2);
           },
           1);

@@ -10,8 +10,9 @@ namespace {
 constexpr std::size_t kSize = 300'001;  // more than a huge page, and no whole number of pages
 
 TEST(SparseArray, HoldsWhatIsWrittenAndZeroElsewhere) {
-  for (const SparseArray::Pages pages : {SparseArray::Pages::small, SparseArray::Pages::huge}) {
-    SparseArray array(kSize, pages);
+  for (const base::SparseArray::Pages pages :
+       {base::SparseArray::Pages::small, base::SparseArray::Pages::huge}) {
+    base::SparseArray array(kSize, pages);
     ASSERT_EQ(array.size(), kSize);
     // ranges within a page, over several, of nothing, and to the end, prepared or not
     for (const auto& [first, count] : {std::pair<std::size_t, std::size_t>{3, 5},
@@ -22,7 +23,7 @@ TEST(SparseArray, HoldsWhatIsWrittenAndZeroElsewhere) {
       for (std::size_t i = first; i < first + count; ++i) array.data()[i] = static_cast<double>(i);
     }
     array.prepare(100'000, 50'000);
-    const SparseArray& read = array;
+    const base::SparseArray& read = array;
     EXPECT_EQ(read.data()[0], 0);
     EXPECT_EQ(read.data()[3], 3);
     EXPECT_EQ(read.data()[8], 0);
@@ -33,21 +34,21 @@ TEST(SparseArray, HoldsWhatIsWrittenAndZeroElsewhere) {
 }
 
 TEST(SparseArray, CanBeWrittenAgainOnceItIsDropped) {
-  SparseArray array(kSize);
+  base::SparseArray array(kSize);
   array.prepare(0, kSize);
   array.data()[7] = 1;
   array.drop();
   array.prepare(0, 20'000);
   array.data()[7] = 2;
-  SparseArray other = std::move(array);
+  base::SparseArray other = std::move(array);
   EXPECT_EQ(other.data()[7], 2);
 }
 
 TEST(SparseArray, OfNothingIsNothing) {
-  SparseArray array;
+  base::SparseArray array;
   EXPECT_EQ(array.size(), 0U);
   array.drop();
-  EXPECT_EQ(SparseArray(0).size(), 0U);
+  EXPECT_EQ(base::SparseArray(0).size(), 0U);
 }
 
 }  // namespace

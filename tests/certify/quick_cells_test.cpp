@@ -16,7 +16,9 @@ namespace limn::certify {
 namespace {
 
 /// Some number is in both.
-bool meet(const DoubleBall& a, const Ball& b) { return b.overlaps(Ball(a.value).widened(a.error)); }
+bool meet(const DoubleBall& a, const number::Ball& b) {
+  return b.overlaps(number::Ball(a.value).widened(a.error));
+}
 
 struct Setting {
   explicit Setting(const char* name)
@@ -35,7 +37,7 @@ struct Setting {
 };
 
 EnclosedPair leader_of(const ValenceBalls& balls, int frequency) {
-  const BallMatrix block = balls.block(frequency);
+  const number::BallMatrix block = balls.block(frequency);
   const ApproxPair near = approx_leader(block).value();
   return enclose_eigenpair(block, near.value, near.vector).value();
 }
@@ -43,7 +45,7 @@ EnclosedPair leader_of(const ValenceBalls& balls, int frequency) {
 class QuickCellsOf : public testing::TestWithParam<const char*> {};
 
 TEST_P(QuickCellsOf, AgreeWithBalls) {
-  const BallPrecision precision(256);
+  const number::BallPrecision precision(256);
   Setting at(GetParam());
   const EnclosedPair leader = leader_of(at.balls, 1);
   EigenMap map(at.balls, at.cells, 1, leader);
@@ -54,7 +56,7 @@ TEST_P(QuickCellsOf, AgreeWithBalls) {
     CellMap exact = at.signs.map_on(map.net, cell).value();
     QuickCells::Map near = quick.map_of(exact);
     for (int depth = 0; depth < 20; ++depth) {
-      const Ball jacobian = at.signs.jacobian(exact);
+      const number::Ball jacobian = at.signs.jacobian(exact);
       const DoubleBall jacobian_near = quick.jacobian(near);
       // what quick says of a sign holds, and where rounding is small it says what balls say
       if (jacobian_near.is_positive()) ASSERT_FALSE(jacobian.is_negative());
@@ -90,12 +92,12 @@ TEST(DoubleBall, HoldsWhatItsOperationsHold) {
     const DoubleBall b(number(random), std::abs(number(random)) / 8);
     for (const double x : {a.value - a.error, a.value, a.value + a.error})
       for (const double y : {b.value - b.error, b.value, b.value + b.error}) {
-        const auto holds = [](const DoubleBall& ball, const Ball& exact) {
-          return (exact - Ball(ball.value)).magnitude().upper() <= ball.error * (1 + 1e-15);
+        const auto holds = [](const DoubleBall& ball, const number::Ball& exact) {
+          return (exact - number::Ball(ball.value)).magnitude().upper() <= ball.error * (1 + 1e-15);
         };
-        ASSERT_TRUE(holds(a + b, Ball(x) + Ball(y)));
-        ASSERT_TRUE(holds(a - b, Ball(x) - Ball(y)));
-        ASSERT_TRUE(holds(a * b, Ball(x) * Ball(y)));
+        ASSERT_TRUE(holds(a + b, number::Ball(x) + number::Ball(y)));
+        ASSERT_TRUE(holds(a - b, number::Ball(x) - number::Ball(y)));
+        ASSERT_TRUE(holds(a * b, number::Ball(x) * number::Ball(y)));
       }
   }
   EXPECT_TRUE(DoubleBall(1, 1).holds_zero());
@@ -105,14 +107,14 @@ TEST(DoubleBall, HoldsWhatItsOperationsHold) {
 }
 
 TEST(Effective, SurfacesAreShownToBeOtherThanZero) {
-  const BallPrecision precision(128);
+  const number::BallPrecision precision(128);
   const Setting at("loop");
   const Effective effective(at.balls, at.cells, at.signs);
   for (const int frequency : {0, 1, 2, 3}) {
     EnclosedPair pair = leader_of(at.balls, frequency);
     EXPECT_TRUE(effective.is_shown(frequency, pair)) << frequency;
     EXPECT_TRUE(effective.is_shown(frequency, pair.value.approx())) << frequency;
-    for (Ball& entry : pair.vector) entry = Ball(0);
+    for (number::Ball& entry : pair.vector) entry = number::Ball(0);
     EXPECT_FALSE(effective.is_shown(frequency, pair)) << frequency;
   }
 }

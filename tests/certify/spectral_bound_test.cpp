@@ -13,11 +13,11 @@
 namespace limn::certify {
 namespace {
 
-BallMatrix balls(const Eigen::MatrixXd& a) {
-  BallMatrix result(static_cast<std::size_t>(a.rows()), static_cast<std::size_t>(a.rows()));
+number::BallMatrix balls(const Eigen::MatrixXd& a) {
+  number::BallMatrix result(static_cast<std::size_t>(a.rows()), static_cast<std::size_t>(a.rows()));
   for (Eigen::Index i = 0; i < a.rows(); ++i)
     for (Eigen::Index j = 0; j < a.rows(); ++j)
-      result(static_cast<std::size_t>(i), static_cast<std::size_t>(j)) = Ball(a(i, j));
+      result(static_cast<std::size_t>(i), static_cast<std::size_t>(j)) = number::Ball(a(i, j));
   return result;
 }
 
@@ -32,9 +32,10 @@ TEST(SpectralBound, TellsRandomMatricesApart) {
     const Eigen::EigenSolver<Eigen::MatrixXd> solver(a);
     Eigen::Index k = 0;
     const double radius = solver.eigenvalues().cwiseAbs().maxCoeff(&k);
-    EXPECT_TRUE(squarings_below(balls(a), Ball(radius * 1.001), 40));
-    EXPECT_FALSE(squarings_below(balls(a), Ball(radius * 0.999), 40));
-    EXPECT_FALSE(squarings_below(balls(a), Ball::between(radius * 0.999, radius * 1.01), 40));
+    EXPECT_TRUE(squarings_below(balls(a), number::Ball(radius * 1.001), 40));
+    EXPECT_FALSE(squarings_below(balls(a), number::Ball(radius * 0.999), 40));
+    EXPECT_FALSE(
+        squarings_below(balls(a), number::Ball::between(radius * 0.999, radius * 1.01), 40));
     if (solver.eigenvalues()(k).imag() != 0) continue;
     std::vector<double> vector;
     for (Eigen::Index i = 0; i < size; ++i) vector.push_back(solver.eigenvectors()(i, k).real());
@@ -46,9 +47,10 @@ TEST(SpectralBound, TellsRandomMatricesApart) {
     double others = 0;
     for (Eigen::Index i = 0; i < size; ++i)
       if (i != k) others = std::max(others, std::abs(solver.eigenvalues()(i)));
-    const BallMatrix rest = deflated(balls(a), *pair);
-    EXPECT_TRUE(squarings_below(rest, Ball(others * 1.001 + 1e-6), 40));
-    if (size > 1 && others > 1e-3) EXPECT_FALSE(squarings_below(rest, Ball(others * 0.999), 40));
+    const number::BallMatrix rest = deflated(balls(a), *pair);
+    EXPECT_TRUE(squarings_below(rest, number::Ball(others * 1.001 + 1e-6), 40));
+    if (size > 1 && others > 1e-3)
+      EXPECT_FALSE(squarings_below(rest, number::Ball(others * 0.999), 40));
   }
   EXPECT_GT(enclosed, 60);
 }
@@ -57,8 +59,8 @@ TEST(SpectralBound, EnclosesNoDoubleEigenvalue) {
   Eigen::MatrixXd a(2, 2);
   a << 0.5, 1, 0, 0.5;
   EXPECT_FALSE(enclose_eigenpair(balls(a), 0.5, {1, 0}).ok());
-  EXPECT_FALSE(squarings_below(balls(a), Ball(0.5), 60));
-  EXPECT_TRUE(squarings_below(balls(a), Ball(0.51), 60));
+  EXPECT_FALSE(squarings_below(balls(a), number::Ball(0.5), 60));
+  EXPECT_TRUE(squarings_below(balls(a), number::Ball(0.51), 60));
 }
 
 /// Traces of powers of the real blocks and of those in double precision.
@@ -73,15 +75,16 @@ TEST(ValenceBalls, HaveTheBlocksOfTheFrequencyAnalysis) {
       const ValenceBalls exact = ValenceBalls::make(scheme, n).value();
       for (int omega = 0; omega <= n / 2; ++omega) {
         const Eigen::MatrixXcd& expected = blocks.blocks[static_cast<std::size_t>(omega)];
-        const BallMatrix block = exact.block(omega);
+        const number::BallMatrix block = exact.block(omega);
         Eigen::MatrixXcd power = expected;
-        BallMatrix found = block;
+        number::BallMatrix found = block;
         for (int k = 1; k <= 6; ++k) {
-          Ball trace = omega == 0 ? Ball(1) : Ball(0);  // frequency 0 has lost its 1
+          number::Ball trace =
+              omega == 0 ? number::Ball(1) : number::Ball(0);  // frequency 0 has lost its 1
           for (std::size_t i = 0; i < found.rows(); ++i) trace += found(i, i);
           EXPECT_NEAR(trace.approx(), power.trace().real(), 1e-12) << omega << " " << k;
           power = power * expected;
-          found = product(found, block);
+          found = number::product(found, block);
         }
       }
     }

@@ -11,7 +11,7 @@ namespace {
 
 /// Proved, and shown again from the certificate alone.
 TEST(StagedCertify, DegreesTwoAndThreeAreC1) {
-  if (!Ball::is_available()) GTEST_SKIP() << "built without Arb";
+  if (!number::Ball::is_available()) GTEST_SKIP() << "built without Arb";
   for (const int degree : {2, 3}) {
     const Scheme scheme = spline_of_degree(degree);
     const Result<certify::Certificate> found = certify::certify(scheme, {3, 4, 5, 6, 9});

@@ -15,23 +15,27 @@
 namespace limn::certify {
 namespace {
 
-Ball ball_near(double value) { return Ball(value).widened(1e-12 * (1 + std::abs(value))); }
+number::Ball ball_near(double value) {
+  return number::Ball(value).widened(1e-12 * (1 + std::abs(value)));
+}
 
-bool holds(const Ball& enclosure, double value) { return enclosure.overlaps(ball_near(value)); }
+bool holds(const number::Ball& enclosure, double value) {
+  return enclosure.overlaps(ball_near(value));
+}
 
 /// An expression in n over a range of valences.
 PowerBall over_range(const std::string& text) {
   const Result<Expression> expression = Expression::parse(text);
   EXPECT_TRUE(expression) << text;
   const auto lookup = [](const std::string&) -> Result<PowerBall> { return PowerBall::valence(); };
-  const Result<PowerBall> value = evaluate<PowerBall>(*expression, lookup);
+  const Result<PowerBall> value = scheme::evaluate<PowerBall>(*expression, lookup);
   EXPECT_TRUE(value) << text << ": " << (value ? "" : value.error().message);
   return value ? *value : PowerBall();
 }
 
 double at_valence(const std::string& text, double n) {
   const auto lookup = [n](const std::string&) -> Result<double> { return n; };
-  return evaluate<double>(Expression::parse(text).value(), lookup).value();
+  return scheme::evaluate<double>(Expression::parse(text).value(), lookup).value();
 }
 
 constexpr const char* kExpressions[] = {
@@ -77,25 +81,25 @@ TEST(PowerBall, KnowsThePowerOfWhatTendsToZero) {
 
 TEST(PowerBall, DecidesGuardsForAllValencesOrNotAtAll) {
   const ValenceRange range(interval_ball(0, Rational(1, 20)));
-  using A = Arithmetic<PowerBall>;
+  using A = number::Arithmetic<PowerBall>;
   EXPECT_EQ(A::approx(over_range("n == 3")), 0);
   EXPECT_EQ(A::approx(over_range("n >= 12 and n != 6")), 1);
   const auto lookup = [](const std::string&) -> Result<PowerBall> { return PowerBall::valence(); };
-  EXPECT_FALSE(evaluate<PowerBall>(Expression::parse("n < 30").value(), lookup));
-  EXPECT_FALSE(evaluate<PowerBall>(Expression::parse("n % 2").value(), lookup));
-  EXPECT_FALSE(evaluate<PowerBall>(Expression::parse("cos(n)").value(), lookup));
+  EXPECT_FALSE(scheme::evaluate<PowerBall>(Expression::parse("n < 30").value(), lookup));
+  EXPECT_FALSE(scheme::evaluate<PowerBall>(Expression::parse("n % 2").value(), lookup));
+  EXPECT_FALSE(scheme::evaluate<PowerBall>(Expression::parse("cos(n)").value(), lookup));
 }
 
 RC_GTEST_PROP(TurnRange, HoldsTheTurnsOfAllAngles, ()) {
   const double low = *rc::gen::inRange(0, 3'000) * 1e-3;
   const double width = std::pow(10.0, -*rc::gen::inRange(0, 9));
-  const Ball w = Ball::between(low, low + width);
+  const number::Ball w = number::Ball::between(low, low + width);
   const int numerator = *rc::gen::inRange(-5, 6);
   const int denominator = *rc::gen::inRange(1, 7);
   const double x = static_cast<double>(numerator) / denominator;
-  const Turn<Ball> turn = turns_of(w)(numerator, denominator);
-  const Turn<Ball> slope = turn_slopes_of(w)(numerator, denominator);
-  const Turn<Ball> loss = turn_losses_of(w)(numerator, denominator);
+  const Turn<number::Ball> turn = turns_of(w)(numerator, denominator);
+  const Turn<number::Ball> slope = turn_slopes_of(w)(numerator, denominator);
+  const Turn<number::Ball> loss = turn_losses_of(w)(numerator, denominator);
   for (const double share : {0.01, 0.4, 0.97}) {
     const double at = low + share * width;
     const double angle = std::sqrt(at);
@@ -106,11 +110,12 @@ RC_GTEST_PROP(TurnRange, HoldsTheTurnsOfAllAngles, ()) {
     const double sinc = x == 0 ? 0 : std::sin(x * angle) / angle;
     const double change = at < 1e-3 ? -x * x * x / 6 : (x * std::cos(x * angle) - sinc) / (2 * at);
     const double rough = 1e-4;
-    RC_ASSERT(slope.cosine.widened(rough).overlaps(Ball(-x * sinc / 2)));
-    RC_ASSERT(slope.to_imaginary.widened(at < 1e-3 ? 1e-2 : rough).overlaps(Ball(change)));
-    RC_ASSERT(slope.to_real.widened(at < 1e-3 ? 1e-2 : rough).overlaps(Ball(sinc + at * change)));
+    RC_ASSERT(slope.cosine.widened(rough).overlaps(number::Ball(-x * sinc / 2)));
+    RC_ASSERT(slope.to_imaginary.widened(at < 1e-3 ? 1e-2 : rough).overlaps(number::Ball(change)));
+    RC_ASSERT(
+        slope.to_real.widened(at < 1e-3 ? 1e-2 : rough).overlaps(number::Ball(sinc + at * change)));
     const double half = std::sin(x * angle / 2);
-    RC_ASSERT(loss.cosine.widened(1e-9).overlaps(Ball(2 * half * half / at)));
+    RC_ASSERT(loss.cosine.widened(1e-9).overlaps(number::Ball(2 * half * half / at)));
     RC_ASSERT(holds(loss.to_real, -sinc));
   }
 }
@@ -118,32 +123,36 @@ RC_GTEST_PROP(TurnRange, HoldsTheTurnsOfAllAngles, ()) {
 TEST(TurnRange, NarrowSlopesAreDifferences) {
   const double at = 0.7;
   const double step = 1e-6;
-  const auto turn = [](double w) { return turns_of(Ball(w))(3, 2); };
-  const Turn<Ball> slope = turn_slopes_of(Ball(at))(3, 2);
-  const auto expect = [&](const Ball& found, auto&& part) {
+  const auto turn = [](double w) { return turns_of(number::Ball(w))(3, 2); };
+  const Turn<number::Ball> slope = turn_slopes_of(number::Ball(at))(3, 2);
+  const auto expect = [&](const number::Ball& found, auto&& part) {
     const double difference = (part(turn(at + step)) - part(turn(at - step))).approx() / (2 * step);
     EXPECT_NEAR(found.approx(), difference, 1e-8);
   };
-  expect(slope.cosine, [](const Turn<Ball>& t) { return t.cosine; });
-  expect(slope.to_imaginary, [](const Turn<Ball>& t) { return t.to_imaginary; });
-  expect(slope.to_real, [](const Turn<Ball>& t) { return t.to_real; });
+  expect(slope.cosine, [](const Turn<number::Ball>& t) { return t.cosine; });
+  expect(slope.to_imaginary, [](const Turn<number::Ball>& t) { return t.to_imaginary; });
+  expect(slope.to_real, [](const Turn<number::Ball>& t) { return t.to_real; });
 }
 
 /// Blocks of one valence from the weights one by one, imaginary parts over θ.
-BallMatrix single_block(const Scheme& scheme, int n, int frequency) {
-  const SectorPattern pattern = exact_pattern(scheme, n).value();
+number::BallMatrix single_block(const Scheme& scheme, int n, int frequency) {
+  const spectrum::SectorPattern pattern = exact_pattern(scheme, n).value();
   const RealBasis basis = real_basis(pattern);
-  const NamedValues<Ball> values = named_values<Ball>(scheme, pattern, n).value();
-  const Ball theta = Ball(2 * std::max(frequency, 1)) * Ball::pi() / Ball(n);
-  const Phase<Ball> phase = [&](int numerator, int denominator) {
-    const Ball angle = Ball(2 * frequency) * Ball::pi() *
-                       Ball(Rational(Integer(numerator), Integer(denominator) * Integer(n)));
-    return Turn<Ball>(cos(angle), sin(angle) / theta, sin(angle) * theta);
+  const NamedValues<number::Ball> values = named_values<number::Ball>(scheme, pattern, n).value();
+  const number::Ball theta =
+      number::Ball(2 * std::max(frequency, 1)) * number::Ball::pi() / number::Ball(n);
+  const Phase<number::Ball> phase = [&](int numerator, int denominator) {
+    const number::Ball angle =
+        number::Ball(2 * frequency) * number::Ball::pi() *
+        number::Ball(Rational(Integer(numerator), Integer(denominator) * Integer(n)));
+    return Turn<number::Ball>(number::cos(angle), number::sin(angle) / theta,
+                              number::sin(angle) * theta);
   };
-  return RealBlock<Ball>(pattern, basis, values, phase, frequency == 0).make();
+  return RealBlock<number::Ball>(pattern, basis, values, phase, frequency == 0).make();
 }
 
-void expect_held(const BallMatrix& enclosure, const BallMatrix& single, const std::string& what) {
+void expect_held(const number::BallMatrix& enclosure, const number::BallMatrix& single,
+                 const std::string& what) {
   ASSERT_EQ(enclosure.rows(), single.rows()) << what;
   for (std::size_t i = 0; i < single.rows(); ++i)
     for (std::size_t j = 0; j < single.rows(); ++j)
@@ -163,11 +172,12 @@ TEST(IntervalBlocks, HoldTheBlocksOfEachValence) {
         const auto blocks = IntervalBlocks::make(rules, begin, near * Rational(101, 100));
         ASSERT_TRUE(blocks) << what << ": " << blocks.error().message;
         expect_held(blocks->tangent(), single_block(scheme, n, 1), what);
-        const BallMatrix whole = single_block(scheme, n, 0);
-        EnclosedPair one{Ball(1), std::vector<Ball>(whole.rows(), Ball(1)), 0};
+        const number::BallMatrix whole = single_block(scheme, n, 0);
+        EnclosedPair one{number::Ball(1), std::vector<number::Ball>(whole.rows(), number::Ball(1)),
+                         0};
         const std::size_t shift = rules.basis().has_center ? 1 : 0;
         for (const RealOrbit& orbit : rules.basis().orbits)
-          if (orbit.imaginary != orbit.real) one.vector[orbit.imaginary + shift] = Ball(0);
+          if (orbit.imaginary != orbit.real) one.vector[orbit.imaginary + shift] = number::Ball(0);
         expect_held(blocks->constant(), deflated(whole, one), what);
         for (int frequency = 2; frequency <= rules.last_special(); ++frequency)
           expect_held(blocks->special(frequency).value(), single_block(scheme, n, frequency), what);
@@ -183,7 +193,7 @@ TEST(IntervalBlocks, HoldTheBlocksOfEachValence) {
 }
 
 /// The leader of a matrix's middle.
-EnclosedPair leader(const BallMatrix& a) {
+EnclosedPair leader(const number::BallMatrix& a) {
   const auto size = static_cast<Eigen::Index>(a.rows());
   Eigen::MatrixXd middle(size, size);
   for (Eigen::Index i = 0; i < size; ++i)
@@ -213,8 +223,8 @@ TEST(IntervalBlocks, EncloseTangentAndItsDistanceFromTheCup) {
       EXPECT_TRUE(holds(tangent.value, *at.tangent)) << n;
       const EnclosedPair cup = leader(blocks.cup_transposed());
       EXPECT_TRUE(holds(cup.value, *at.cup)) << n;
-      const Ball gap = blocks.cup_gap(cup, tangent);
-      EXPECT_TRUE(gap.widened(1e-9).overlaps(Ball((*at.tangent - *at.cup) * n)))
+      const number::Ball gap = blocks.cup_gap(cup, tangent);
+      EXPECT_TRUE(gap.widened(1e-9).overlaps(number::Ball((*at.tangent - *at.cup) * n)))
           << n << ": " << gap.to_string();
       EXPECT_LT(gap.radius(), 1);
     }
@@ -248,14 +258,15 @@ TEST(IntervalRing, TellsARegularMapFromAFoldedOne) {
   };
   EXPECT_TRUE(is_regular(first));
   // an eigenvector of the deflated matrix is one of the whole matrix less a multiple of the first
-  Ball share;
+  number::Ball share;
   for (std::size_t j = 0, column = 0; j < blocks.tangent().rows(); ++j)
     if (j != first.pivot)
       share.add_product(blocks.tangent()(first.pivot, j), second.vector[column++]);
   share /= second.value - first.value;
-  std::vector<Ball> whole;
+  std::vector<number::Ball> whole;
   for (std::size_t j = 0, row = 0; j < blocks.tangent().rows(); ++j)
-    whole.push_back((j == first.pivot ? Ball(0) : second.vector[row++]) + share * first.vector[j]);
+    whole.push_back((j == first.pivot ? number::Ball(0) : second.vector[row++]) +
+                    share * first.vector[j]);
   second.vector = whole;
   EXPECT_FALSE(is_regular(second));
 }
@@ -268,9 +279,9 @@ TEST(TurnBlocks, SlopeOfTheLeadingEigenvalue) {
     const TurnBlocks blocks =
         turn_blocks(rules, Rational(share, 10), Rational(100 * share + 1, 1000)).value();
     const double theta = std::numbers::pi * std::sqrt(share / 10.0 + 0.0005);
-    const Ball slope =
+    const number::Ball slope =
         eigenvalue_slope(blocks, leader(blocks.block), leader(transposed(blocks.block)));
-    EXPECT_TRUE(slope.overlaps(Ball(-std::sin(theta) / (8 * theta)))) << slope.to_string();
+    EXPECT_TRUE(slope.overlaps(number::Ball(-std::sin(theta) / (8 * theta)))) << slope.to_string();
     EXPECT_LT(slope.radius(), 0.05);
   }
 }

@@ -95,7 +95,7 @@ TEST(CompareCommand, MapsTheField) {
   std::size_t lines = 0;
   const Json list = Json::parse(names.out);
   for (const Json& one : list.at("schemes"))
-    lines += lattice_schemes(find_scheme(one.at("name")).value()).size();
+    lines += scheme::lattice_schemes(find_scheme(one.at("name")).value()).size();
   const Outcome outcome =
       folder.limn("compare --all loop-type:b=2/5 --markdown --time 0.1 --valence 4 -o field.svg");
   ASSERT_EQ(outcome.code, 0) << outcome.err;

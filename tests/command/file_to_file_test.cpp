@@ -46,14 +46,14 @@ TEST_P(FileToFile, HasTheBytesOfTheWhole) {
         for (const bool normals : {false, true}) {
           const SurfaceOptions options{
               .levels = levels, .limit = limit, .normals = normals, .partial = true};
-          if (!may_write_refined(scheme, options, path, "ply")) continue;
-          const auto file =
-              write_refined(scheme, *Mesh::build(control), control.positions, options, path);
+          if (!surface::may_write_refined(scheme, options, path, "ply")) continue;
+          const auto file = surface::write_refined(scheme, *Mesh::build(control), control.positions,
+                                                   options, path);
           ASSERT_TRUE(file.ok()) << file.error().text();
           EXPECT_EQ(std::filesystem::exists(path), file->has_value());
           if (!*file) continue;
           ++written;
-          EXPECT_TRUE(*read_file(path) == whole_file(scheme, control, options))
+          EXPECT_TRUE(*base::read_file(path) == whole_file(scheme, control, options))
               << mesh << " " << levels << limit << normals;
           EXPECT_EQ((*file)->vertices, read_mesh(path)->positions.size());
           EXPECT_EQ((*file)->faces, static_cast<std::size_t>(read_mesh(path)->face_count()));

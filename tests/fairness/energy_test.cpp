@@ -117,7 +117,7 @@ TEST(SurfaceEnergies, OfAnEllipsoidAreThoseOfTheSmoothOne) {
 
 /// A piece with a boundary: an open patch of the torus.
 Sampled open_patch(Lattice lattice, Index n) {
-  const Mesh closed = torus(lattice, n + 1, n + 1);
+  const Mesh closed = mesh::torus(lattice, n + 1, n + 1);
   Polygons polygons;
   for (Index j = 0; j <= n; ++j)
     for (Index i = 0; i <= n; ++i)
@@ -168,7 +168,7 @@ TEST(SurfaceEnergies, ScaleAndDoNotDependOnPlaceOrThreads) {
 TEST(SurfaceEnergies, AreThoseOfTheShapeAtAnySize) {
   const Sampled torus = sampled_tube({2, 1}, Lattice::triangle, 16);
   const SurfaceEnergies once = energies(torus);
-  const double laplacian = laplacian_energy(torus.mesh, torus.points);
+  const double laplacian = fairness::laplacian_energy(torus.mesh, torus.points);
   for (const int exponent : {-990, -500, -70, -3, 3, 70, 500, 990}) {
     SCOPED_TRACE(exponent);
     Sampled other = torus;
@@ -177,7 +177,8 @@ TEST(SurfaceEnergies, AreThoseOfTheShapeAtAnySize) {
     EXPECT_EQ(found.area, std::ldexp(once.area, 2 * exponent));
     EXPECT_EQ(found.thin_plate, once.thin_plate);
     EXPECT_EQ(found.curvature_variation, std::ldexp(once.curvature_variation, -2 * exponent));
-    EXPECT_EQ(laplacian_energy(other.mesh, other.points), std::ldexp(laplacian, 2 * exponent));
+    EXPECT_EQ(fairness::laplacian_energy(other.mesh, other.points),
+              std::ldexp(laplacian, 2 * exponent));
     EXPECT_EQ(found.left_out, 0);
   }
 }
@@ -219,7 +220,8 @@ TEST(SurfaceEnergies, ForgiveDegenerateFacesAndRefuseWhatIsNotFinite) {
 
 TEST(SecondForms, KnowTheNormalAndTheSignOfCurvature) {
   const Sampled sphere = refined_on_sphere(icosahedron_on_sphere(), 3);
-  const std::vector<SecondForm> forms = approx_second_forms(sphere.mesh, sphere.points);
+  const std::vector<fairness::SecondForm> forms =
+      fairness::approx_second_forms(sphere.mesh, sphere.points);
   for (std::size_t v = 0; v < forms.size(); ++v) {
     const Eigen::Vector3d n = vector_of(sphere.points[v]);
     EXPECT_NEAR((forms[v].normal - n).norm(), 0, .002);
@@ -231,7 +233,7 @@ TEST(SecondForms, KnowTheNormalAndTheSignOfCurvature) {
 /// One vertex and its ring on the graph of a quadratic function over the plane that its faces take
 /// for the tangent plane, and which the graph crosses at a slope.
 TEST(SecondForms, AreExactOnAQuadraticGraph) {
-  const Mesh mesh = star(Lattice::triangle, 7, 1);
+  const Mesh mesh = mesh::star(Lattice::triangle, 7, 1);
   Eigen::MatrixXd rows(7, 5);  // of x, y, x²/2, xy, y²/2
   Eigen::MatrixXd ring(7, 3);
   for (int i = 0; i < 7; ++i) {
@@ -255,7 +257,7 @@ TEST(SecondForms, AreExactOnAQuadraticGraph) {
   std::vector<Point3> points{{0, 0, 0}};
   for (int i = 0; i < 7; ++i) points.push_back({ring(i, 0), ring(i, 1), ring(i, 2)});
 
-  const SecondForm form = approx_second_forms(mesh, points)[0];
+  const fairness::SecondForm form = fairness::approx_second_forms(mesh, points)[0];
   ASSERT_TRUE(form.known);
   Derivatives graph{};
   for (auto& row : graph.d) row.fill({0, 0, 0});

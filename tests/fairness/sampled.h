@@ -20,7 +20,7 @@ inline Eigen::Vector3d vector_of(const Point3& p) { return {p.x, p.y, p.z}; }
 
 /// Equal steps of both parameters; `shear` bends the parameter lines, so that nothing is symmetric.
 inline Sampled sampled_tube(const Tube& tube, Lattice lattice, Index n, double shear = 0.4) {
-  Sampled result{torus(lattice, 2 * n, n), {}};
+  Sampled result{mesh::torus(lattice, 2 * n, n), {}};
   for (Index j = 0; j < n; ++j)
     for (Index i = 0; i < 2 * n; ++i) {
       const double v = 2 * std::numbers::pi * j / n;

@@ -21,9 +21,9 @@ void expect_near(const std::vector<double>& values, const std::vector<double>& e
 }
 
 /// The modes are eigenvectors, and orthonormal with valences as weights.
-void expect_modes(const Mesh& mesh, const LaplacianModes& modes, double tolerance) {
+void expect_modes(const Mesh& mesh, const fairness::LaplacianModes& modes, double tolerance) {
   const Eigen::MatrixXd residual =
-      laplacian_matrix(mesh) * modes.modes -
+      fairness::laplacian_matrix(mesh) * modes.modes -
       modes.modes * Eigen::Map<const Eigen::VectorXd>(modes.eigenvalues.data(),
                                                       static_cast<Index>(modes.eigenvalues.size()))
                         .asDiagonal();
@@ -52,7 +52,7 @@ std::vector<double> torus_spectrum(Lattice lattice, Index nx, Index ny) {
 
 TEST(Spectrum, OfThePlatonicSolidsIsKnown) {
   const auto spectrum = [](const Mesh& mesh) {
-    const LaplacianModes all = approx_all_modes(mesh).value();
+    const fairness::LaplacianModes all = fairness::approx_all_modes(mesh).value();
     expect_modes(mesh, all, 1e-13);
     return all.eigenvalues;
   };
@@ -78,17 +78,20 @@ TEST(Spectrum, OfThePlatonicSolidsIsKnown) {
 
 TEST(Spectrum, OfToriIsThatOfWaves) {
   for (const Lattice lattice : {Lattice::triangle, Lattice::quad}) {
-    const Mesh small = torus(lattice, 5, 7);
-    expect_near(approx_all_modes(small)->eigenvalues, torus_spectrum(lattice, 5, 7), 1e-13);
+    const Mesh small = mesh::torus(lattice, 5, 7);
+    expect_near(fairness::approx_all_modes(small)->eigenvalues, torus_spectrum(lattice, 5, 7),
+                1e-13);
     // of the same size in both directions, so that most eigenvalues come several times
-    const Mesh large = torus(lattice, 48, 48);
+    const Mesh large = mesh::torus(lattice, 48, 48);
     const std::vector<double> waves = torus_spectrum(lattice, 48, 48);
     for (const int count : {1, 2, 5, 20}) {
-      if (!spectra_available()) break;
-      const LaplacianModes low = approx_modes(large, SpectrumEnd::smallest, count).value();
+      if (!fairness::spectra_available()) break;
+      const fairness::LaplacianModes low =
+          fairness::approx_modes(large, fairness::SpectrumEnd::smallest, count).value();
       expect_near(low.eigenvalues, {waves.begin(), waves.begin() + count}, 1e-10);
       expect_modes(large, low, 1e-7);
-      const LaplacianModes high = approx_modes(large, SpectrumEnd::largest, count).value();
+      const fairness::LaplacianModes high =
+          fairness::approx_modes(large, fairness::SpectrumEnd::largest, count).value();
       expect_near(high.eigenvalues, {waves.end() - count, waves.end()}, 1e-10);
       expect_modes(large, high, 1e-7);
     }
@@ -98,8 +101,8 @@ TEST(Spectrum, OfToriIsThatOfWaves) {
 TEST(Spectrum, CountsComponentsAndBipartiteOnes) {
   Faces faces;
   Index first = 0;
-  for (const Mesh& part : {torus(Lattice::quad, 20, 20), torus(Lattice::quad, 20, 14),
-                           torus(Lattice::triangle, 12, 12)}) {
+  for (const Mesh& part : {mesh::torus(Lattice::quad, 20, 20), mesh::torus(Lattice::quad, 20, 14),
+                           mesh::torus(Lattice::triangle, 12, 12)}) {
     for (auto face : faces_of(polygons_of(part))) {
       for (Index& corner : face) corner += first;
       faces.push_back(face);
@@ -107,31 +110,33 @@ TEST(Spectrum, CountsComponentsAndBipartiteOnes) {
     first += part.vertex_count();
   }
   const Mesh mesh = must_build(first + 1, faces);  // and an isolated vertex
-  if (!spectra_available()) GTEST_SKIP();
-  const std::vector<double> low = approx_modes(mesh, SpectrumEnd::smallest, 6)->eigenvalues;
+  if (!fairness::spectra_available()) GTEST_SKIP();
+  const std::vector<double> low =
+      fairness::approx_modes(mesh, fairness::SpectrumEnd::smallest, 6)->eigenvalues;
   for (int i = 0; i < 4; ++i) EXPECT_NEAR(low[static_cast<std::size_t>(i)], 0, 1e-12);
   EXPECT_GT(low[4], 1e-3);
-  const std::vector<double> high = approx_modes(mesh, SpectrumEnd::largest, 3)->eigenvalues;
+  const std::vector<double> high =
+      fairness::approx_modes(mesh, fairness::SpectrumEnd::largest, 3)->eigenvalues;
   EXPECT_LT(high[0], 2 - 1e-3);
   EXPECT_NEAR(high[1], 2, 1e-12);
   EXPECT_NEAR(high[2], 2, 1e-12);
 }
 
 TEST(Spectrum, OfRandomMeshesIsThatOfTheDenseSolver) {
-  if (!spectra_available()) GTEST_SKIP();
-  const Mesh mesh = star(Lattice::triangle, 7, 10);  // 386 vertices, with a boundary
-  const std::vector<double> all = approx_all_modes(mesh)->eigenvalues;
+  if (!fairness::spectra_available()) GTEST_SKIP();
+  const Mesh mesh = mesh::star(Lattice::triangle, 7, 10);  // 386 vertices, with a boundary
+  const std::vector<double> all = fairness::approx_all_modes(mesh)->eigenvalues;
   EXPECT_GE(all.front(), -1e-14);
   EXPECT_LE(all.back(), 2);
-  expect_near(approx_modes(mesh, SpectrumEnd::smallest, 40)->eigenvalues,
+  expect_near(fairness::approx_modes(mesh, fairness::SpectrumEnd::smallest, 40)->eigenvalues,
               {all.begin(), all.begin() + 40}, 1e-10);
-  expect_near(approx_modes(mesh, SpectrumEnd::largest, 40)->eigenvalues,
+  expect_near(fairness::approx_modes(mesh, fairness::SpectrumEnd::largest, 40)->eigenvalues,
               {all.end() - 40, all.end()}, 1e-10);
 }
 
 TEST(Amplitudes, SumToTheWholeAndFindASingleWave) {
-  const Mesh mesh = star(Lattice::triangle, 5, 3);  // of several valences
-  const LaplacianModes all = approx_all_modes(mesh).value();
+  const Mesh mesh = mesh::star(Lattice::triangle, 5, 3);  // of several valences
+  const fairness::LaplacianModes all = fairness::approx_all_modes(mesh).value();
   std::vector<Point3> points;
   double whole = 0;
   for (Index v = 0; v < mesh.vertex_count(); ++v) {
@@ -139,18 +144,22 @@ TEST(Amplitudes, SumToTheWholeAndFindASingleWave) {
     whole += mesh.valence(v) * dot(points.back(), points.back());
   }
   double sum = 0;
-  for (const double amplitude : approx_amplitudes(mesh, all, points)) sum += amplitude * amplitude;
+  for (const double amplitude : fairness::approx_amplitudes(mesh, all, points))
+    sum += amplitude * amplitude;
   EXPECT_NEAR(sum, whole, 1e-10 * whole);
   for (Index v = 0; v < mesh.vertex_count(); ++v) points[v] = {0, 2 * all.modes(v, 7), 0};
-  const std::vector<double> one = approx_amplitudes(mesh, all, points);
+  const std::vector<double> one = fairness::approx_amplitudes(mesh, all, points);
   for (std::size_t j = 0; j < one.size(); ++j) EXPECT_NEAR(one[j], j == 7 ? 2 : 0, 1e-12);
 }
 
 TEST(Spectrum, TakesWhatThereIs) {
-  EXPECT_EQ(approx_modes(cube(), SpectrumEnd::smallest, 100)->eigenvalues.size(), 8U);
-  EXPECT_EQ(approx_modes(cube(), SpectrumEnd::largest, 3)->eigenvalues.size(), 3U);
-  EXPECT_TRUE(approx_all_modes(must_build(0, {}))->eigenvalues.empty());
-  const Result<LaplacianModes> refused = approx_all_modes(torus(Lattice::quad, 50, 50));
+  EXPECT_EQ(
+      fairness::approx_modes(cube(), fairness::SpectrumEnd::smallest, 100)->eigenvalues.size(), 8U);
+  EXPECT_EQ(fairness::approx_modes(cube(), fairness::SpectrumEnd::largest, 3)->eigenvalues.size(),
+            3U);
+  EXPECT_TRUE(fairness::approx_all_modes(must_build(0, {}))->eigenvalues.empty());
+  const Result<fairness::LaplacianModes> refused =
+      fairness::approx_all_modes(mesh::torus(Lattice::quad, 50, 50));
   ASSERT_FALSE(refused.ok());
   EXPECT_NE(refused.error().message.find("2500"), std::string::npos);
 }

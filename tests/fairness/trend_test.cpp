@@ -17,7 +17,8 @@ std::vector<double> levels(int count, Value value) {
 
 TEST(Trend, FindsTheLimitOfAGeometricSeries) {
   for (const double ratio : {.25, .5, .7, -.5, -.3}) {
-    const Trend trend = trend_of(levels(6, [&](int l) { return 7 - 3 * std::pow(ratio, l); }));
+    const fairness::Trend trend =
+        fairness::trend_of(levels(6, [&](int l) { return 7 - 3 * std::pow(ratio, l); }));
     EXPECT_EQ(trend.converges, Truth::yes) << ratio;
     EXPECT_NEAR(trend.ratio, std::abs(ratio), 1e-9);
     EXPECT_NEAR(trend.limit, 7, 1e-9);
@@ -25,7 +26,7 @@ TEST(Trend, FindsTheLimitOfAGeometricSeries) {
 }
 
 TEST(Trend, SeesGrowthOfPowersAndLogarithms) {
-  const auto converges = [](auto value) { return trend_of(levels(8, value)).converges; };
+  const auto converges = [](auto value) { return fairness::trend_of(levels(8, value)).converges; };
   EXPECT_EQ(converges([](int l) { return std::pow(4, l); }), Truth::no);
   EXPECT_EQ(converges([](int l) { return 5.0 + l; }), Truth::no);
   EXPECT_EQ(converges([](int l) { return 5.0 + l - std::pow(.25, l); }), Truth::no);
@@ -35,34 +36,34 @@ TEST(Trend, SeesGrowthOfPowersAndLogarithms) {
 
 TEST(Trend, OfUnevenChangesLooksAtTheLargerOnes) {
   // the last change but one happens to be small
-  const Trend trend = trend_of({5, 4.5, 4.4, 4.4001, 4.395});
+  const fairness::Trend trend = fairness::trend_of({5, 4.5, 4.4, 4.4001, 4.395});
   EXPECT_EQ(trend.converges, Truth::yes);
   EXPECT_LT(trend.ratio, .3);
 }
 
 TEST(Trend, IsNotDeceivedByLargeFirstChanges) {
   // a series that converges and, below it, one that doubles
-  const Trend trend = trend_of({107.1, 173.4, 221.0, 254.8, 292.4});
+  const fairness::Trend trend = fairness::trend_of({107.1, 173.4, 221.0, 254.8, 292.4});
   EXPECT_EQ(trend.converges, Truth::undecided);
   EXPECT_TRUE(std::isnan(trend.limit));
 }
 
 TEST(Trend, OfConstantsIsTheConstant) {
-  const Trend constant = trend_of({3, 3, 3, 3});
+  const fairness::Trend constant = fairness::trend_of({3, 3, 3, 3});
   EXPECT_EQ(constant.converges, Truth::yes);
   EXPECT_EQ(constant.limit, 3);
   EXPECT_TRUE(std::isnan(constant.ratio));
   const std::vector<double> noise{1e-22, 1e-20, 1e-18, 1e-16};
-  EXPECT_EQ(trend_of(noise).converges, Truth::no);
-  EXPECT_EQ(trend_of(noise, 1e-12).converges, Truth::yes);
+  EXPECT_EQ(fairness::trend_of(noise).converges, Truth::no);
+  EXPECT_EQ(fairness::trend_of(noise, 1e-12).converges, Truth::yes);
 }
 
 TEST(Trend, OfFewOrNoNumbersIsUndecided) {
-  EXPECT_EQ(trend_of({}).converges, Truth::undecided);
-  EXPECT_EQ(trend_of({1, 2, 2.5}).converges, Truth::undecided);
+  EXPECT_EQ(fairness::trend_of({}).converges, Truth::undecided);
+  EXPECT_EQ(fairness::trend_of({1, 2, 2.5}).converges, Truth::undecided);
   constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_EQ(trend_of({1, kNan, 2, 3, 4}).converges, Truth::undecided);
-  EXPECT_EQ(trend_of({1, 1, 2, 2, 3}).converges, Truth::undecided);
+  EXPECT_EQ(fairness::trend_of({1, kNan, 2, 3, 4}).converges, Truth::undecided);
+  EXPECT_EQ(fairness::trend_of({1, 1, 2, 2, 3}).converges, Truth::undecided);
 }
 
 }  // namespace

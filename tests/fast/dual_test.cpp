@@ -48,8 +48,8 @@ TEST(FastDual, IsThePlainEngineRoundEveryCentre) {
   for (const Scheme& scheme : {shipped("doo-sabin"), parsed(kNear)})
     for (const Index n : {3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 30}) {
       SCOPED_TRACE(n);
-      for (const Mesh& mesh : {star(Lattice::quad, n, 2), star(Lattice::triangle, n, 2),
-                               face_star(n, 3), fan(Lattice::quad, n, 2)})
+      for (const Mesh& mesh : {mesh::star(Lattice::quad, n, 2), mesh::star(Lattice::triangle, n, 2),
+                               mesh::face_star(n, 3), mesh::fan(Lattice::quad, n, 2)})
         EXPECT_EQ(expect_same_dual(scheme, mesh, 3, 3), 0);
     }
 }
@@ -57,10 +57,10 @@ TEST(FastDual, IsThePlainEngineRoundEveryCentre) {
 /// Beyond what has a table, and in meshes that do not grow.
 TEST(FastDual, LeavesToThePlainEngineWhatItMust) {
   const Scheme& scheme = shipped("doo-sabin");
-  EXPECT_EQ(expect_same_dual(scheme, fan(Lattice::quad, 1, 1), 2, 1), 2);
+  EXPECT_EQ(expect_same_dual(scheme, mesh::fan(Lattice::quad, 1, 1), 2, 1), 2);
   for (const Index vertices : {0, 3})
     EXPECT_EQ(expect_same_dual(scheme, must_build(vertices, {}), 3, 1), 3);
-  EXPECT_EQ(expect_same_dual(scheme, star(Lattice::triangle, 1001, 1), 2, 1), 2);
+  EXPECT_EQ(expect_same_dual(scheme, mesh::star(Lattice::triangle, 1001, 1), 2, 1), 2);
 }
 
 /// The plain engine makes the steps until centres are far enough apart, and no more.
@@ -89,8 +89,9 @@ TEST(FastDualRules, MayLookBeyondTheFace) {
 
 TEST(FastDualRules, MayLookFar) {
   const Scheme scheme = parsed(kFarther);
-  for (const Mesh& mesh : {cube(), tetrahedron(), fan(Lattice::quad, 3, 2),
-                           star(Lattice::quad, 5, 1), face_star(3, 2), tree(Lattice::quad, 1)})
+  for (const Mesh& mesh :
+       {cube(), tetrahedron(), mesh::fan(Lattice::quad, 3, 2), mesh::star(Lattice::quad, 5, 1),
+        mesh::face_star(3, 2), mesh::tree(Lattice::quad, 1)})
     for (int levels = 0; levels <= 5; ++levels)
       EXPECT_LE(expect_same_dual(scheme, mesh, levels, 2), 4);
 }
@@ -100,10 +101,10 @@ TEST(FastDual, SaysWhereAllFacesAreQuads) {
   const auto corners = [&](const Mesh& mesh, int levels) {
     return FastRefiner::make(scheme, mesh, levels).value().corners_per_face();
   };
-  EXPECT_EQ(corners(torus(Lattice::quad, 4, 5), 3), 4);
-  EXPECT_EQ(corners(star(Lattice::quad, 4, 2), 2), 4);
+  EXPECT_EQ(corners(mesh::torus(Lattice::quad, 4, 5), 3), 4);
+  EXPECT_EQ(corners(mesh::star(Lattice::quad, 4, 2), 2), 4);
   EXPECT_EQ(corners(cube(), 1), 0);
-  EXPECT_EQ(corners(torus(Lattice::triangle, 4, 5), 1), 0);
+  EXPECT_EQ(corners(mesh::torus(Lattice::triangle, 4, 5), 1), 0);
 }
 
 TEST(FastDual, RefusesWhatThePlainEngineRefuses) {
@@ -113,10 +114,10 @@ TEST(FastDual, RefusesWhatThePlainEngineRefuses) {
   EXPECT_FALSE(FastRefiner::make(scheme, cube(), 40).ok());
   // found out when a mesh has such a face
   const Scheme small = parsed("[corner]\nself = \"1 + (n > 24)/8\"\n");
-  expect_same_dual(small, face_star(30, 1), 2, 1);
-  expect_same_dual(small, face_star(30, 2), 2, 1);
-  expect_same_dual(small, star(Lattice::quad, 30, 2), 2, 1);
-  EXPECT_FALSE(FastRefiner::make(small, face_star(30, 2), 2).ok());
+  expect_same_dual(small, mesh::face_star(30, 1), 2, 1);
+  expect_same_dual(small, mesh::face_star(30, 2), 2, 1);
+  expect_same_dual(small, mesh::star(Lattice::quad, 30, 2), 2, 1);
+  EXPECT_FALSE(FastRefiner::make(small, mesh::face_star(30, 2), 2).ok());
 }
 
 }  // namespace

@@ -61,9 +61,9 @@ INSTANTIATE_TEST_SUITE_P(Schemes, FastFamily, testing::ValuesIn(cases()),
                          [](const auto& info) { return test_name(info.param.name); });
 
 TEST_P(FastFamily, IsThePlainEngineOnBodies) {
-  std::vector<Mesh> meshes{tetrahedron(), icosahedron(), torus(Lattice::triangle, 3, 4)};
+  std::vector<Mesh> meshes{tetrahedron(), icosahedron(), mesh::torus(Lattice::triangle, 3, 4)};
   if (any_polygons()) meshes = bodies();
-  if (only_quads()) meshes = {cube(), torus(Lattice::quad, 3, 4), band(3, 1), band(4, 2)};
+  if (only_quads()) meshes = {cube(), mesh::torus(Lattice::quad, 3, 4), band(3, 1), band(4, 2)};
   for (const Mesh& mesh : meshes)
     for (int levels = 0; levels <= at_most(4); ++levels) check(mesh, levels, 5);
 }
@@ -79,11 +79,11 @@ TEST_P(FastFamily, IsThePlainEngineOnRandomMeshes) {
 TEST_P(FastFamily, IsThePlainEngineRoundEveryValence) {
   for (const Index n : {3, 4, 5, 6, 7, 8, 9, 12, 30})
     for (const Index rings : {1, 2}) {
-      check(star(lattice(), n, rings), at_most(3), 3);
-      check(fan(lattice(), n, rings), at_most(3), 4);
-      if (any_polygons()) check(face_star(n, rings), 3, 5);
+      check(mesh::star(lattice(), n, rings), at_most(3), 3);
+      check(mesh::fan(lattice(), n, rings), at_most(3), 4);
+      if (any_polygons()) check(mesh::face_star(n, rings), 3, 5);
     }
-  for (const Index faces : {1, 2, 3}) check(fan(lattice(), faces, 1), at_most(4), 6);
+  for (const Index faces : {1, 2, 3}) check(mesh::fan(lattice(), faces, 1), at_most(4), 6);
 }
 
 TEST_P(FastFamily, IsThePlainEngineOnOpenMeshes) {
@@ -105,14 +105,14 @@ TEST_P(FastFamily, MayHaveAnyWeights) {
       expect_same(mutant.scheme, mesh, levels, 1, start_of(*scheme_.split));
     };
     same(random_control(*scheme_.split, static_cast<unsigned>(random())), at_most(3));
-    same(fan(lattice(), 7, 2), 2);
-    same(fan(lattice(), 1, 2), at_most(3));
+    same(mesh::fan(lattice(), 7, 2), 2);
+    same(mesh::fan(lattice(), 1, 2), at_most(3));
   }
 }
 
 /// Zones that overlap, too, are made in one order.
 TEST_P(FastFamily, GivesTheSameBitsOnOneThreadAndMany) {
-  for (const Mesh& mesh : {torus(lattice(), 30, 31), fan(lattice(), 9, 12)})
+  for (const Mesh& mesh : {mesh::torus(lattice(), 30, 31), mesh::fan(lattice(), 9, 12)})
     if (FastRefiner::make(scheme_, mesh, 3).ok()) expect_same_bits(scheme_, mesh, 3);
 }
 
@@ -128,7 +128,7 @@ TEST_P(FastFamily, TakesMeshesWithoutFaces) {
 
 /// Beyond what has a table, the plain engine makes all steps.
 TEST_P(FastFamily, LeavesLargeValencesToThePlainEngine) {
-  const Mesh mesh = star(Lattice::triangle, 1001, 1);
+  const Mesh mesh = mesh::star(Lattice::triangle, 1001, 1);
   if (!FastRefiner::make(scheme_, mesh, 1).ok()) GTEST_SKIP() << "no rule for such a mesh";
   EXPECT_EQ(check(mesh, 1, 1), 1);
 }

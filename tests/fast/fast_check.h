@@ -167,7 +167,7 @@ using StartMaker = std::function<Starts(const Mesh& control, int levels, const M
 inline int expect_same(const Scheme& scheme, const Mesh& control, int levels, unsigned seed,
                        const StartMaker& start = start_each_face, const Sharpness& sharpness = {}) {
   const std::vector<Point3> points = random_points(control.vertex_count(), seed);
-  const auto plain = refine(scheme, control, points, levels, {}, sharpness);
+  const auto plain = refine::refine(scheme, control, points, levels, {}, sharpness);
   const auto quick = FastRefiner::make(scheme, control, levels, sharpness);
   EXPECT_EQ(plain.ok(), quick.ok());
   if (!plain || !quick) {

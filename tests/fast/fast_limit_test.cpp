@@ -18,7 +18,7 @@ Quick quick_limit(const Scheme& scheme, const Mesh& control, int levels) {
   options.steps_made = levels;
   const auto limit = approx_fast_limit(scheme, refiner);
   if (!limit) {  // as of a vertex of two faces
-    const auto plain = refine(scheme, control, points, levels).value();
+    const auto plain = refine::refine(scheme, control, points, levels).value();
     EXPECT_FALSE(approx_limit_points(scheme, plain.mesh, plain.values, options).ok());
     return Quick::fails;
   }
@@ -40,7 +40,7 @@ class FastLimit : public testing::TestWithParam<std::string> {};
 /// … to the last digits: weights that sum to 1 still do so as the engine keeps them.
 TEST_P(FastLimit, OfOnePointIsThatPoint) {
   const Scheme& scheme = shipped(GetParam());
-  const Mesh mesh = torus(scheme.split->lattice, 4, 5);
+  const Mesh mesh = mesh::torus(scheme.split->lattice, 4, 5);
   const std::vector<Point3> points(static_cast<std::size_t>(mesh.vertex_count()), {1, 2, 3});
   const FastRefiner refiner = FastRefiner::make(scheme, mesh, 3).value();
   const auto found = approx_fast_limit_mesh(scheme, refiner, points).value();
@@ -71,20 +71,20 @@ INSTANTIATE_TEST_SUITE_P(Schemes, FastLimit,
                          [](const auto& info) { return test_name(info.param); });
 
 TEST(FastLimitOf, IsThereForLoopOnBodies) {
-  for (const Mesh& mesh : {tetrahedron(), icosahedron(), torus(Lattice::triangle, 4, 5),
-                           fan(Lattice::triangle, 5, 2), star(Lattice::triangle, 9, 2)})
+  for (const Mesh& mesh : {tetrahedron(), icosahedron(), mesh::torus(Lattice::triangle, 4, 5),
+                           mesh::fan(Lattice::triangle, 5, 2), mesh::star(Lattice::triangle, 9, 2)})
     for (int levels = 0; levels <= 3; ++levels)
       EXPECT_TRUE(expect_same_limit(shipped("loop"), mesh, levels));
   const Scheme& quads = shipped("catmull-clark");
-  for (const Mesh& mesh : {cube(), icosahedron(), torus(Lattice::quad, 4, 5), band(5, 2)})
+  for (const Mesh& mesh : {cube(), icosahedron(), mesh::torus(Lattice::quad, 4, 5), band(5, 2)})
     for (int levels = 0; levels <= 3; ++levels)
       if (mesh.uniform_degree() == 4 || levels > 0)
         EXPECT_TRUE(expect_same_limit(quads, mesh, levels));
   // at a boundary vertex of six faces the normal is the sum of theirs
   for (const int levels : {0, 2})
-    EXPECT_TRUE(expect_same_limit(shipped("loop"), fan(Lattice::triangle, 6, 1), levels));
+    EXPECT_TRUE(expect_same_limit(shipped("loop"), mesh::fan(Lattice::triangle, 6, 1), levels));
   // at a corner of one face the normal is that face's
-  EXPECT_TRUE(expect_same_limit(quads, fan(Lattice::quad, 5, 2), 2));
+  EXPECT_TRUE(expect_same_limit(quads, mesh::fan(Lattice::quad, 5, 2), 2));
 }
 
 /// Sums over two rings and more: zones reach into patches.
@@ -93,12 +93,12 @@ TEST(FastLimitOf, IsThereFromSmallLevelsOnWhereSumsLookFar) {
                            "interpolating-loop", "loop-7-flat"}) {
     SCOPED_TRACE(name);
     const Scheme& scheme = shipped(name);
-    for (const Mesh& mesh : {icosahedron(), torus(Lattice::triangle, 4, 5)})
+    for (const Mesh& mesh : {icosahedron(), mesh::torus(Lattice::triangle, 4, 5)})
       for (const int levels : {2, 3}) EXPECT_TRUE(expect_same_limit(scheme, mesh, levels));
-    EXPECT_TRUE(expect_same_limit(scheme, star(Lattice::triangle, 9, 2), 2));
+    EXPECT_TRUE(expect_same_limit(scheme, mesh::star(Lattice::triangle, 9, 2), 2));
     // round corners of one face the sides see each other
     for (const Index faces : {1, 2, 5, 7})
-      EXPECT_TRUE(expect_same_limit(scheme, fan(Lattice::triangle, faces, 1), 3));
+      EXPECT_TRUE(expect_same_limit(scheme, mesh::fan(Lattice::triangle, faces, 1), 3));
   }
 }
 
@@ -111,15 +111,15 @@ TEST(FastLimitOf, IsThereForQuadsWhereRulesLookFarther) {
       continue;
     SCOPED_TRACE(mutant.change);
     ++wide;
-    for (const Mesh& mesh : {cube(), torus(Lattice::quad, 3, 4), band(5, 1),
-                             fan(Lattice::quad, 1, 1), fan(Lattice::quad, 5, 1)})
+    for (const Mesh& mesh : {cube(), mesh::torus(Lattice::quad, 3, 4), band(5, 1),
+                             mesh::fan(Lattice::quad, 1, 1), mesh::fan(Lattice::quad, 5, 1)})
       EXPECT_TRUE(expect_same_limit(mutant.scheme, mesh, 3));
   }
   EXPECT_EQ(wide, 4);
 }
 
 TEST(FastLimitOf, HasTheSameBitsOnOneThreadAndMany) {
-  expect_same_limit_bits(shipped("butterfly-modified"), star(Lattice::triangle, 9, 3), 4);
+  expect_same_limit_bits(shipped("butterfly-modified"), mesh::star(Lattice::triangle, 9, 3), 4);
 }
 
 }  // namespace

@@ -26,7 +26,7 @@ struct Whole {
 };
 
 /// All pieces put together; each vertex and each face must come once.
-Whole together(FastPieces& pieces, bool normals) {
+Whole together(fast::FastPieces& pieces, bool normals) {
   Whole whole;
   const auto vertices = static_cast<std::size_t>(pieces.vertex_count());
   whole.positions.resize(vertices);
@@ -48,11 +48,11 @@ Whole together(FastPieces& pieces, bool normals) {
       }
   };
   for (Index group = pieces.groups() - 1; group >= 0; --group) {
-    const FastPieces::Range range = pieces.enter(group);
+    const fast::FastPieces::Range range = pieces.enter(group);
     for (Index p = range.last - 1; p >= range.first; --p) put(p);
   }
   EXPECT_TRUE(std::all_of(times.begin(), times.end(), [](int n) { return n == 1; }));
-  FacePiece faces;
+  fast::FacePiece faces;
   for (Index p = 0; p < pieces.face_pieces(); ++p) {
     pieces.make_faces(p, faces);
     EXPECT_EQ(faces.first, static_cast<Index>(whole.begin.size()));
@@ -69,8 +69,8 @@ Whole together(FastPieces& pieces, bool normals) {
 /// Whether there were pieces; if so, they are compared.
 bool expect_same_pieces(const Scheme& scheme, const Mesh& control, int levels, Index most) {
   const std::vector<Point3> points = random_points(control.vertex_count(), 3);
-  auto pieces = FastPieces::make(scheme, control, numbers_of(points), levels,
-                                 {.most = most, .whole_bytes = most < 200 ? 0 : 64e6});
+  auto pieces = fast::FastPieces::make(scheme, control, numbers_of(points), levels,
+                                       {.most = most, .whole_bytes = most < 200 ? 0 : 64e6});
   const Result<Polygons> whole = fast_refine(scheme, control, points, levels);
   if (pieces && !*pieces) {  // whoever asks the plain engine will know of faults
     if (whole) EXPECT_EQ(FastRefiner::make(scheme, control, levels)->plain_steps(), levels);
@@ -97,8 +97,8 @@ bool expect_same_limit_pieces(const Scheme& scheme, const Mesh& control, int lev
   bool found = false;
   for (const bool limit : {true, false}) {
     auto pieces =
-        FastPieces::make(scheme, control, numbers_of(points), levels,
-                         {.limit = limit, .normals = true, .most = most, .whole_bytes = 0});
+        fast::FastPieces::make(scheme, control, numbers_of(points), levels,
+                               {.limit = limit, .normals = true, .most = most, .whole_bytes = 0});
     if (pieces && !*pieces) continue;
     EXPECT_EQ(pieces.ok(), whole.ok());
     if (!pieces || !whole) continue;
@@ -132,7 +132,8 @@ INSTANTIATE_TEST_SUITE_P(Schemes, FastPiecesOf, testing::ValuesIn(fast_schemes()
 TEST_P(FastPiecesOf, HaveTheBitsOfTheWhole) {
   int compared = 0;
   for (const Index most : {1, 200})
-    compared += expect_same_pieces(scheme_, torus(scheme_.split->lattice, 7, 6), 3, most) ? 1 : 0;
+    compared +=
+        expect_same_pieces(scheme_, mesh::torus(scheme_.split->lattice, 7, 6), 3, most) ? 1 : 0;
   EXPECT_EQ(compared, 2);
   for (unsigned seed = 0; seed < 12; ++seed) {
     const Mesh mesh = random_control(*scheme_.split, seed);
@@ -145,7 +146,7 @@ TEST_P(FastPiecesOf, HaveTheBitsOfTheWhole) {
 }
 
 TEST_P(FastPiecesOf, HaveTheBitsOfTheWholeLimit) {
-  const Mesh closed = torus(scheme_.split->lattice, 5, 6);
+  const Mesh closed = mesh::torus(scheme_.split->lattice, 5, 6);
   int compared = expect_same_limit_pieces(scheme_, closed, 3, 100) ? 1 : 0;
   for (unsigned seed = 0; seed < 6; ++seed) {
     const Mesh mesh = random_control(*scheme_.split, seed);
@@ -159,17 +160,17 @@ TEST_P(FastPiecesOf, HaveTheBitsOfTheWholeLimit) {
 
 TEST(FastPieces, AreTheSameInManyThreads) {
   const Scheme& loop = shipped("loop");
-  const Mesh mesh = torus(Lattice::triangle, 20, 20);
+  const Mesh mesh = mesh::torus(Lattice::triangle, 20, 20);
   const std::vector<Point3> points = random_points(mesh.vertex_count(), 1);
-  FastPieces pieces =
-      *FastPieces::make(loop, mesh, numbers_of(points), 4, {.most = 1000, .whole_bytes = 0})
+  fast::FastPieces pieces =
+      *fast::FastPieces::make(loop, mesh, numbers_of(points), 4, {.most = 1000, .whole_bytes = 0})
            .value();
   EXPECT_GT(pieces.groups(), 5);
   EXPECT_GT(pieces.face_pieces(), 20);
   const Whole whole = together(pieces, false);
   for (Index group = 0; group < pieces.groups(); ++group) {
-    const FastPieces::Range range = pieces.enter(group);
-    parallel_for(
+    const fast::FastPieces::Range range = pieces.enter(group);
+    base::parallel_for(
         range.first, range.last,
         [&](Index first, Index last) {
           fast::StepPiece piece;
@@ -192,14 +193,14 @@ TEST(FastPieces, AreTheSameInManyThreads) {
 TEST(FastPieces, HaveFewExtents) {
   for (const std::string name : {"loop", "catmull-clark", "sqrt3", "doo-sabin"}) {
     const Scheme& scheme = shipped(name);
-    const Mesh mesh = torus(scheme.split->lattice, 20, 20);
+    const Mesh mesh = mesh::torus(scheme.split->lattice, 20, 20);
     const std::vector<Point3> points = random_points(mesh.vertex_count(), 1);
-    FastPieces pieces =
-        *FastPieces::make(scheme, mesh, numbers_of(points), 4, {.most = 4000, .whole_bytes = 0})
-             .value();
+    fast::FastPieces pieces = *fast::FastPieces::make(scheme, mesh, numbers_of(points), 4,
+                                                      {.most = 4000, .whole_bytes = 0})
+                                   .value();
     fast::StepPiece piece;
     for (Index group = 0; group < pieces.groups(); ++group) {
-      const FastPieces::Range range = pieces.enter(group);
+      const fast::FastPieces::Range range = pieces.enter(group);
       for (Index p = range.first; p < range.last; ++p) {
         pieces.make_vertices(p, piece);
         EXPECT_LE(piece.extents.size(), 3U) << name;
@@ -209,10 +210,10 @@ TEST(FastPieces, HaveFewExtents) {
 }
 
 TEST(FastPieces, AreNoneWhereThePlainEngineMakesAllSteps) {
-  const Mesh mesh = torus(Lattice::triangle, 4, 4);
+  const Mesh mesh = mesh::torus(Lattice::triangle, 4, 4);
   const std::vector<Point3> points = random_points(mesh.vertex_count(), 1);
-  EXPECT_FALSE(FastPieces::make(shipped("loop"), mesh, numbers_of(points), 0).value());
-  EXPECT_FALSE(FastPieces::make(shipped("loop"), mesh, numbers_of(points), 40).ok());
+  EXPECT_FALSE(fast::FastPieces::make(shipped("loop"), mesh, numbers_of(points), 0).value());
+  EXPECT_FALSE(fast::FastPieces::make(shipped("loop"), mesh, numbers_of(points), 40).ok());
 }
 
 }  // namespace

@@ -19,7 +19,7 @@ class FastEngine : public testing::TestWithParam<std::string> {};
 TEST_P(FastEngine, LeavesAtMostOneStepToThePlainEngine) {
   const Scheme& scheme = shipped(GetParam());
   for (const Mesh& mesh :
-       {icosahedron(), star(Lattice::triangle, 6, 2), fan(Lattice::triangle, 1, 2)})
+       {icosahedron(), mesh::star(Lattice::triangle, 6, 2), mesh::fan(Lattice::triangle, 1, 2)})
     EXPECT_LE(expect_same(scheme, mesh, 3, 1), 1);
 }
 
@@ -32,8 +32,8 @@ TEST(FastEngineRules, MayLookFar) {
   const Scheme scheme = parsed(kWideTriangles);
   for (const Index n : {3, 5, 6, 7, 9})
     for (const Index rings : {1, 2, 3}) {
-      EXPECT_LT(expect_same(scheme, star(Lattice::triangle, n, rings), 4, 2), 4);
-      EXPECT_LT(expect_same(scheme, fan(Lattice::triangle, n - 2, rings), 4, 2), 4);
+      EXPECT_LT(expect_same(scheme, mesh::star(Lattice::triangle, n, rings), 4, 2), 4);
+      EXPECT_LT(expect_same(scheme, mesh::fan(Lattice::triangle, n - 2, rings), 4, 2), 4);
     }
 }
 
@@ -47,7 +47,7 @@ TEST(FastEngineRules, MayDependOnAnEdgesEnds) {
     for (unsigned seed = 0; seed < 30; ++seed)
       expect_same(scheme, RandomMesh(seed).triangles(), static_cast<int>(1 + seed % 4), seed);
     for (const Index faces : {1, 2, 3, 4, 6})
-      EXPECT_LT(expect_same(scheme, fan(Lattice::triangle, faces, 2), 3, 2), 3);
+      EXPECT_LT(expect_same(scheme, mesh::fan(Lattice::triangle, faces, 2), 3, 2), 3);
   }
 }
 
@@ -65,13 +65,13 @@ TEST(FastRefinerOf, EvaluatesOftenWithOneScratch) {
 
 /// A not-a-number reaches the points whose stencils have it, and no others.
 TEST(FastRefinerOf, PassesNotANumberOn) {
-  const Mesh mesh = torus(Lattice::triangle, 9, 9);
+  const Mesh mesh = mesh::torus(Lattice::triangle, 9, 9);
   const Scheme& scheme = shipped("loop");
   std::vector<Point3> points = random_points(mesh.vertex_count(), 1);
   points[40].y = std::nan("");
   const FastRefiner refiner = FastRefiner::make(scheme, mesh, 2).value();
   const std::vector<Point3> quick = as_points(evaluate<double>(refiner, points));
-  const auto plain = refine(scheme, mesh, points, 2).value();
+  const auto plain = refine::refine(scheme, mesh, points, 2).value();
   const auto broken = [](const Point3& p) { return std::isnan(p.y); };
   EXPECT_EQ(std::count_if(quick.begin(), quick.end(), broken),
             std::count_if(plain.values.begin(), plain.values.end(), broken));
@@ -87,9 +87,9 @@ TEST(FastRefinerOf, RefusesWhatThePlainEngineRefuses) {
   expect_same(shipped("box-spline-triangle"), tetrahedron(), 2, 1);
   const Scheme closed = parsed("[vertex]\nself = 1\n[edge]\nend = \"1/2\"\n");
   expect_same(closed, icosahedron(), 2, 1);
-  expect_same(closed, fan(Lattice::triangle, 3, 2), 2, 1);
+  expect_same(closed, mesh::fan(Lattice::triangle, 3, 2), 2, 1);
   EXPECT_FALSE(FastRefiner::make(loop, icosahedron(), 40).ok());
-  EXPECT_FALSE(FastRefiner::make(closed, fan(Lattice::triangle, 3, 2), 2).ok());
+  EXPECT_FALSE(FastRefiner::make(closed, mesh::fan(Lattice::triangle, 3, 2), 2).ok());
 }
 
 TEST(FastRefine, IsTheRefinerInOneCall) {

@@ -30,7 +30,8 @@ class FastLayout : public ::testing::TestWithParam<Levels> {
 
   [[nodiscard]] static std::vector<Mesh> meshes() {
     std::vector<Mesh> meshes{triangles() ? test::icosahedron() : test::cube(),
-                             fan(GetParam().lattice, 1, 1), fan(GetParam().lattice, 1, 2)};
+                             mesh::fan(GetParam().lattice, 1, 1),
+                             mesh::fan(GetParam().lattice, 1, 2)};
     for (unsigned seed = 0; seed < 12; ++seed) {
       const Mesh mesh =
           triangles() ? test::RandomMesh(seed).triangles() : test::RandomMesh(seed).polygons();
@@ -186,8 +187,8 @@ TEST_P(FastLayout, WritesFaces) {
 /// edges.
 TEST(FastLayoutOfCentres, WritesAFaceForEachEdgeOfQuads) {
   constexpr Index kUnit = 2;
-  for (const Mesh& mesh : {test::cube(), fan(Lattice::quad, 1, 1), fan(Lattice::quad, 3, 2),
-                           star(Lattice::quad, 5, 2)})
+  for (const Mesh& mesh : {test::cube(), mesh::fan(Lattice::quad, 1, 1),
+                           mesh::fan(Lattice::quad, 3, 2), mesh::star(Lattice::quad, 5, 2)})
     for (const Index n : {1, 2, 4}) {
       const GridLayout layout(mesh, Lattice::quad, n, kUnit, true);
       std::vector<Index> expected, begin{0};
@@ -232,9 +233,9 @@ TEST(FastPlaces, AreThoseOfTheStar) {
   }
   for (const StarShape& shape : shapes) {
     const auto [lattice, sectors, open, offset] = shape;
-    const Mesh mesh = offset ? face_star(sectors, 3)
-                      : open ? fan(lattice, sectors, 3)
-                             : star(lattice, sectors, 3);
+    const Mesh mesh = offset ? mesh::face_star(sectors, 3)
+                      : open ? mesh::fan(lattice, sectors, 3)
+                             : mesh::star(lattice, sectors, 3);
     std::set<std::array<Index, 3>> places;
     for (Index v = 0; v < mesh.vertex_count(); ++v) {
       const SectorPoint point = sector_point(shape, v);
@@ -280,7 +281,7 @@ TEST(FastPlaces, AreSeenFromPatches) {
         }
   for (const Lattice lattice : {Lattice::triangle, Lattice::quad}) {
     const Index sectors = plane_sectors(lattice);
-    for (Index v = 0; v < star_size(lattice, sectors, 3); ++v) {
+    for (Index v = 0; v < mesh::star_size(lattice, sectors, 3); ++v) {
       const SectorPoint point = sector_point({lattice, sectors, false}, v);
       const bool beside = v == 0 || point.sector < 2 || point.sector == sectors - 1 ||
                           (point.sector == 2 && point.y == 0);

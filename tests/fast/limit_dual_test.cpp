@@ -42,7 +42,7 @@ Outcome expect_same_limit(const Scheme& scheme, const Mesh& control, int levels)
   options.steps_made = levels;
   const auto found = approx_fast_limit(scheme, refiner);
   if (!found) {
-    const auto plain = refine(scheme, control, points, levels).value();
+    const auto plain = refine::refine(scheme, control, points, levels).value();
     EXPECT_FALSE(approx_limit_points(scheme, plain.mesh, plain.values, options).ok());
     return Outcome::refused;
   }
@@ -78,19 +78,19 @@ std::vector<Mesh> bodies() {
           cube(),
           icosahedron(),
           pyramid(7),
-          torus(Lattice::quad, 3, 4),
-          torus(Lattice::triangle, 3, 4)};
+          mesh::torus(Lattice::quad, 3, 4),
+          mesh::torus(Lattice::triangle, 3, 4)};
 }
 
 std::vector<Mesh> open_meshes() {
   std::vector<Mesh> meshes{must_build(6, {{0, 1, 2, 3}, {1, 0, 4, 5}}),
                            must_build(8, {{0, 1, 2, 3, 4}, {1, 0, 5, 6}}), band(5, 1), band(4, 2),
-                           tree(Lattice::quad, 2)};
+                           mesh::tree(Lattice::quad, 2)};
   for (const Index n : {3, 4, 7}) {
-    meshes.push_back(star(Lattice::triangle, n, 2));
-    meshes.push_back(star(Lattice::quad, n, 1));
-    meshes.push_back(fan(Lattice::quad, n - 2, 2));
-    meshes.push_back(face_star(n, 2));
+    meshes.push_back(mesh::star(Lattice::triangle, n, 2));
+    meshes.push_back(mesh::star(Lattice::quad, n, 1));
+    meshes.push_back(mesh::fan(Lattice::quad, n - 2, 2));
+    meshes.push_back(mesh::face_star(n, 2));
   }
   return meshes;
 }
@@ -147,12 +147,13 @@ TEST(FastDualLimit, IsThereForRulesThatLookBeyondTheFace) {
 TEST(FastDualLimit, IsNotThereAtTheBoundaryForRulesThatLookBeyondTheFace) {
   const Mesh mesh = band(4, 2);
   EXPECT_EQ(expect_same_limit<double>(wide_rules(), mesh, 4), Outcome::none);
-  const auto fine = refine(wide_rules(), mesh, random_points(mesh.vertex_count(), 1), 1).value();
+  const auto fine =
+      refine::refine(wide_rules(), mesh, random_points(mesh.vertex_count(), 1), 1).value();
   EXPECT_FALSE(approx_limit_points(wide_rules(), fine.mesh, fine.values).ok());
 }
 
 TEST(FastDualLimit, IsTheSameBitsOnOneThreadAndMany) {
-  expect_same_limit_bits(shipped("doo-sabin"), star(Lattice::triangle, 7, 9), 4);
+  expect_same_limit_bits(shipped("doo-sabin"), mesh::star(Lattice::triangle, 7, 9), 4);
 }
 
 }  // namespace

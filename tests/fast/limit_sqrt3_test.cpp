@@ -12,12 +12,12 @@ namespace {
 
 TEST(FastLimitOfSqrt3, IsThePlainOneOnBodies) {
   const Scheme& scheme = shipped("sqrt3");
-  for (const Mesh& mesh :
-       {tetrahedron(), icosahedron(), torus(Lattice::triangle, 4, 5), fan(Lattice::triangle, 5, 2),
-        fan(Lattice::triangle, 1, 2), fan(Lattice::triangle, 3, 3), star(Lattice::triangle, 9, 2)})
+  for (const Mesh& mesh : {tetrahedron(), icosahedron(), mesh::torus(Lattice::triangle, 4, 5),
+                           mesh::fan(Lattice::triangle, 5, 2), mesh::fan(Lattice::triangle, 1, 2),
+                           mesh::fan(Lattice::triangle, 3, 3), mesh::star(Lattice::triangle, 9, 2)})
     for (int levels = 0; levels <= 5; ++levels)
       EXPECT_TRUE(expect_plain_limit(scheme, mesh, levels)) << levels;
-  const Mesh lone = fan(Lattice::triangle, 1, 1);  // its centroid is near three corners
+  const Mesh lone = mesh::fan(Lattice::triangle, 1, 1);  // its centroid is near three corners
   for (int levels = 0; levels <= 5; ++levels)
     EXPECT_EQ(expect_plain_limit(scheme, lone, levels), levels != 1) << levels;
 }
@@ -38,10 +38,10 @@ TEST(FastLimitOfSqrt3, IsThePlainOneRoundEveryValence) {
   const Scheme& scheme = shipped("sqrt3");
   for (const Index n : {3, 4, 5, 6, 7, 8, 12, 30})
     for (const int levels : {2, 3})
-      EXPECT_TRUE(expect_plain_limit(scheme, star(Lattice::triangle, n, 1), levels)) << n;
+      EXPECT_TRUE(expect_plain_limit(scheme, mesh::star(Lattice::triangle, n, 1), levels)) << n;
   for (const Index n : {1, 2, 3, 4, 5, 6, 7, 12})
     for (const int levels : {2, 3})
-      EXPECT_TRUE(expect_plain_limit(scheme, fan(Lattice::triangle, n, 1), levels)) << n;
+      EXPECT_TRUE(expect_plain_limit(scheme, mesh::fan(Lattice::triangle, n, 1), levels)) << n;
 }
 
 Scheme parsed(const std::string& rules) {
@@ -61,8 +61,9 @@ TEST(FastLimitOfSqrt3, IsThePlainOneOfWiderRules) {
     EXPECT_EQ(expect_plain_limit(vertices, icosahedron(), levels), levels >= 4);
     EXPECT_EQ(expect_plain_limit(faces, icosahedron(), levels), levels >= 3);
   }
-  for (const Mesh& mesh : {torus(Lattice::triangle, 3, 4), star(Lattice::triangle, 5, 1),
-                           fan(Lattice::triangle, 1, 2)}) {
+  for (const Mesh& mesh :
+       {mesh::torus(Lattice::triangle, 3, 4), mesh::star(Lattice::triangle, 5, 1),
+        mesh::fan(Lattice::triangle, 1, 2)}) {
     EXPECT_TRUE(expect_plain_limit(vertices, mesh, 5));
     EXPECT_TRUE(expect_plain_limit(faces, mesh, 4));
     EXPECT_TRUE(expect_plain_limit(faces, mesh, 5));
@@ -81,7 +82,8 @@ TEST(FastLimitOfSqrt3, IsThePlainOneOfMutants) {
     const bool wider = mutant.change.find("new role") != std::string::npos ||
                        (mutant.change.find("boundary.edge-end") != std::string::npos &&
                         mutant.change.find("(n == ") != std::string::npos);
-    for (const Mesh& mesh : {star(Lattice::triangle, 7, 1), fan(Lattice::triangle, 2, 1)})
+    for (const Mesh& mesh :
+         {mesh::star(Lattice::triangle, 7, 1), mesh::fan(Lattice::triangle, 2, 1)})
       EXPECT_TRUE(expect_plain_limit(mutant.scheme, mesh, levels) || wider);
   }
   EXPECT_GT(seed, 20);
@@ -89,7 +91,7 @@ TEST(FastLimitOfSqrt3, IsThePlainOneOfMutants) {
 
 TEST(FastLimitOfSqrt3, GivesTheSameBitsOnOneThreadAndMany) {
   for (const int levels : {4, 5})
-    expect_same_limit_bits(shipped("sqrt3"), fan(Lattice::triangle, 5, 12), levels);
+    expect_same_limit_bits(shipped("sqrt3"), mesh::fan(Lattice::triangle, 5, 12), levels);
 }
 
 }  // namespace

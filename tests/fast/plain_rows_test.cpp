@@ -26,7 +26,7 @@ struct OneStep {
   const Scheme& scheme;
   const Mesh& mesh;
   Births births;
-  RuleTables<double> tables;
+  refine::RuleTables<double> tables;
 
   OneStep(const Scheme& scheme, const Mesh& mesh, int step)
       : scheme(scheme),
@@ -35,7 +35,7 @@ struct OneStep {
         tables(scheme) {}
 
   [[nodiscard]] std::optional<PlainRows> rows(std::vector<Index> places, std::size_t limit) const {
-    StepStencils<double> stencils(scheme, mesh, births, tables);
+    refine::StepStencils<double> stencils(scheme, mesh, births, tables);
     stencils.prepare_all();
     return PlainRows::record(stencils, std::move(places), limit);
   }
@@ -61,12 +61,12 @@ void expect_rows_of(const Scheme& scheme, const Mesh& mesh, int step, unsigned s
   OneStep one(scheme, mesh, step);
   if (!one.tables.prepare(mesh, one.births)) return;
   const std::vector<Point3> points = random_points(mesh.vertex_count(), seed);
-  const Index count = StepStencils<double>(scheme, mesh, one.births, one.tables).count();
+  const Index count = refine::StepStencils<double>(scheme, mesh, one.births, one.tables).count();
   std::vector<Index> all(static_cast<std::size_t>(count));
   std::iota(all.begin(), all.end(), 0);
   // vertex by vertex the plain engine neither counts valences nor reads rings: it turns and walks
   const std::vector<Point3> plain =
-      refine_values_at(scheme, mesh, one.births, one.tables, points, all);
+      refine::refine_values_at(scheme, mesh, one.births, one.tables, points, all);
   const std::vector<Index> places = shuffled(count, seed);
   const auto rows = one.rows(places, kUnlimited);
   ASSERT_TRUE(rows.has_value());
@@ -97,8 +97,8 @@ TEST_P(FastPlainRows, AreThePlainEngineRoundEveryValence) {
   for (const Index n : {3, 4, 5, 6, 7, 12, 70})
     for (const Index rings : {1, 2}) {
       SCOPED_TRACE(n);
-      expect_rows_of(scheme, star(scheme.split->lattice, n, rings), 0, 3);
-      expect_rows_of(scheme, fan(scheme.split->lattice, n, rings), 1, 4);
+      expect_rows_of(scheme, mesh::star(scheme.split->lattice, n, rings), 0, 3);
+      expect_rows_of(scheme, mesh::fan(scheme.split->lattice, n, rings), 1, 4);
     }
 }
 
@@ -116,7 +116,7 @@ INSTANTIATE_TEST_SUITE_P(Schemes, FastPlainRows, testing::ValuesIn(schemes_of_ru
 /// More rows than a chunk has; recorded and made by one thread and by many.
 TEST(FastPlainRowsOf, AreTheSameBitsOnOneThreadAndMany) {
   for (const char* name : {"butterfly-modified", "catmull-clark"}) {
-    const Mesh mesh = torus(shipped(name).split->lattice, 70, 71);
+    const Mesh mesh = mesh::torus(shipped(name).split->lattice, 70, 71);
     OneStep one(shipped(name), mesh, 0);
     ASSERT_TRUE(one.tables.prepare(mesh, one.births).ok());
     const std::vector<Point3> points = random_points(mesh.vertex_count(), 1);
@@ -135,7 +135,7 @@ TEST(FastPlainRowsOf, AreTheSameBitsOnOneThreadAndMany) {
 
 /// Of a regular mesh all edges share one list of weights; a source comes once.
 TEST(FastPlainRowsOf, ShareTheirWeights) {
-  const Mesh mesh = torus(Lattice::triangle, 80, 80);
+  const Mesh mesh = mesh::torus(Lattice::triangle, 80, 80);
   OneStep one(shipped("butterfly-modified"), mesh, 0);
   ASSERT_TRUE(one.tables.prepare(mesh, one.births).ok());
   const auto rows = one.rows({}, kUnlimited);
@@ -146,7 +146,7 @@ TEST(FastPlainRowsOf, ShareTheirWeights) {
 }
 
 TEST(FastPlainRowsOf, KeepToTheirLimit) {
-  const Mesh mesh = torus(Lattice::triangle, 80, 80);
+  const Mesh mesh = mesh::torus(Lattice::triangle, 80, 80);
   OneStep one(shipped("loop"), mesh, 0);
   ASSERT_TRUE(one.tables.prepare(mesh, one.births).ok());
   for (const std::size_t limit :
@@ -160,7 +160,7 @@ TEST(FastPlainRowsOf, AreNotWrittenDownRoundGreatValences) {
   const Scheme& scheme = shipped("butterfly-modified");
   for (const Index n : {20, 600}) {
     SCOPED_TRACE(n);
-    const Mesh mesh = star(Lattice::triangle, n, 2);
+    const Mesh mesh = mesh::star(Lattice::triangle, n, 2);
     Result<PlainSteps> steps = PlainSteps::make(scheme, mesh, 1);
     ASSERT_TRUE(steps.ok());
     steps->write_down({});
@@ -176,7 +176,7 @@ TEST(FastPlainRowsOf, FollowEachOther) {
     const Scheme& scheme = shipped(name);
     const Mesh mesh = RandomMesh(4).triangles();
     const std::vector<Point3> points = random_points(mesh.vertex_count(), 1);
-    const auto plain = refine(scheme, mesh, points, 3).value();
+    const auto plain = refine::refine(scheme, mesh, points, 3).value();
     Result<PlainSteps> steps = PlainSteps::make(scheme, mesh, 3);
     ASSERT_TRUE(steps.ok());
     const std::vector<Index> order = shuffled(plain.mesh.vertex_count(), 2);

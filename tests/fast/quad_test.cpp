@@ -13,7 +13,7 @@ void expect_same_everywhere(const Scheme& scheme, unsigned seeds, Index most_pla
     EXPECT_GE(plain, quads || levels == 0 ? 0 : 1);
     if (mesh.face_count() > 0) EXPECT_LE(plain, std::min(levels, most_plain + (quads ? 0 : 1)));
   };
-  for (const Mesh& mesh : {cube(), torus(Lattice::quad, 3, 4), tetrahedron(), icosahedron()})
+  for (const Mesh& mesh : {cube(), mesh::torus(Lattice::quad, 3, 4), tetrahedron(), icosahedron()})
     for (int levels = 0; levels <= 4; ++levels) check(mesh, levels, 5);
   for (unsigned seed = 0; seed < seeds; ++seed) {
     SCOPED_TRACE(seed);
@@ -23,13 +23,13 @@ void expect_same_everywhere(const Scheme& scheme, unsigned seeds, Index most_pla
   for (const Index n : {3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 30})
     for (const Index rings : {1, 2, 3}) {
       SCOPED_TRACE(n);
-      check(star(Lattice::quad, n, rings), 3, 3);
-      check(fan(Lattice::quad, n, rings), 3, 4);
-      check(face_star(n, rings), 3, 4);
+      check(mesh::star(Lattice::quad, n, rings), 3, 3);
+      check(mesh::fan(Lattice::quad, n, rings), 3, 4);
+      check(mesh::face_star(n, rings), 3, 4);
     }
   for (const Index faces : {1, 2, 3})
-    for (const Index rings : {1, 2, 3}) check(fan(Lattice::quad, faces, rings), 4, 6);
-  check(fan(Lattice::quad, 1, 1), 5, 1);
+    for (const Index rings : {1, 2, 3}) check(mesh::fan(Lattice::quad, faces, rings), 4, 6);
+  check(mesh::fan(Lattice::quad, 1, 1), 5, 1);
 }
 
 TEST(FastQuads, AreThePlainEngines) { expect_same_everywhere(shipped("catmull-clark"), 200, 0); }
@@ -79,7 +79,7 @@ TEST(FastQuads, AreRefusedAsByThePlainEngine) {
   const Scheme closed =
       parsed("[face]\ncorner=\"1/n\"\n[vertex]\nself = 1\n[edge]\nend = \"1/2\"\n");
   expect_same(closed, cube(), 2, 1);
-  EXPECT_EQ(expect_same(closed, fan(Lattice::quad, 3, 2), 2, 1), -1);
+  EXPECT_EQ(expect_same(closed, mesh::fan(Lattice::quad, 3, 2), 2, 1), -1);
   EXPECT_EQ(expect_same(shipped("box-spline-quad"), cube(), 2, 1), -1);
   EXPECT_EQ(expect_same(shipped("catmull-clark"), cube(), 40, 1), -1);
   EXPECT_EQ(expect_same(shipped("catmull-clark"), icosahedron(), 14, 1), -1);
@@ -92,10 +92,10 @@ TEST(FastQuads, AreLeftWhereNoTableWouldDo) {
   for (int i = 0; i < 6; ++i) far += straight;
   const Scheme scheme = parsed("extends = \"catmull-clark\"\n[roles.edge]\nfar = \"" + far +
                                "\"\n[edge]\nend = \"1/4\"\nface = \"3/16\"\nfar = \"1/16\"\n");
-  for (const Mesh& mesh : {cube(), icosahedron(), torus(Lattice::quad, 9, 3)})
+  for (const Mesh& mesh : {cube(), icosahedron(), mesh::torus(Lattice::quad, 9, 3)})
     for (const int levels : {1, 2, 3}) EXPECT_EQ(expect_same(scheme, mesh, levels, 1), levels);
-  EXPECT_EQ(expect_same(shipped("catmull-clark"), star(Lattice::quad, 1001, 1), 2, 1), 2);
-  EXPECT_EQ(expect_same(shipped("catmull-clark"), star(Lattice::quad, 1000, 1), 2, 1), 0);
+  EXPECT_EQ(expect_same(shipped("catmull-clark"), mesh::star(Lattice::quad, 1001, 1), 2, 1), 2);
+  EXPECT_EQ(expect_same(shipped("catmull-clark"), mesh::star(Lattice::quad, 1000, 1), 2, 1), 0);
 }
 
 TEST(FastQuads, MayBeNone) {

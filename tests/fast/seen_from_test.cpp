@@ -22,8 +22,8 @@ void expect_same_everywhere(const Scheme& scheme, int most_levels) {
   };
   for (const Index n : {3, 4, 5, 6, 7, 9})
     for (const Index rings : {1, 2, 3}) {
-      check(star(scheme.split->lattice, n, rings), most_levels, 3);
-      check(fan(scheme.split->lattice, n - 2, rings), most_levels, 4);
+      check(mesh::star(scheme.split->lattice, n, rings), most_levels, 3);
+      check(mesh::fan(scheme.split->lattice, n - 2, rings), most_levels, 4);
     }
   check(triangles ? icosahedron() : cube(), most_levels, 5);
   for (unsigned seed = 0; seed < 40; ++seed) {

@@ -30,7 +30,7 @@ std::vector<Case> cases() {
   std::vector<Case> cases;
   for (const std::string& name : shipped_schemes()) {
     const Scheme scheme = shipped(name);
-    if (check_takes_sharpness(scheme, one_infinite_vertex()).ok() &&
+    if (refine::check_takes_sharpness(scheme, one_infinite_vertex()).ok() &&
         scheme.split->odd_step_cut == 0)
       cases.push_back({name, nullptr, {}});
   }
@@ -141,7 +141,7 @@ TEST_P(FastSharp, GivesTheSameBitsOnAnyNumberOfThreads) {
 TEST(FastSharpness, LeavesAsFewStepsToThePlainEngineAsWithoutIt) {
   for (const char* const name : {"loop", "catmull-clark"}) {
     const Scheme scheme = shipped(name);
-    const Mesh control = torus(scheme.split->lattice, 6, 7);
+    const Mesh control = mesh::torus(scheme.split->lattice, 6, 7);
     const Sharpness sharpness = random_sharpness(control, 1, 0.3, 0.1, any);
     EXPECT_EQ(FastRefiner::make(scheme, control, 3, sharpness)->plain_steps(),
               FastRefiner::make(scheme, control, 3)->plain_steps());
@@ -149,7 +149,7 @@ TEST(FastSharpness, LeavesAsFewStepsToThePlainEngineAsWithoutIt) {
 }
 
 TEST(FastSharpness, ChaikinsThatFadesUnevenlyIsRefused) {
-  const Mesh control = torus(Lattice::quad, 4, 4);
+  const Mesh control = mesh::torus(Lattice::quad, 4, 4);
   Sharpness sharpness = random_sharpness(control, 1, 1, 0, whole);
   sharpness.method = CreaseMethod::chaikin;
   const auto why = why_no_fast_sharpness(shipped("catmull-clark"), control, sharpness);
@@ -158,7 +158,7 @@ TEST(FastSharpness, ChaikinsThatFadesUnevenlyIsRefused) {
 }
 
 TEST(FastSharpness, SplitsThatDivideCreasesInEverySecondStepAreRefused) {
-  const Mesh control = torus(Lattice::triangle, 4, 4);
+  const Mesh control = mesh::torus(Lattice::triangle, 4, 4);
   const Sharpness sharpness = random_sharpness(control, 1, 1, 0, infinite);
   EXPECT_TRUE(why_no_fast_sharpness(shipped("sqrt3"), control, sharpness));
 }

@@ -24,12 +24,13 @@ TEST(Sqrt2Engine, LeavesWholeCyclesToThePlainEngine) {
                 std::min(half ? levels - 1 : levels, most));
     }
   };
-  for (const Mesh& mesh : {cube(), torus(Lattice::quad, 3, 4)}) check(mesh, 0);
-  for (const Mesh& mesh :
-       {fan(Lattice::quad, 3, 2), star(Lattice::quad, 5, 2), fan(Lattice::quad, 2, 3)})
+  for (const Mesh& mesh : {cube(), mesh::torus(Lattice::quad, 3, 4)}) check(mesh, 0);
+  for (const Mesh& mesh : {mesh::fan(Lattice::quad, 3, 2), mesh::star(Lattice::quad, 5, 2),
+                           mesh::fan(Lattice::quad, 2, 3)})
     check(mesh, 2);
   check(icosahedron(), 2);
-  for (const Mesh& mesh : {face_star(5, 2), fan(Lattice::triangle, 4, 2)}) check(mesh, 4);
+  for (const Mesh& mesh : {mesh::face_star(5, 2), mesh::fan(Lattice::triangle, 4, 2)})
+    check(mesh, 4);
 }
 
 TEST(Sqrt2EngineRules, MayLookFar) {
@@ -42,8 +43,8 @@ TEST(Sqrt2EngineRules, MayLookFar) {
 
 TEST(FastLimitOfFourEight, IsThePlainOneOnBodies) {
   const Scheme& scheme = shipped("four-eight");
-  for (const Mesh& mesh : {cube(), torus(Lattice::quad, 4, 5), fan(Lattice::quad, 3, 2),
-                           fan(Lattice::quad, 1, 2), star(Lattice::quad, 7, 2)}) {
+  for (const Mesh& mesh : {cube(), mesh::torus(Lattice::quad, 4, 5), mesh::fan(Lattice::quad, 3, 2),
+                           mesh::fan(Lattice::quad, 1, 2), mesh::star(Lattice::quad, 7, 2)}) {
     int found = 0;
     for (int levels = 0; levels <= 7; ++levels)
       found += expect_plain_limit(scheme, mesh, levels) ? 1 : 0;

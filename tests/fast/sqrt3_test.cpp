@@ -11,7 +11,7 @@ int expect_same_sqrt3(const Scheme& scheme, const Mesh& control, int levels, uns
 }
 
 TEST(Sqrt3Engine, IsThePlainEngineOnRegularBodies) {
-  for (const Mesh& mesh : {tetrahedron(), icosahedron(), torus(Lattice::triangle, 3, 4)})
+  for (const Mesh& mesh : {tetrahedron(), icosahedron(), mesh::torus(Lattice::triangle, 3, 4)})
     for (int levels = 0; levels <= 5; ++levels) {
       SCOPED_TRACE(levels);
       EXPECT_EQ(expect_same_sqrt3(shipped("sqrt3"), mesh, levels, 5), 0);
@@ -24,22 +24,24 @@ TEST(Sqrt3Engine, IsThePlainEngineRoundEveryValence) {
     for (const Index rings : {1, 2})
       for (const int levels : {1, 2, 3, 4}) {
         SCOPED_TRACE(n);
-        EXPECT_EQ(expect_same_sqrt3(shipped("sqrt3"), star(Lattice::triangle, n, rings), levels, 3),
-                  0);
-        EXPECT_EQ(expect_same_sqrt3(shipped("sqrt3"), fan(Lattice::triangle, n, rings), levels, 4),
-                  0);
+        EXPECT_EQ(
+            expect_same_sqrt3(shipped("sqrt3"), mesh::star(Lattice::triangle, n, rings), levels, 3),
+            0);
+        EXPECT_EQ(
+            expect_same_sqrt3(shipped("sqrt3"), mesh::fan(Lattice::triangle, n, rings), levels, 4),
+            0);
       }
   for (const Index faces : {1, 2, 3, 4})
     for (const Index rings : {1, 2})
       for (int levels = 0; levels <= 5; ++levels)
-        expect_same_sqrt3(shipped("sqrt3"), fan(Lattice::triangle, faces, rings), levels, 6);
+        expect_same_sqrt3(shipped("sqrt3"), mesh::fan(Lattice::triangle, faces, rings), levels, 6);
 }
 
 /// A triangle alone sees itself on all sides, until it has been cut.
 TEST(Sqrt3Engine, LeavesStepsToThePlainEngineOnlyForLoneTriangles) {
-  EXPECT_EQ(expect_same_sqrt3(shipped("sqrt3"), fan(Lattice::triangle, 1, 1), 5, 1), 2);
-  EXPECT_EQ(expect_same_sqrt3(shipped("sqrt3"), fan(Lattice::triangle, 1, 2), 5, 1), 0);
-  EXPECT_EQ(expect_same_sqrt3(shipped("sqrt3"), fan(Lattice::triangle, 2, 1), 5, 1), 0);
+  EXPECT_EQ(expect_same_sqrt3(shipped("sqrt3"), mesh::fan(Lattice::triangle, 1, 1), 5, 1), 2);
+  EXPECT_EQ(expect_same_sqrt3(shipped("sqrt3"), mesh::fan(Lattice::triangle, 1, 2), 5, 1), 0);
+  EXPECT_EQ(expect_same_sqrt3(shipped("sqrt3"), mesh::fan(Lattice::triangle, 2, 1), 5, 1), 0);
 }
 
 Scheme parsed(const std::string& rules) { return rules_on("sqrt3", rules); }
@@ -49,10 +51,11 @@ TEST(Sqrt3EngineRules, MayLookFar) {
   for (const Index n : {3, 5, 6, 7, 9})
     for (const Index rings : {1, 2, 3})
       for (const int levels : {4, 5}) {
-        EXPECT_LE(expect_same_sqrt3(scheme, star(Lattice::triangle, n, rings), levels, 2), 3);
+        EXPECT_LE(expect_same_sqrt3(scheme, mesh::star(Lattice::triangle, n, rings), levels, 2), 3);
         // a triangle alone needs another two
         const int most = n - 2 == 1 && rings == 1 ? 4 : 3;
-        EXPECT_LE(expect_same_sqrt3(scheme, fan(Lattice::triangle, n - 2, rings), levels, 2), most);
+        EXPECT_LE(expect_same_sqrt3(scheme, mesh::fan(Lattice::triangle, n - 2, rings), levels, 2),
+                  most);
       }
 }
 
@@ -82,7 +85,7 @@ second = "1/16"
   }
   for (const Index faces : {1, 2, 3, 4})
     for (const Index rings : {1, 2, 3})
-      EXPECT_LE(expect_same_sqrt3(scheme, fan(Lattice::triangle, faces, rings), 5, 2),
+      EXPECT_LE(expect_same_sqrt3(scheme, mesh::fan(Lattice::triangle, faces, rings), 5, 2),
                 faces * rings == 1 ? 4 : 3);
 }
 
@@ -122,14 +125,14 @@ TEST(Sqrt3Engine, RefusesWhatThePlainEngineRefuses) {
   const Scheme closed = parsed("[vertex]\nself = 1\n[face]\ncorner = \"1/3\"\n");
   for (const int levels : {1, 2, 3}) {
     expect_same_sqrt3(closed, icosahedron(), levels, 1);
-    expect_same_sqrt3(closed, fan(Lattice::triangle, 3, 2), levels, 1);
+    expect_same_sqrt3(closed, mesh::fan(Lattice::triangle, 3, 2), levels, 1);
   }
   const Scheme partial = parsed(
       "extends = \"sqrt3\"\n[[vertex]]\nwhen = \"n < 25\"\nself = \"1/2\"\nring = \"1/(2*n)\"\n");
   for (const int levels : {1, 2, 3})
     for (const Index n : {12, 30}) {
-      expect_same_sqrt3(partial, star(Lattice::triangle, n, 1), levels, 1);
-      expect_same_sqrt3(partial, fan(Lattice::triangle, n, 1), levels, 1);
+      expect_same_sqrt3(partial, mesh::star(Lattice::triangle, n, 1), levels, 1);
+      expect_same_sqrt3(partial, mesh::fan(Lattice::triangle, n, 1), levels, 1);
     }
 }
 

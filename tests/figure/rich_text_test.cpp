@@ -8,18 +8,18 @@ namespace {
 
 std::string plain(std::string_view text) {
   std::string result;
-  for (const TextRun& run : parse_rich_text(text)) result += run.text;
+  for (const figure::TextRun& run : figure::parse_rich_text(text)) result += run.text;
   return result;
 }
 
 TEST(RichText, MarksNeedABrace) {
   EXPECT_EQ(plain("modified_butterfly 2*3/4^5 {x}"), "modified_butterfly 2*3/4^5 {x}");
-  EXPECT_EQ(parse_rich_text("modified_butterfly").size(), 1u);
-  EXPECT_TRUE(parse_rich_text("").empty());
+  EXPECT_EQ(figure::parse_rich_text("modified_butterfly").size(), 1u);
+  EXPECT_TRUE(figure::parse_rich_text("").empty());
 }
 
 TEST(RichText, MarksNest) {
-  const std::vector<TextRun> runs = parse_rich_text("a_{b/{c}}*{d}^{e}");
+  const std::vector<figure::TextRun> runs = figure::parse_rich_text("a_{b/{c}}*{d}^{e}");
   ASSERT_EQ(runs.size(), 5u);
   EXPECT_LT(runs[1].rise, 0);
   EXPECT_LT(runs[1].scale, 1);
@@ -40,7 +40,7 @@ TEST(RichText, BadBytesAndOpenBracesAreHarmless) {
 }
 
 RC_GTEST_PROP(RichTextLaws, AnyBytesGiveRuns, (const std::string& text)) {
-  for (const TextRun& run : parse_rich_text(text)) RC_ASSERT(!run.text.empty());
+  for (const figure::TextRun& run : figure::parse_rich_text(text)) RC_ASSERT(!run.text.empty());
 }
 
 }  // namespace

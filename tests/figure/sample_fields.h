@@ -13,9 +13,9 @@ namespace limn::test {
 
 /// The rectangle [0, columns] × [0, rows] in unit squares, each cut along one of its diagonals,
 /// which one being drawn from `seed`.
-inline TriangleGrid rectangle_grid(int columns, int rows, unsigned seed = 0) {
+inline figure::TriangleGrid rectangle_grid(int columns, int rows, unsigned seed = 0) {
   std::mt19937 random(seed);
-  TriangleGrid grid;
+  figure::TriangleGrid grid;
   for (int j = 0; j <= rows; ++j)
     for (int i = 0; i <= columns; ++i) grid.nodes.push_back({double(i), double(j)});
   for (int j = 0; j < rows; ++j) {
@@ -34,16 +34,16 @@ inline TriangleGrid rectangle_grid(int columns, int rows, unsigned seed = 0) {
 }
 
 template <class Function>
-std::vector<double> sampled(const TriangleGrid& grid, Function function) {
+std::vector<double> sampled(const figure::TriangleGrid& grid, Function function) {
   std::vector<double> values;
   for (const auto& [x, y] : grid.nodes) values.push_back(function(x, y));
   return values;
 }
 
 /// Signed area within closed polygons, each counted with its winding number.
-inline double area_of(const std::vector<Polyline>& loops) {
+inline double area_of(const std::vector<figure::Polyline>& loops) {
   double doubled = 0;
-  for (const Polyline& loop : loops) {
+  for (const figure::Polyline& loop : loops) {
     for (std::size_t i = 0; i < loop.size(); ++i) {
       const auto &p = loop[i], &q = loop[(i + 1) % loop.size()];
       doubled += p[0] * q[1] - p[1] * q[0];
@@ -52,9 +52,9 @@ inline double area_of(const std::vector<Polyline>& loops) {
   return doubled / 2;
 }
 
-inline double length_of(const std::vector<Polyline>& lines) {
+inline double length_of(const std::vector<figure::Polyline>& lines) {
   double length = 0;
-  for (const Polyline& line : lines)
+  for (const figure::Polyline& line : lines)
     for (std::size_t i = 1; i < line.size(); ++i)
       length += std::hypot(line[i][0] - line[i - 1][0], line[i][1] - line[i - 1][1]);
   return length;

@@ -15,42 +15,47 @@
 namespace limn::test {
 namespace {
 
-constexpr ViewFrame kFrame = {{-1, 1}, {-1, 1}};
-constexpr Box kBox = {0, 0, 200, 200};
+constexpr figure::ViewFrame kFrame = {{-1, 1}, {-1, 1}};
+constexpr figure::Box kBox = {0, 0, 200, 200};
 
-PixelGrid grid_of(int pixels) { return {FramePlacement(kFrame, kBox), kBox, pixels, pixels}; }
+figure::PixelGrid grid_of(int pixels) {
+  return {figure::FramePlacement(kFrame, kBox), kBox, pixels, pixels};
+}
 
-SeenSurface seen(const SmoothSurface& surface) { return seen_surface(surface, ParallelView(0, 0)); }
+figure::SeenSurface seen(const figure::SmoothSurface& surface) {
+  return figure::seen_surface(surface, figure::ParallelView(0, 0));
+}
 
 template <class Body>
-void for_each_sample(const SampleRaster& raster, const PixelGrid& grid, Body body) {
-  SampleRaster::Band band;
+void for_each_sample(const figure::SampleRaster& raster, const figure::PixelGrid& grid, Body body) {
+  figure::SampleRaster::Band band;
   for (int b = 0; b < raster.band_count(); ++b) {
     raster.fill(b, band);
     for (int row = raster.first_row(b); row < raster.first_row(b + 1); ++row)
       for (int column = 0; column < grid.width(); ++column)
-        for (int k = 0; k < kPixelSamples; ++k)
-          body(grid.x(column + sample_right(k)), grid.y(row + sample_down(k)),
+        for (int k = 0; k < figure::kPixelSamples; ++k)
+          body(grid.x(column + figure::sample_right(k)), grid.y(row + figure::sample_down(k)),
                band.at(row, column, k));
   }
 }
 
 /// Weights of the triangle's corners at (x, y); nothing where it is seen edge-on.
-std::optional<SpaceVector> weights_at(const SeenSurface& on, std::size_t t, double x, double y) {
+std::optional<figure::SpaceVector> weights_at(const figure::SeenSurface& on, std::size_t t,
+                                              double x, double y) {
   const auto& [i, j, k] = on.triangles[t];
-  const SpaceVector &a = on.vertices[i], &b = on.vertices[j], &c = on.vertices[k];
+  const figure::SpaceVector &a = on.vertices[i], &b = on.vertices[j], &c = on.vertices[k];
   const double area = (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
   if (area == 0) return std::nullopt;
   const double v = ((x - a[0]) * (c[1] - a[1]) - (y - a[1]) * (c[0] - a[0])) / area;
   const double w = ((b[0] - a[0]) * (y - a[1]) - (b[1] - a[1]) * (x - a[0])) / area;
-  return SpaceVector{1 - v - w, v, w};
+  return figure::SpaceVector{1 - v - w, v, w};
 }
 
 /// Triangles anywhere, also beyond the picture.
-SeenSurface soup(int count, unsigned seed) {
+figure::SeenSurface soup(int count, unsigned seed) {
   std::mt19937 random(seed);
   std::uniform_real_distribution<double> at(-1.6, 1.6);
-  SeenSurface surface;
+  figure::SeenSurface surface;
   for (int t = 0; t < count; ++t) {
     for (int c = 0; c < 3; ++c) surface.vertices.push_back({at(random), at(random), at(random)});
     surface.triangles.push_back({3 * t, 3 * t + 1, 3 * t + 2});
@@ -61,35 +66,36 @@ SeenSurface soup(int count, unsigned seed) {
 
 TEST(SampleRaster, SeesTheNearestTriangle) {
   for (unsigned seed = 1; seed <= 5; ++seed) {
-    const std::vector<SeenSurface> surfaces = {soup(12, seed)};
-    const SeenSurface& on = surfaces.front();
-    const PixelGrid grid = grid_of(19);
-    const SampleRaster raster(surfaces, grid);
+    const std::vector<figure::SeenSurface> surfaces = {soup(12, seed)};
+    const figure::SeenSurface& on = surfaces.front();
+    const figure::PixelGrid grid = grid_of(19);
+    const figure::SampleRaster raster(surfaces, grid);
     int met = 0, unclear = 0;
-    for_each_sample(raster, grid, [&](double x, double y, const SampleRaster::Sight& sight) {
-      int nearest = -1;
-      double depth = -1e9, second = -1e9, edge = 1;
-      for (std::size_t t = 0; t < on.triangles.size(); ++t) {
-        const auto w = weights_at(on, t, x, y);
-        if (!w) continue;
-        const double inside = *std::min_element(w->begin(), w->end());
-        edge = std::min(edge, std::abs(inside));
-        if (inside < 0) continue;
-        double z = 0;
-        for (std::size_t c = 0; c < 3; ++c) z += (*w)[c] * on.vertices[on.triangles[t][c]][2];
-        if (z > depth)
-          second = depth, depth = z, nearest = static_cast<int>(t);
-        else
-          second = std::max(second, z);
-      }
-      if (edge < 1e-9 || (nearest >= 0 && depth - second < 1e-5)) {
-        ++unclear;
-        return;
-      }
-      met += nearest >= 0 ? 1 : 0;
-      ASSERT_EQ(sight.triangle, sight.surface < 0 ? sight.triangle : nearest) << x << ' ' << y;
-      ASSERT_EQ(sight.surface < 0, nearest < 0) << x << ' ' << y;
-    });
+    for_each_sample(
+        raster, grid, [&](double x, double y, const figure::SampleRaster::Sight& sight) {
+          int nearest = -1;
+          double depth = -1e9, second = -1e9, edge = 1;
+          for (std::size_t t = 0; t < on.triangles.size(); ++t) {
+            const auto w = weights_at(on, t, x, y);
+            if (!w) continue;
+            const double inside = *std::min_element(w->begin(), w->end());
+            edge = std::min(edge, std::abs(inside));
+            if (inside < 0) continue;
+            double z = 0;
+            for (std::size_t c = 0; c < 3; ++c) z += (*w)[c] * on.vertices[on.triangles[t][c]][2];
+            if (z > depth)
+              second = depth, depth = z, nearest = static_cast<int>(t);
+            else
+              second = std::max(second, z);
+          }
+          if (edge < 1e-9 || (nearest >= 0 && depth - second < 1e-5)) {
+            ++unclear;
+            return;
+          }
+          met += nearest >= 0 ? 1 : 0;
+          ASSERT_EQ(sight.triangle, sight.surface < 0 ? sight.triangle : nearest) << x << ' ' << y;
+          ASSERT_EQ(sight.surface < 0, nearest < 0) << x << ' ' << y;
+        });
     EXPECT_GT(met, 1000);
     EXPECT_LT(unclear, 100);
   }
@@ -98,65 +104,71 @@ TEST(SampleRaster, SeesTheNearestTriangle) {
 /// Corners of the grid lie on samples and scan lines.
 TEST(SampleRaster, LeavesNoGapsAndCoversNothingTwice) {
   const int cells = 32;
-  const SmoothSurface plate = sampled_surface(cells, cells, [](double s, double t) -> SurfacePoint {
-    return {{0, 2 * s - 1, 2 * t - 1}, {1, 0, 0}};
-  });
+  const figure::SmoothSurface plate =
+      sampled_surface(cells, cells, [](double s, double t) -> SurfacePoint {
+        return {{0, 2 * s - 1, 2 * t - 1}, {1, 0, 0}};
+      });
   for (const int pixels : {2, 32, 37}) {
-    const PixelGrid grid = grid_of(pixels);
-    const std::vector<SeenSurface> surfaces = {seen(plate)};
-    const SampleRaster raster(surfaces, grid);
+    const figure::PixelGrid grid = grid_of(pixels);
+    const std::vector<figure::SeenSurface> surfaces = {seen(plate)};
+    const figure::SampleRaster raster(surfaces, grid);
     std::vector<int> met(plate.triangles.size());
-    for_each_sample(raster, grid, [&](double x, double y, const SampleRaster::Sight& sight) {
-      ASSERT_EQ(sight.surface, 0) << x << ' ' << y;
-      ++met[static_cast<std::size_t>(sight.triangle)];
-      const auto w = weights_at(surfaces[0], static_cast<std::size_t>(sight.triangle), x, y);
-      ASSERT_GE(*std::min_element(w->begin(), w->end()), -1e-9);
-    });
+    for_each_sample(
+        raster, grid, [&](double x, double y, const figure::SampleRaster::Sight& sight) {
+          ASSERT_EQ(sight.surface, 0) << x << ' ' << y;
+          ++met[static_cast<std::size_t>(sight.triangle)];
+          const auto w = weights_at(surfaces[0], static_cast<std::size_t>(sight.triangle), x, y);
+          ASSERT_GE(*std::min_element(w->begin(), w->end()), -1e-9);
+        });
   }
 }
 
 TEST(SampleRaster, TakesBadAndFarPoints) {
-  SeenSurface far;
+  figure::SeenSurface far;
   far.vertices = {{-1e100, -1e100, 0}, {1e100, -1e100, 0}, {0, 1e100, 1e100}, {0.1, 0.1, 3}};
   far.normals.assign(4, {0, 0, 1});
   far.triangles = {{0, 1, 2}, {3, 3, 3}, {0, 3, 1}};
-  const PixelGrid grid = grid_of(5);
-  const std::vector<SeenSurface> surfaces = {SeenSurface{}, far, SeenSurface{}};
+  const figure::PixelGrid grid = grid_of(5);
+  const std::vector<figure::SeenSurface> surfaces = {figure::SeenSurface{}, far,
+                                                     figure::SeenSurface{}};
   int met = 0;
-  for_each_sample(
-      SampleRaster(surfaces, grid), grid,
-      [&](double, double, const SampleRaster::Sight& sight) { met += sight.surface == 1 ? 1 : 0; });
-  EXPECT_EQ(met, 5 * 5 * kPixelSamples);
+  for_each_sample(figure::SampleRaster(surfaces, grid), grid,
+                  [&](double, double, const figure::SampleRaster::Sight& sight) {
+                    met += sight.surface == 1 ? 1 : 0;
+                  });
+  EXPECT_EQ(met, 5 * 5 * figure::kPixelSamples);
 }
 
 /// Two samplings of one sphere are one surface, though flat triangles lie far more off it.
 TEST(SampleRaster, TellsThatSamplingsOfOneSurfaceAreEqual) {
-  const std::vector<SeenSurface> surfaces = {seen(sphere(40)), seen(sphere(31))};
+  const std::vector<figure::SeenSurface> surfaces = {seen(sphere(40)), seen(sphere(31))};
   const double sag = std::pow(std::numbers::pi / 40, 2) / 8 / 2;  // of a chord, of the size 2
-  ASSERT_GT(sag, 10 * kEqualDepth);
-  const PixelGrid grid = grid_of(60);
+  ASSERT_GT(sag, 10 * figure::kEqualDepth);
+  const figure::PixelGrid grid = grid_of(60);
   int met = 0, equal = 0;
-  for_each_sample(SampleRaster(surfaces, grid), grid,
-                  [&](double x, double y, const SampleRaster::Sight& sight) {
+  for_each_sample(figure::SampleRaster(surfaces, grid), grid,
+                  [&](double x, double y, const figure::SampleRaster::Sight& sight) {
                     if (std::hypot(x, y) > 0.9) return;
                     ++met;
-                    equal += sight.gap <= kEqualDepth ? 1 : 0;
+                    equal += sight.gap <= figure::kEqualDepth ? 1 : 0;
                     ASSERT_LT(sight.gap, sag / 2) << x << ' ' << y;
                   });
   EXPECT_GT(equal, 0.75 * met);
 }
 
-Shading shading_of(std::vector<Colour> colours) { return {.colours = std::move(colours)}; }
+figure::Shading shading_of(std::vector<figure::Colour> colours) {
+  return {.colours = std::move(colours)};
+}
 
-const std::uint8_t* pixel(const Image& image, int row, int column) {
+const std::uint8_t* pixel(const figure::Image& image, int row, int column) {
   return &image.rgba[4 * (static_cast<std::size_t>(row) * image.width + column)];
 }
 
 /// Each pixel of a sphere has the shade of a plate with the sphere's normal there.
 TEST(ShadedImage, OfASphereHasTheShadeOfItsNormal) {
-  const Shading shading = shading_of({{0.8, 0.7, 0.6}});
-  const PixelGrid grid = grid_of(100);
-  const Image ball = shaded_image({seen(sphere(120))}, grid, shading);
+  const figure::Shading shading = shading_of({{0.8, 0.7, 0.6}});
+  const figure::PixelGrid grid = grid_of(100);
+  const figure::Image ball = figure::shaded_image({seen(sphere(120))}, grid, shading);
   double covered = 0;
   for (int row = 0; row < 100; ++row)
     for (int column = 0; column < 100; ++column)
@@ -169,11 +181,11 @@ TEST(ShadedImage, OfASphereHasTheShadeOfItsNormal) {
         if (std::hypot(x, y) > 1.03) EXPECT_EQ(pixel(ball, row, column)[2], 255);
         continue;
       }
-      SeenSurface plate;
+      figure::SeenSurface plate;
       plate.vertices = {{-9, -9, 0}, {9, -9, 0}, {0, 9, 0}};
       plate.normals.assign(3, {x, y, std::sqrt(1 - x * x - y * y)});
       plate.triangles = {{0, 1, 2}};
-      const Image flat = shaded_image({plate}, grid_of(1), shading);
+      const figure::Image flat = figure::shaded_image({plate}, grid_of(1), shading);
       for (int c = 0; c < 3; ++c)
         EXPECT_NEAR(pixel(ball, row, column)[c], pixel(flat, 0, 0)[c], 2) << row << ' ' << column;
     }
@@ -181,30 +193,32 @@ TEST(ShadedImage, OfASphereHasTheShadeOfItsNormal) {
 }
 
 TEST(ShadedImage, ShowsTiesInAThirdColour) {
-  const Colour green = {0, 0.8, 0}, red = {0.8, 0, 0}, blue = {0, 0, 0.8};
-  Shading shading = shading_of({green, red});
+  const figure::Colour green = {0, 0.8, 0}, red = {0.8, 0, 0}, blue = {0, 0, 0.8};
+  figure::Shading shading = shading_of({green, red});
   const auto plates = [](double slope, double apart) {
     const auto plate = [](double a, double b) {
       return sampled_surface(7, 7, [a, b](double s, double t) -> SurfacePoint {
         return {{b + a * (2 * s - 1), 2 * s - 1, 2 * t - 1}, {1, -a, 0}};
       });
     };
-    return std::vector<SeenSurface>{seen(plate(0, 0)), seen(plate(slope, 2 * apart))};  // size 2
+    return std::vector<figure::SeenSurface>{seen(plate(0, 0)),
+                                            seen(plate(slope, 2 * apart))};  // size 2
   };
-  const auto middle = [&](const std::vector<SeenSurface>& surfaces) {
-    const Image image = shaded_image(surfaces, grid_of(9), shading);
+  const auto middle = [&](const std::vector<figure::SeenSurface>& surfaces) {
+    const figure::Image image = figure::shaded_image(surfaces, grid_of(9), shading);
     const std::uint8_t* const colour = pixel(image, 4, 4);
     return std::max_element(colour, colour + 3) - colour;
   };
   EXPECT_EQ(middle(plates(0, 0)), 1);  // the earlier one
-  EXPECT_EQ(middle(plates(0, 0.9 * kEqualDepth)), 1);
-  EXPECT_EQ(middle(plates(0, 1.1 * kEqualDepth)), 0);
+  EXPECT_EQ(middle(plates(0, 0.9 * figure::kEqualDepth)), 1);
+  EXPECT_EQ(middle(plates(0, 1.1 * figure::kEqualDepth)), 0);
   shading.tie = blue;
-  for (const double share : {-0.9, 0.0, 0.9}) EXPECT_EQ(middle(plates(0, share * kEqualDepth)), 2);
-  EXPECT_EQ(middle(plates(0, 1.01 * kNearDepth)), 0);
-  EXPECT_EQ(middle(plates(0, -1.01 * kNearDepth)), 1);
+  for (const double share : {-0.9, 0.0, 0.9})
+    EXPECT_EQ(middle(plates(0, share * figure::kEqualDepth)), 2);
+  EXPECT_EQ(middle(plates(0, 1.01 * figure::kNearDepth)), 0);
+  EXPECT_EQ(middle(plates(0, -1.01 * figure::kNearDepth)), 1);
   // crossing: green on the left, red on the right, blue on the line alone
-  const Image image = shaded_image(plates(0.2, 0), grid_of(64), shading);
+  const figure::Image image = figure::shaded_image(plates(0.2, 0), grid_of(64), shading);
   for (int column = 0; column < 64; ++column) {
     const std::uint8_t* const colour = pixel(image, 20, column);
     if (column < 30) EXPECT_GT(colour[1], std::max(colour[0], colour[2])) << column;
@@ -213,15 +227,15 @@ TEST(ShadedImage, ShowsTiesInAThirdColour) {
 }
 
 TEST(ShadedImage, IsTheSameForAnyNumberOfThreads) {
-  Shading shading = shading_of({{0.2, 0.8, 0.2}, {0.8, 0.2, 0.2}});
-  shading.tie = Colour{0.9, 0.9, 0.7};
-  const std::vector<SeenSurface> surfaces = {seen(torus(30, 0.4)), seen(sphere(20))};
+  figure::Shading shading = shading_of({{0.2, 0.8, 0.2}, {0.8, 0.2, 0.2}});
+  shading.tie = figure::Colour{0.9, 0.9, 0.7};
+  const std::vector<figure::SeenSurface> surfaces = {seen(torus(30, 0.4)), seen(sphere(20))};
   for (const bool striped : {false, true}) {
-    if (striped) shading.lights = MirroredLights({}, ParallelView(0, 0));
+    if (striped) shading.lights = figure::MirroredLights({}, figure::ParallelView(0, 0));
     set_thread_limit(1);
-    const Image one = shaded_image(surfaces, grid_of(90), shading);
+    const figure::Image one = figure::shaded_image(surfaces, grid_of(90), shading);
     set_thread_limit(0);
-    EXPECT_EQ(one.rgba, shaded_image(surfaces, grid_of(90), shading).rgba);
+    EXPECT_EQ(one.rgba, figure::shaded_image(surfaces, grid_of(90), shading).rgba);
   }
 }
 

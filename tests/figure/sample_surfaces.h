@@ -11,12 +11,12 @@ namespace limn::test {
 
 /// The point and the normal at parameters (s, t) in [0, 1]².
 struct SurfacePoint {
-  SpaceVector at, normal;
+  figure::SpaceVector at, normal;
 };
 
 /// Vertices in one place become one: a closed surface has no seam.
-inline SmoothSurface welded(const SmoothSurface& surface) {
-  SmoothSurface result;
+inline figure::SmoothSurface welded(const figure::SmoothSurface& surface) {
+  figure::SmoothSurface result;
   std::map<std::array<long, 3>, int> places;
   std::vector<int> place;
   for (std::size_t v = 0; v < surface.vertices.size(); ++v) {
@@ -38,8 +38,8 @@ inline SmoothSurface welded(const SmoothSurface& surface) {
 
 /// A grid of columns × rows quads in two triangles each, over parameters in [0, 1]².
 template <class Function>
-SmoothSurface sampled_surface(int columns, int rows, Function function) {
-  SmoothSurface surface;
+figure::SmoothSurface sampled_surface(int columns, int rows, Function function) {
+  figure::SmoothSurface surface;
   for (int j = 0; j <= rows; ++j) {
     for (int i = 0; i <= columns; ++i) {
       const SurfacePoint point = function(double(i) / columns, double(j) / rows);
@@ -59,7 +59,7 @@ SmoothSurface sampled_surface(int columns, int rows, Function function) {
 
 /// z = f(x, y) on [−1, 1]²; `field` gives {z, its slope in x, its slope in y}.
 template <class Field>
-SmoothSurface height_surface(int cells, Field field) {
+figure::SmoothSurface height_surface(int cells, Field field) {
   return sampled_surface(cells, cells, [&](double s, double t) -> SurfacePoint {
     const double x = 2 * s - 1, y = 2 * t - 1;
     const auto [z, slope_x, slope_y] = field(x, y);
@@ -68,26 +68,28 @@ SmoothSurface height_surface(int cells, Field field) {
 }
 
 /// Of radius 1 about the origin; the poles are on the z axis.
-inline SmoothSurface sphere(int cells) {
+inline figure::SmoothSurface sphere(int cells) {
   return sampled_surface(2 * cells, cells, [](double s, double t) -> SurfacePoint {
     const double a = 2 * std::numbers::pi * s, b = std::numbers::pi * (t - 0.5);
-    const SpaceVector at = {std::cos(b) * std::cos(a), std::cos(b) * std::sin(a), std::sin(b)};
+    const figure::SpaceVector at = {std::cos(b) * std::cos(a), std::cos(b) * std::sin(a),
+                                    std::sin(b)};
     return {at, at};
   });
 }
 
 /// Of radii 1 and `thin` about the z axis.
-inline SmoothSurface torus(int cells, double thin) {
+inline figure::SmoothSurface torus(int cells, double thin) {
   return sampled_surface(2 * cells, cells, [thin](double s, double t) -> SurfacePoint {
     const double a = 2 * std::numbers::pi * s, b = 2 * std::numbers::pi * t;
-    const SpaceVector normal = {std::cos(b) * std::cos(a), std::cos(b) * std::sin(a), std::sin(b)};
-    return {sum({std::cos(a), std::sin(a), 0}, normal, thin), normal};
+    const figure::SpaceVector normal = {std::cos(b) * std::cos(a), std::cos(b) * std::sin(a),
+                                        std::sin(b)};
+    return {figure::sum({std::cos(a), std::sin(a), 0}, normal, thin), normal};
   });
 }
 
-inline SmoothSurface saddle(int cells) {
+inline figure::SmoothSurface saddle(int cells) {
   return height_surface(cells, [](double x, double y) {
-    return SpaceVector{0.4 * (x * x - y * y), 0.8 * x, -0.8 * y};
+    return figure::SpaceVector{0.4 * (x * x - y * y), 0.8 * x, -0.8 * y};
   });
 }
 

@@ -13,41 +13,42 @@
 namespace limn::test {
 namespace {
 
-constexpr FigureFormat kFormats[] = {FigureFormat::pdf, FigureFormat::svg, FigureFormat::png};
-constexpr Box kBox = {0, 0, 206, 206};  // a scene has 200 points each way
+constexpr figure::FigureFormat kFormats[] = {figure::FigureFormat::pdf, figure::FigureFormat::svg,
+                                             figure::FigureFormat::png};
+constexpr figure::Box kBox = {0, 0, 206, 206};  // a scene has 200 points each way
 
 class Pictures : public testing::Test {
  protected:
   void SetUp() override {
-    if (!rays_available()) GTEST_SKIP() << "built without Embree";
+    if (!figure::rays_available()) GTEST_SKIP() << "built without Embree";
   }
 };
 
 template <class Panel>
-Canvas drawn(const Panel& panel, const Box& box = kBox) {
-  Canvas canvas(box.right(), box.bottom());
+figure::Canvas drawn(const Panel& panel, const figure::Box& box = kBox) {
+  figure::Canvas canvas(box.right(), box.bottom());
   panel.draw(canvas, box);
   return canvas;
 }
 
-const ImageOp& image_of(const Canvas& canvas) {
-  for (const DrawingOp& op : canvas.ops())
-    if (const auto* image = std::get_if<ImageOp>(&op)) return *image;
+const figure::ImageOp& image_of(const figure::Canvas& canvas) {
+  for (const figure::DrawingOp& op : canvas.ops())
+    if (const auto* image = std::get_if<figure::ImageOp>(&op)) return *image;
   throw std::runtime_error("there is no image");
 }
 
 /// Corners of all strokes of this width.
-std::vector<PagePoint> stroked_points(const Canvas& canvas, double width) {
-  std::vector<PagePoint> points;
-  for (const DrawingOp& op : canvas.ops())
-    if (const auto* stroke = std::get_if<StrokeOp>(&op))
+std::vector<figure::PagePoint> stroked_points(const figure::Canvas& canvas, double width) {
+  std::vector<figure::PagePoint> points;
+  for (const figure::DrawingOp& op : canvas.ops())
+    if (const auto* stroke = std::get_if<figure::StrokeOp>(&op))
       if (stroke->stroke.width == width)
         points.insert(points.end(), stroke->path.points().begin(), stroke->path.points().end());
   return points;
 }
 
 /// In [0, 1], of the pixel there.
-double brightness(const ImageOp& op, const PagePoint& at) {
+double brightness(const figure::ImageOp& op, const figure::PagePoint& at) {
   const auto index = [](double share, int size) {
     return static_cast<std::size_t>(std::clamp(static_cast<int>(share * size), 0, size - 1));
   };
@@ -57,13 +58,15 @@ double brightness(const ImageOp& op, const PagePoint& at) {
   return (pixel[0] + pixel[1] + pixel[2]) / 765.0;
 }
 
-SurfaceScene scene_of(const SmoothSurface& surface) { return {.surfaces = {surface}}; }
+figure::SurfaceScene scene_of(const figure::SmoothSurface& surface) {
+  return {.surfaces = {surface}};
+}
 
-SurfaceScene sphere_from_x(int cells) {
+figure::SurfaceScene sphere_from_x(int cells) {
   return {.surfaces = {sphere(cells)},
           .azimuth = 0,
           .elevation = 0,
-          .frame = SpaceBox{{-1, -1, -1}, {1, 1, 1}}};
+          .frame = figure::SpaceBox{{-1, -1, -1}, {1, 1, 1}}};
 }
 
 /// θ of the light that the unit sphere mirrors at (x, y) of the page, from the eye upwards.
@@ -73,9 +76,9 @@ double light_angle(double x, double y) {
 }
 
 TEST_F(Pictures, StripesOfASphereAreThoseOfTheFormula) {
-  const Canvas canvas = drawn(ShadedPanel{
-      .scene = sphere_from_x(150), .stripes = LightLines{.count = 24}, .resolution = 150});
-  const ImageOp& image = image_of(canvas);
+  const figure::Canvas canvas = drawn(figure::ShadedPanel{
+      .scene = sphere_from_x(150), .stripes = figure::LightLines{.count = 24}, .resolution = 150});
+  const figure::ImageOp& image = image_of(canvas);
   int dark = 0, bright = 0;
   for (int i = -70; i <= 70; ++i) {
     for (int j = -70; j <= 70; ++j) {
@@ -96,15 +99,15 @@ TEST_F(Pictures, StripesOfASphereAreThoseOfTheFormula) {
 
 /// The curves of one panel run in the dark stripes of the other.
 TEST_F(Pictures, CurvesAndStripesAgree) {
-  for (const SmoothSurface& surface : {torus(60, 0.4), saddle(24), sphere(8)}) {
-    const LightLines lights = {.direction = SpaceVector{1, 0.3, 0.2}, .count = 16};
-    const Canvas pixels =
-        drawn(ShadedPanel{.scene = scene_of(surface), .stripes = lights, .resolution = 150});
-    const Canvas curves =
-        drawn(ReflectionLinePanel{.scene = scene_of(surface), .lights = lights, .line_width = 0.3});
-    const ImageOp& image = image_of(pixels);
-    const std::vector<PagePoint> points = stroked_points(curves, 0.3);
-    const auto dark = std::count_if(points.begin(), points.end(), [&](const PagePoint& at) {
+  for (const figure::SmoothSurface& surface : {torus(60, 0.4), saddle(24), sphere(8)}) {
+    const figure::LightLines lights = {.direction = figure::SpaceVector{1, 0.3, 0.2}, .count = 16};
+    const figure::Canvas pixels = drawn(
+        figure::ShadedPanel{.scene = scene_of(surface), .stripes = lights, .resolution = 150});
+    const figure::Canvas curves = drawn(figure::ReflectionLinePanel{
+        .scene = scene_of(surface), .lights = lights, .line_width = 0.3});
+    const figure::ImageOp& image = image_of(pixels);
+    const std::vector<figure::PagePoint> points = stroked_points(curves, 0.3);
+    const auto dark = std::count_if(points.begin(), points.end(), [&](const figure::PagePoint& at) {
       return brightness(image, at) < 0.5;
     });
     EXPECT_GT(points.size(), 60u);
@@ -113,16 +116,16 @@ TEST_F(Pictures, CurvesAndStripesAgree) {
 }
 
 TEST_F(Pictures, AreWhiteRoundASmoothDisk) {
-  SurfaceScene scene = sphere_from_x(100);
-  scene.frame = SpaceBox{{-1.25, -1.25, -1.25}, {1.25, 1.25, 1.25}};
-  const Canvas canvas = drawn(ShadedPanel{.scene = scene});
-  const ImageOp& image = image_of(canvas);
+  figure::SurfaceScene scene = sphere_from_x(100);
+  scene.frame = figure::SpaceBox{{-1.25, -1.25, -1.25}, {1.25, 1.25, 1.25}};
+  const figure::Canvas canvas = drawn(figure::ShadedPanel{.scene = scene});
+  const figure::ImageOp& image = image_of(canvas);
   EXPECT_NEAR(image.image.width, 200 * 300 / 72, 1);
   EXPECT_NEAR(image.box.x, 3, 1e-12);
   const double pixel = 200.0 / image.image.width;
   for (int i = 0; i < 360; ++i) {
     const double a = i * std::numbers::pi / 180;
-    const auto at = [&](double radius) -> PagePoint {
+    const auto at = [&](double radius) -> figure::PagePoint {
       return {103 + radius * std::cos(a), 103 - radius * std::sin(a)};
     };
     EXPECT_EQ(brightness(image, at(80 + 1.6 * pixel)), 1) << i;
@@ -132,30 +135,31 @@ TEST_F(Pictures, AreWhiteRoundASmoothDisk) {
 }
 
 TEST_F(Pictures, AreTheSameForAnyNumberOfThreads) {
-  SurfaceScene scene = scene_of(saddle(20));  // from above, rays run along its edges
+  figure::SurfaceScene scene = scene_of(saddle(20));  // from above, rays run along its edges
   scene.surfaces.push_back(saddle(10));
   scene.azimuth = -90;
   scene.elevation = 90;
   for (const bool striped : {false, true}) {
-    ShadedPanel panel{.scene = scene, .resolution = 72};
-    if (striped) panel.stripes = LightLines{};
+    figure::ShadedPanel panel{.scene = scene, .resolution = 72};
+    if (striped) panel.stripes = figure::LightLines{};
     set_thread_limit(1);
-    const Canvas one = drawn(panel);
+    const figure::Canvas one = drawn(panel);
     set_thread_limit(0);
-    const Canvas many = drawn(panel);
+    const figure::Canvas many = drawn(panel);
     EXPECT_EQ(image_of(one).image.rgba, image_of(many).image.rgba);
   }
 }
 
 /// Of a plate whose sides cut pixels anywhere, the pixels hold its area and its middle.
 TEST_F(Pictures, CoverPixelsByTheirShares) {
-  SurfaceScene scene = {.azimuth = 0, .elevation = 0, .frame = SpaceBox{{-1, -1, -1}, {1, 1, 1}}};
+  figure::SurfaceScene scene = {
+      .azimuth = 0, .elevation = 0, .frame = figure::SpaceBox{{-1, -1, -1}, {1, 1, 1}}};
   scene.surfaces = {sampled_surface(1, 1, [](double s, double t) -> SurfacePoint {
     return {{0, s - 0.37, 0.7 * t - 0.21}, {1, 0, 0}};
   })};
-  scene.surfaces[0].colour = grey(0.5);
-  const Canvas canvas = drawn(ShadedPanel{.scene = scene, .resolution = 20});
-  const Image& image = image_of(canvas).image;
+  scene.surfaces[0].colour = figure::grey(0.5);
+  const figure::Canvas canvas = drawn(figure::ShadedPanel{.scene = scene, .resolution = 20});
+  const figure::Image& image = image_of(canvas).image;
   const double full = 1 - image.rgba[4 * std::size_t(image.width) * (image.height / 2) +
                                      4 * std::size_t(image.width / 2)] /
                               255.0;
@@ -177,13 +181,13 @@ TEST_F(Pictures, CoverPixelsByTheirShares) {
 
 /// Pixels do not change where triangles are turned over or normals are: both sides are alike.
 TEST_F(Pictures, DoNotDependOnOrientation) {
-  const SmoothSurface surface = torus(40, 0.4);
-  SmoothSurface turned = surface, flipped = surface;
+  const figure::SmoothSurface surface = torus(40, 0.4);
+  figure::SmoothSurface turned = surface, flipped = surface;
   for (std::size_t t = 0; t < turned.triangles.size(); t += 2)
     std::swap(turned.triangles[t][0], turned.triangles[t][1]);
-  for (SpaceVector& normal : flipped.normals) normal = sum({}, normal, -3);
-  const auto pixels = [](const SmoothSurface& of) {
-    return image_of(drawn(ShadedPanel{.scene = scene_of(of), .resolution = 72})).image.rgba;
+  for (figure::SpaceVector& normal : flipped.normals) normal = figure::sum({}, normal, -3);
+  const auto pixels = [](const figure::SmoothSurface& of) {
+    return image_of(drawn(figure::ShadedPanel{.scene = scene_of(of), .resolution = 72})).image.rgba;
   };
   const std::vector<std::uint8_t> expected = pixels(surface);
   for (const auto& other : {pixels(turned), pixels(flipped)}) {
@@ -199,14 +203,15 @@ TEST_F(Pictures, DoNotDependOnOrientation) {
 TEST_F(Pictures, ShowTheSurfaceInFront) {
   const auto tilted = [](double slope) {
     return height_surface(10, [slope](double x, double) {
-      return SpaceVector{slope * x, slope, 0.0};
+      return figure::SpaceVector{slope * x, slope, 0.0};
     });
   };
-  SurfaceScene scene = {.surfaces = {tilted(0.2), tilted(-0.2)}, .azimuth = -90, .elevation = 90};
+  figure::SurfaceScene scene = {
+      .surfaces = {tilted(0.2), tilted(-0.2)}, .azimuth = -90, .elevation = 90};
   scene.surfaces[0].colour = {0, 0.8, 0};
   scene.surfaces[1].colour = {0.8, 0, 0};
-  const Canvas canvas = drawn(ShadedPanel{.scene = scene, .resolution = 72});
-  const Image& image = image_of(canvas).image;
+  const figure::Canvas canvas = drawn(figure::ShadedPanel{.scene = scene, .resolution = 72});
+  const figure::Image& image = image_of(canvas).image;
   for (int row = 0; row < image.height; ++row) {
     for (int column = 0; column < image.width; ++column) {
       const std::uint8_t* pixel = &image.rgba[4 * (std::size_t(row) * image.width + column)];
@@ -218,18 +223,18 @@ TEST_F(Pictures, ShowTheSurfaceInFront) {
 
 /// A segment through the sphere is dashed within and behind it.
 TEST_F(Pictures, DashTheHiddenNet) {
-  SurfaceScene scene = sphere_from_x(80);
-  scene.frame = SpaceBox{{-2, -2, -2}, {2, 2, 2}};
+  figure::SurfaceScene scene = sphere_from_x(80);
+  scene.frame = figure::SpaceBox{{-2, -2, -2}, {2, 2, 2}};
   scene.net = {.vertices = {{0, -2, 0}, {0, 2, 0}, {1.5, 0, 1}, {1e300, 0, 0}},
                .edges = {{0, 1}, {1, 2}, {2, 7}, {-1, 0}, {0, 3}}};
-  const Canvas canvas = drawn(ShadedPanel{.scene = scene, .resolution = 36});
-  std::vector<const StrokeOp*> dashed, solid;
-  for (const DrawingOp& op : canvas.ops())
-    if (const auto* stroke = std::get_if<StrokeOp>(&op))
+  const figure::Canvas canvas = drawn(figure::ShadedPanel{.scene = scene, .resolution = 36});
+  std::vector<const figure::StrokeOp*> dashed, solid;
+  for (const figure::DrawingOp& op : canvas.ops())
+    if (const auto* stroke = std::get_if<figure::StrokeOp>(&op))
       (stroke->stroke.dash.empty() ? solid : dashed).push_back(stroke);
   ASSERT_EQ(dashed.size(), 1u);
   ASSERT_EQ(solid.size(), 1u);
-  const std::vector<PagePoint>& hidden = dashed[0]->path.points();
+  const std::vector<figure::PagePoint>& hidden = dashed[0]->path.points();
   ASSERT_EQ(hidden.size(), 2u);
   EXPECT_NEAR(hidden[0][0], 53, 0.1);  // the sphere is 100 points wide, round 103
   EXPECT_NEAR(hidden[1][0], 153, 0.1);
@@ -237,12 +242,13 @@ TEST_F(Pictures, DashTheHiddenNet) {
 }
 
 TEST_F(Pictures, OfOneFrameShareAScale) {
-  SurfaceScene small = sphere_from_x(60);
-  for (SpaceVector& vertex : small.surfaces[0].vertices) vertex = sum({}, vertex, 0.5);
-  const auto width = [](const SurfaceScene& scene) {
+  figure::SurfaceScene small = sphere_from_x(60);
+  for (figure::SpaceVector& vertex : small.surfaces[0].vertices)
+    vertex = figure::sum({}, vertex, 0.5);
+  const auto width = [](const figure::SurfaceScene& scene) {
     double left = 1e9, right = -1e9;
-    const ReflectionLinePanel panel{.scene = scene, .line_width = 0.4};
-    for (const PagePoint& at : stroked_points(drawn(panel), 1.5 * 0.4))
+    const figure::ReflectionLinePanel panel{.scene = scene, .line_width = 0.4};
+    for (const figure::PagePoint& at : stroked_points(drawn(panel), 1.5 * 0.4))
       left = std::min(left, at[0]), right = std::max(right, at[0]);
     return right - left;
   };
@@ -254,32 +260,34 @@ TEST_F(Pictures, OfOneFrameShareAScale) {
 
 /// In a file of pixels the image has the file's own, whole ones.
 TEST_F(Pictures, HaveThePixelsOfTheFile) {
-  Canvas canvas(kBox.right(), kBox.bottom(), kPngDensity);
-  ShadedPanel{.scene = sphere_from_x(20), .title = "a"}.draw(canvas, kBox);
-  const ImageOp& op = image_of(canvas);
-  EXPECT_EQ(op.box.width * kPngDensity, op.image.width);
-  EXPECT_EQ(op.box.height * kPngDensity, op.image.height);
+  figure::Canvas canvas(kBox.right(), kBox.bottom(), figure::kPngDensity);
+  figure::ShadedPanel{.scene = sphere_from_x(20), .title = "a"}.draw(canvas, kBox);
+  const figure::ImageOp& op = image_of(canvas);
+  EXPECT_EQ(op.box.width * figure::kPngDensity, op.image.width);
+  EXPECT_EQ(op.box.height * figure::kPngDensity, op.image.height);
   for (const double side : {op.box.x, op.box.y})
-    EXPECT_EQ(side * kPngDensity, std::round(side * kPngDensity));
+    EXPECT_EQ(side * figure::kPngDensity, std::round(side * figure::kPngDensity));
   EXPECT_GE(op.image.width, 2 * 180);
 }
 
 TEST_F(Pictures, NameTiesInTheLegend) {
-  SurfaceScene scene = scene_of(saddle(6));
+  figure::SurfaceScene scene = scene_of(saddle(6));
   scene.surfaces.push_back(saddle(6));
-  const ShadedPanel panel{
-      .scene = scene, .ties = TieLook{grey(0.5), "both"}, .names = {"one", "other"}};
-  EXPECT_EQ(panel.height(200), (ShadedPanel{.scene = scene, .names = {"a", "b"}}.height(200) + 11));
-  const Canvas canvas = drawn(panel);
+  const figure::ShadedPanel panel{.scene = scene,
+                                  .ties = figure::TieLook{figure::grey(0.5), "both"},
+                                  .names = {"one", "other"}};
+  EXPECT_EQ(panel.height(200),
+            (figure::ShadedPanel{.scene = scene, .names = {"a", "b"}}.height(200) + 11));
+  const figure::Canvas canvas = drawn(panel);
   std::string words;
-  for (const DrawingOp& op : canvas.ops())
-    if (const auto* text = std::get_if<TextOp>(&op)) words += text->text + " ";
+  for (const figure::DrawingOp& op : canvas.ops())
+    if (const auto* text = std::get_if<figure::TextOp>(&op)) words += text->text + " ";
   EXPECT_EQ(words, "one other both ");
 }
 
 /// The unit square, from the front, with itself as texture.
-SurfaceScene textured_square() {
-  SurfaceScene scene{.azimuth = 0, .elevation = 0};
+figure::SurfaceScene textured_square() {
+  figure::SurfaceScene scene{.azimuth = 0, .elevation = 0};
   scene.surfaces.push_back({.vertices = {{0, 0, 0}, {0, 1, 0}, {0, 1, 1}, {0, 0, 1}},
                             .normals = {{1, 0, 0}, {1, 0, 0}, {1, 0, 0}, {1, 0, 0}},
                             .triangles = {{0, 1, 2}, {0, 2, 3}},
@@ -290,14 +298,15 @@ SurfaceScene textured_square() {
 /// Black and white pixels in the upper row, a transparent and a grey one below, over white: each
 /// is itself in its middle, and halfway between two, also across the rim, is their mean.
 TEST_F(Pictures, ShowTexturesAsImages) {
-  SurfaceScene scene = textured_square();
-  scene.surfaces[0].colour = grey(1);
-  const Image image{2, 2, {0, 0, 0, 255, 255, 255, 255, 255, 0, 0, 0, 0, 128, 128, 128, 255}};
-  const TextureLook look{.image = image};
-  const auto brightness_at = [&](const PagePoint& at) {
-    return brightness(image_of(drawn(ShadedPanel{.scene = scene, .texture = look})), at);
+  figure::SurfaceScene scene = textured_square();
+  scene.surfaces[0].colour = figure::grey(1);
+  const figure::Image image{
+      2, 2, {0, 0, 0, 255, 255, 255, 255, 255, 0, 0, 0, 0, 128, 128, 128, 255}};
+  const figure::TextureLook look{.image = image};
+  const auto brightness_at = [&](const figure::PagePoint& at) {
+    return brightness(image_of(drawn(figure::ShadedPanel{.scene = scene, .texture = look})), at);
   };
-  scene.surfaces[0].colour = grey(1);
+  scene.surfaces[0].colour = figure::grey(1);
   const double white = brightness_at({153, 53});  // of the light that falls on it
   EXPECT_LT(brightness_at({53, 53}), 0.05 * white);
   EXPECT_NEAR(brightness_at({53, 153}), white, 0.02);
@@ -313,27 +322,29 @@ TEST_F(Pictures, ShowTexturesAsImages) {
 
 /// The unit square in four squares.
 TEST_F(Pictures, ShowTexturesAsCheckers) {
-  SurfaceScene scene = textured_square();
-  const TextureLook look{.squares = 2, .colours = {{grey(1), grey(0)}}};
-  const Canvas canvas = drawn(ShadedPanel{.scene = scene, .texture = look});
-  const ImageOp& op = image_of(canvas);
-  const std::vector<PagePoint> light = {{53, 153}, {153, 53}, {99, 107}, {107, 99}};
-  const std::vector<PagePoint> dark = {{153, 153}, {53, 53}, {107, 107}, {99, 99}};
-  for (const PagePoint& at : light) EXPECT_GT(brightness(op, at), 0.6);
-  for (const PagePoint& at : dark) EXPECT_LT(brightness(op, at), 0.4);
+  figure::SurfaceScene scene = textured_square();
+  const figure::TextureLook look{.squares = 2, .colours = {{figure::grey(1), figure::grey(0)}}};
+  const figure::Canvas canvas = drawn(figure::ShadedPanel{.scene = scene, .texture = look});
+  const figure::ImageOp& op = image_of(canvas);
+  const std::vector<figure::PagePoint> light = {{53, 153}, {153, 53}, {99, 107}, {107, 99}};
+  const std::vector<figure::PagePoint> dark = {{153, 153}, {53, 53}, {107, 107}, {99, 99}};
+  for (const figure::PagePoint& at : light) EXPECT_GT(brightness(op, at), 0.6);
+  for (const figure::PagePoint& at : dark) EXPECT_LT(brightness(op, at), 0.4);
   // one that has no coordinates has its own colour, as has one with too few
   scene.surfaces[0].texture[2] = {std::numeric_limits<double>::quiet_NaN(), 0};
-  EXPECT_GT(brightness(image_of(drawn(ShadedPanel{.scene = scene, .texture = look})), {153, 153}),
-            0.6);
+  EXPECT_GT(
+      brightness(image_of(drawn(figure::ShadedPanel{.scene = scene, .texture = look})), {153, 153}),
+      0.6);
   scene.surfaces[0].texture.pop_back();
-  EXPECT_GT(brightness(image_of(drawn(ShadedPanel{.scene = scene, .texture = look})), {153, 153}),
-            0.6);
+  EXPECT_GT(
+      brightness(image_of(drawn(figure::ShadedPanel{.scene = scene, .texture = look})), {153, 153}),
+      0.6);
 }
 
 /// A circle round the sphere is seen on its front alone, and so is a dot.
 TEST_F(Pictures, ShowMarksWhereNothingHidesThem) {
-  SurfaceScene scene = sphere_from_x(80);
-  SceneMarks marks{.colour = {1, 0, 0}, .stroke = {1.7, {}}, .name = "circle"};
+  figure::SurfaceScene scene = sphere_from_x(80);
+  figure::SceneMarks marks{.colour = {1, 0, 0}, .stroke = {1.7, {}}, .name = "circle"};
   marks.curves.emplace_back();
   for (int i = 0; i <= 360; ++i) {
     const double angle = i * std::numbers::pi / 180;
@@ -341,14 +352,14 @@ TEST_F(Pictures, ShowMarksWhereNothingHidesThem) {
   }
   marks.curves.push_back({{1e300, 0, 0}, {0, 0, 0}});
   scene.marks = {marks, {.points = {{1, 0, 0}, {-1, 0, 0}}, .stroke = {0.5, {}}, .name = "dots"}};
-  const ShadedPanel panel{.scene = scene, .resolution = 36};
+  const figure::ShadedPanel panel{.scene = scene, .resolution = 36};
   EXPECT_EQ(panel.height(206), 206 + 2 * 11);
-  const Canvas canvas = drawn(panel, {0, 0, 206, 228});
+  const figure::Canvas canvas = drawn(panel, {0, 0, 206, 228});
   double left = 1e9, right = -1e9, lowest = -1e9;
-  for (const DrawingOp& op : canvas.ops())
-    if (const auto* stroke = std::get_if<StrokeOp>(&op);
+  for (const figure::DrawingOp& op : canvas.ops())
+    if (const auto* stroke = std::get_if<figure::StrokeOp>(&op);
         stroke != nullptr && stroke->stroke.width == 1.7 && stroke->path.points()[0][1] < 206)
-      for (const PagePoint& at : stroke->path.points()) {
+      for (const figure::PagePoint& at : stroke->path.points()) {
         left = std::min(left, at[0]), right = std::max(right, at[0]);
         lowest = std::max(lowest, std::abs(at[1] - 103));
       }
@@ -357,10 +368,10 @@ TEST_F(Pictures, ShowMarksWhereNothingHidesThem) {
   EXPECT_LT(lowest, 0.1);
   int dots = 0;
   std::string words;
-  for (const DrawingOp& op : canvas.ops()) {
-    if (const auto* fill = std::get_if<FillOp>(&op); fill != nullptr && !fill->path.empty())
+  for (const figure::DrawingOp& op : canvas.ops()) {
+    if (const auto* fill = std::get_if<figure::FillOp>(&op); fill != nullptr && !fill->path.empty())
       dots += fill->path.points()[0][1] < 206 ? 1 : 0;
-    if (const auto* text = std::get_if<TextOp>(&op)) words += text->text + " ";
+    if (const auto* text = std::get_if<figure::TextOp>(&op)) words += text->text + " ";
   }
   EXPECT_EQ(dots, 1);
   EXPECT_EQ(words, "circle dots ");
@@ -368,50 +379,52 @@ TEST_F(Pictures, ShowMarksWhereNothingHidesThem) {
 
 TEST(SurfacePanels, TakeBadInput) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
-  SmoothSurface broken = sphere(6), far = sphere(6), flat = sphere(6), thin = sphere(6);
+  figure::SmoothSurface broken = sphere(6), far = sphere(6), flat = sphere(6), thin = sphere(6);
   broken.vertices[3] = {nan, 0, 0};
   broken.normals[9] = {0, 0, 0};
   broken.triangles[5] = {0, 1, 1 << 30};
-  for (SpaceVector& vertex : far.vertices) vertex = sum({}, vertex, 1e99);
-  for (SpaceVector& vertex : flat.vertices) vertex[2] = 0;
-  for (SpaceVector& vertex : thin.vertices) vertex = {vertex[0], 0, 0};
-  SmoothSurface point = sphere(4), unfinished = sphere(4);
-  for (SpaceVector& vertex : point.vertices) vertex = {1, 2, 3};
+  for (figure::SpaceVector& vertex : far.vertices) vertex = figure::sum({}, vertex, 1e99);
+  for (figure::SpaceVector& vertex : flat.vertices) vertex[2] = 0;
+  for (figure::SpaceVector& vertex : thin.vertices) vertex = {vertex[0], 0, 0};
+  figure::SmoothSurface point = sphere(4), unfinished = sphere(4);
+  for (figure::SpaceVector& vertex : point.vertices) vertex = {1, 2, 3};
   unfinished.normals.resize(3);
-  for (const SmoothSurface& surface :
-       {broken, far, flat, thin, point, unfinished, SmoothSurface{}}) {
-    SurfaceScene scene = scene_of(surface);
+  for (const figure::SmoothSurface& surface :
+       {broken, far, flat, thin, point, unfinished, figure::SmoothSurface{}}) {
+    figure::SurfaceScene scene = scene_of(surface);
     scene.net = {.vertices = {{nan, 0, 0}, {0, 0, 1}}, .edges = {{0, 1}, {1, 1}, {5, 5}}};
     for (const double elevation : {30.0, 0.0, nan}) {
       scene.elevation = elevation;
-      Figure figure(3);
-      figure.add(ShadedPanel{.scene = scene, .resolution = 20});
-      figure.add(ShadedPanel{.scene = scene, .stripes = LightLines{}, .resolution = nan});
-      figure.add(ReflectionLinePanel{.scene = scene, .lights = {.count = 3}});
-      if (!figures_available()) continue;
-      for (const FigureFormat format : kFormats) EXPECT_TRUE(figure.canvas().render(format).ok());
+      figure::Figure figure(3);
+      figure.add(figure::ShadedPanel{.scene = scene, .resolution = 20});
+      figure.add(
+          figure::ShadedPanel{.scene = scene, .stripes = figure::LightLines{}, .resolution = nan});
+      figure.add(figure::ReflectionLinePanel{.scene = scene, .lights = {.count = 3}});
+      if (!figure::figures_available()) continue;
+      for (const figure::FigureFormat format : kFormats)
+        EXPECT_TRUE(figure.canvas().render(format).ok());
     }
   }
-  Figure empty(2);
-  empty.add(ShadedPanel{}).add(ReflectionLinePanel{});
+  figure::Figure empty(2);
+  empty.add(figure::ShadedPanel{}).add(figure::ReflectionLinePanel{});
   EXPECT_GT(empty.canvas().height(), 0);
 }
 
 TEST(SurfacePanels, SayThatTheyLackEmbree) {
-  if (rays_available()) GTEST_SKIP() << "built with Embree";
+  if (figure::rays_available()) GTEST_SKIP() << "built with Embree";
   std::string words;
-  const Canvas canvas = drawn(ReflectionLinePanel{.scene = sphere_from_x(4)});
-  for (const DrawingOp& op : canvas.ops())
-    if (const auto* text = std::get_if<TextOp>(&op)) words += text->text + " ";
+  const figure::Canvas canvas = drawn(figure::ReflectionLinePanel{.scene = sphere_from_x(4)});
+  for (const figure::DrawingOp& op : canvas.ops())
+    if (const auto* text = std::get_if<figure::TextOp>(&op)) words += text->text + " ";
   EXPECT_NE(words.find("Embree"), std::string::npos);
 }
 
 TEST(Stripes, AreAsWideAsTheirGaps) {
   double sum_of_all = 0;
-  for (int i = 0; i < 1000; ++i) sum_of_all += stripe_darkness(i * 0.001 - 3);
+  for (int i = 0; i < 1000; ++i) sum_of_all += figure::stripe_darkness(i * 0.001 - 3);
   EXPECT_NEAR(sum_of_all / 1000, 0.5, 1e-3);
-  EXPECT_EQ(stripe_darkness(7), 1);
-  EXPECT_EQ(stripe_darkness(-2.5), 0);
+  EXPECT_EQ(figure::stripe_darkness(7), 1);
+  EXPECT_EQ(figure::stripe_darkness(-2.5), 0);
 }
 
 }  // namespace

@@ -60,7 +60,7 @@ TEST(CharacteristicMap, IsRegularWhereTheLiteratureSaysSo) {
 
 TEST(CharacteristicMap, ThatFoldsIsFound) {
   const std::vector<std::string> rest{"24/25", "1/50", "1/50", "1/50"};
-  const auto text = prescribed_scheme(shipped("loop"), "loop", "folds", {8, "1/50", rest});
+  const auto text = tune::prescribed_scheme(shipped("loop"), "loop", "folds", {8, "1/50", rest});
   const Scheme scheme = parse_scheme(text.value(), "folds.toml").value();
   const CharacteristicMap map = approx_characteristic_map(scheme, 8).value();
   EXPECT_EQ(map.regular, Truth::no);
@@ -111,7 +111,7 @@ TEST(CharacteristicMap, ThatIsTurnedOverIsTurnedBackAndIsNoFold) {
   for (Point3& p : over.image.positions) p.y = -p.y;
   for (Point3& p : over.net_points) p.y = -p.y;
   for (Point3& normal : over.image.normals) normal.z = -normal.z;
-  judge_characteristic_map(over);
+  limit::judge_characteristic_map(over);
   EXPECT_TRUE(over.turned_over);
   EXPECT_EQ(over.regular, Truth::yes) << over.reason;
   EXPECT_NEAR(over.smallest_area, upright.smallest_area, 1e-12);
@@ -123,7 +123,7 @@ TEST(CharacteristicMap, WithoutAnyJacobianIsUndecided) {
   CharacteristicMap map = approx_characteristic_map(shipped("loop"), 5, 2).value();
   for (Point3& p : map.image.positions) p.y = 0;
   for (Point3& normal : map.image.normals) normal = {};
-  judge_characteristic_map(map);
+  limit::judge_characteristic_map(map);
   EXPECT_EQ(map.regular, Truth::undecided);
   EXPECT_NE(map.reason.find("degenerate"), std::string::npos) << map.reason;
 }

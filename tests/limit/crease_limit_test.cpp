@@ -25,14 +25,14 @@ Sharpness random_infinite(const Mesh& mesh, unsigned seed) {
   return sharpness;
 }
 
-Result<SharpLimitPoints> limit_after(const Scheme& scheme, const Mesh& mesh,
-                                     const std::vector<Point3>& points, const Sharpness& sharpness,
-                                     int levels) {
-  const auto fine = refine(scheme, mesh, points, levels, {}, sharpness);
+Result<limit::SharpLimitPoints> limit_after(const Scheme& scheme, const Mesh& mesh,
+                                            const std::vector<Point3>& points,
+                                            const Sharpness& sharpness, int levels) {
+  const auto fine = refine::refine(scheme, mesh, points, levels, {}, sharpness);
   if (!fine) return fine.error();
   LimitOptions options;
   options.steps_made = levels;
-  return approx_limit_points(scheme, fine->mesh, fine->values, fine->sharpness, options);
+  return limit::approx_limit_points(scheme, fine->mesh, fine->values, fine->sharpness, options);
 }
 
 class CreaseLimits : public ::testing::TestWithParam<std::string> {};
@@ -77,7 +77,7 @@ class CreaseLimitLaws : public ::testing::TestWithParam<std::string> {
 };
 
 /// The normal at a corner's vertex, on the side of its face.
-Point3 normal_at(const SharpLimitPoints& limit, const Mesh& mesh, Index corner) {
+Point3 normal_at(const limit::SharpLimitPoints& limit, const Mesh& mesh, Index corner) {
   const Index side = limit.sides.empty() ? kNone : limit.sides.of_corner[at(corner)];
   return side == kNone ? limit.normals[at(mesh.origin(corner))] : limit.sides.normals[at(side)];
 }
@@ -92,7 +92,8 @@ TEST_P(CreaseLimitLaws, AreThoseOfTheMeshCutThere) {
     const std::vector<bool> inside = region(mesh, random);
     if (inside.empty() || mesh.vertex_count() > 80) continue;
     const Polygons whole = mesh.polygons(random_points(mesh.vertex_count(), seed));
-    const auto limit = approx_limit_points(scheme(), mesh, whole.positions, rim_of(mesh, inside));
+    const auto limit =
+        limit::approx_limit_points(scheme(), mesh, whole.positions, rim_of(mesh, inside));
     if (!limit) continue;  // no rule for some boundary
     for (const bool which : {false, true}) {
       const Polygons polygons = part_of(whole, inside, which);
@@ -179,9 +180,11 @@ void expect_normals_of_a_cube(const Mesh& mesh, int levels) {
                                    {-1, -1, 1},  {1, -1, 1},  {1, 1, 1},  {-1, 1, 1}};
   Sharpness sharpness;
   sharpness.edges.assign(12, kInfinitelySharp);
-  const auto fine = refine(shipped("catmull-clark"), mesh, points, levels, {}, sharpness).value();
-  const SharpLimitPoints limit =
-      approx_limit_points(shipped("catmull-clark"), fine.mesh, fine.values, fine.sharpness).value();
+  const auto fine =
+      refine::refine(shipped("catmull-clark"), mesh, points, levels, {}, sharpness).value();
+  const limit::SharpLimitPoints limit =
+      limit::approx_limit_points(shipped("catmull-clark"), fine.mesh, fine.values, fine.sharpness)
+          .value();
   for (Index h = 0; h < fine.mesh.halfedge_count(); ++h) {
     const Index f = fine.mesh.face_begin(fine.mesh.face(h));
     const Point3 a = fine.values[at(fine.mesh.origin(f))];
@@ -208,7 +211,8 @@ TEST(CreaseLimit, HasTheNormalsOfSharpFacesAtTheirCorners) {
     Sharpness sharpness;
     sharpness.edges.assign(at(mesh.edge_count()), kInfinitelySharp);
     sharpness.vertices.assign(at(mesh.vertex_count()), kInfinitelySharp);
-    const SharpLimitPoints limit = approx_limit_points(scheme, mesh, points, sharpness).value();
+    const limit::SharpLimitPoints limit =
+        limit::approx_limit_points(scheme, mesh, points, sharpness).value();
     for (Index h = 0; h < mesh.halfedge_count(); ++h) {
       const Point3 p = points[at(mesh.origin(h))];
       const Point3 b = points[at(mesh.target(h))] - p;
@@ -227,8 +231,8 @@ TEST(CreaseLimit, HasNoNormalAtATip) {
   Sharpness sharpness;
   sharpness.vertices.assign(8, 0);
   sharpness.vertices[3] = kInfinitelySharp;
-  const SharpLimitPoints limit =
-      approx_limit_points(shipped("catmull-clark"), mesh, random_points(8, seed), sharpness)
+  const limit::SharpLimitPoints limit =
+      limit::approx_limit_points(shipped("catmull-clark"), mesh, random_points(8, seed), sharpness)
           .value();
   EXPECT_EQ(limit.normals[3], Point3{});
   EXPECT_NE(limit.normals[2], Point3{});
@@ -236,7 +240,7 @@ TEST(CreaseLimit, HasNoNormalAtATip) {
 }
 
 TEST(CreaseLimit, OfACubicCreaseIsThatOfItsSpline) {
-  const Mesh mesh = torus(Lattice::quad, 5, 5);
+  const Mesh mesh = mesh::torus(Lattice::quad, 5, 5);
   std::vector<Point3> points;
   std::mt19937 random(3);
   for (Index v = 0; v < mesh.vertex_count(); ++v)
@@ -246,8 +250,8 @@ TEST(CreaseLimit, OfACubicCreaseIsThatOfItsSpline) {
     const Index h = mesh.halfedge_of_edge(e);
     sharpness.edges.push_back(mesh.origin(h) < 5 && mesh.target(h) < 5 ? kInfinitelySharp : 0);
   }
-  const SharpLimitPoints limit =
-      approx_limit_points(shipped("catmull-clark"), mesh, points, sharpness).value();
+  const limit::SharpLimitPoints limit =
+      limit::approx_limit_points(shipped("catmull-clark"), mesh, points, sharpness).value();
   EXPECT_EQ(limit.sides.normals.size(), 10U);  // each on two sides
   for (std::size_t v = 0; v < 5; ++v) {
     const Point3 expected =

@@ -21,7 +21,7 @@ TEST(RingTransform, IsTheSumOneByOne) {
   for (const std::size_t n : {1U, 2U, 3U, 511U, 512U, 521U, 1009U, 1024U}) {  // primes among them
     std::vector<double> values;
     for (const Point3& p : random_points(static_cast<Index>(n), 3)) values.push_back(p.x);
-    const std::vector<std::complex<double>> sums = ring_transform(values);
+    const std::vector<std::complex<double>> sums = spectrum::ring_transform(values);
     ASSERT_EQ(sums.size(), n / 2 + 1);
     const double bound = 10 * 0x1p-53 * std::log2(4.0 * double(n)) * double(n);
     for (std::size_t omega = 0; omega <= n / 2; omega += 1 + n / 40) {

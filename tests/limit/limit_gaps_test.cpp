@@ -41,13 +41,14 @@ TEST_P(LimitWithoutBoundaryRules, IsThatOfClosedMeshes) {
   const Scheme& whole = shipped(GetParam());
   const Scheme scheme = without_boundary_rules(GetParam());
   const Lattice lattice = whole.split->lattice;
-  std::vector<Mesh> meshes{torus(lattice, 3, 4)};
+  std::vector<Mesh> meshes{mesh::torus(lattice, 3, 4)};
   for (const Mesh& mesh : {tetrahedron(), icosahedron(), cube()})
     if (whole.split->any_polygons || mesh.uniform_degree() == 3) meshes.push_back(mesh);
   for (const Mesh& mesh : meshes)
     for (const int level : {0, 1, 2}) {
       SCOPED_TRACE(level);
-      const auto fine = refine(scheme, mesh, random_points(mesh.vertex_count(), 1), level).value();
+      const auto fine =
+          refine::refine(scheme, mesh, random_points(mesh.vertex_count(), 1), level).value();
       LimitOptions options;
       options.steps_made = level;
       options.curvatures = true;
@@ -71,11 +72,12 @@ TEST(LimitGaps, MissingBoundaryRulesAreToldAtTheBoundary) {
     const Scheme& whole = shipped(name);
     const Scheme scheme = without_boundary_rules(name);
     constexpr Index kRings = 7;
-    const Mesh mesh = star(whole.split->lattice, 5, kRings);
+    const Mesh mesh = mesh::star(whole.split->lattice, 5, kRings);
     const auto points = random_points(mesh.vertex_count(), 2);
     LimitOptions options;
     options.curvatures = true;
-    for (Index v = 0; v < star_size(whole.split->lattice, 5, 2); ++v) options.vertices.push_back(v);
+    for (Index v = 0; v < mesh::star_size(whole.split->lattice, 5, 2); ++v)
+      options.vertices.push_back(v);
     const auto found = approx_limit_points(scheme, mesh, points, options);
     ASSERT_TRUE(found.ok()) << found.error().text();
     expect_same(*found, approx_limit_points(whole, mesh, points, options).value());
@@ -95,9 +97,9 @@ TEST(LimitGaps, MissingBoundaryRulesAreToldAtTheBoundary) {
 
 TEST(LimitGaps, WhatIsBesideTheBoundaryDependsOnIt) {
   const Scheme scheme = without_boundary_rules("butterfly");
-  const Mesh mesh = star(Lattice::triangle, 5, 3);
+  const Mesh mesh = mesh::star(Lattice::triangle, 5, 3);
   LimitOptions options;
-  const Index beside = star_size(Lattice::triangle, 5, 1);  // in ring 2
+  const Index beside = mesh::star_size(Lattice::triangle, 5, 1);  // in ring 2
   options.vertices = {beside};
   const auto found =
       approx_limit_points(scheme, mesh, random_points(mesh.vertex_count(), 2), options);
@@ -114,7 +116,7 @@ TEST(LimitGaps, CurvaturesTakeNothingFromLimits) {
   const Scheme& scheme = shipped("doo-sabin");
   const Mesh mesh = must_build(4, {{0, 1, 2}, {1, 0, 3}});
   for (const int level : {0, 1, 2}) {
-    const auto fine = refine(scheme, mesh, random_points(4, 1), level).value();
+    const auto fine = refine::refine(scheme, mesh, random_points(4, 1), level).value();
     LimitOptions options;
     options.steps_made = level;
     const LimitPoints plain = approx_limit_points(scheme, fine.mesh, fine.values, options).value();
@@ -145,7 +147,7 @@ ring = "beta"
                             .value();
   const Mesh mesh =
       must_build(5, {{0, 1, 3}, {1, 2, 3}, {2, 0, 3}, {1, 0, 4}, {2, 1, 4}, {0, 2, 4}});
-  const auto fine = refine(scheme, mesh, random_points(5, 1), 2).value();
+  const auto fine = refine::refine(scheme, mesh, random_points(5, 1), 2).value();
   LimitOptions options;
   options.steps_made = 2;
   EXPECT_FALSE(approx_limit_points(scheme, fine.mesh, fine.values, options).ok());
@@ -158,7 +160,7 @@ ring = "beta"
     EXPECT_EQ(limit.normals[v], Point3{});
   }
   const LimitPoints next = [&] {  // limits do not hang on the level
-    const auto finer = refine(scheme, mesh, random_points(5, 1), 3).value();
+    const auto finer = refine::refine(scheme, mesh, random_points(5, 1), 3).value();
     options.steps_made = 3;
     return approx_limit_points(scheme, finer.mesh, finer.values, options).value();
   }();
@@ -227,7 +229,7 @@ TEST(ValenceTwo, InTrianglesHasTheClosedFormsLimit) {
     SCOPED_TRACE(name);
     const Scheme& scheme = shipped(name);
     for (const int level : {1, 2, 3}) {
-      const auto fine = refine(scheme, pillow(3), random_points(3, 8), level).value();
+      const auto fine = refine::refine(scheme, pillow(3), random_points(3, 8), level).value();
       LimitOptions options;
       options.steps_made = level;
       const LimitPoints limit =
@@ -256,7 +258,7 @@ TEST(ValenceTwo, IsTheSameInTheQuickEngine) {
       ASSERT_TRUE(*limit);
       const auto points = random_points(mesh.vertex_count(), 5);
       // the quick engine's faces may share two edges' ends: match by control vertices
-      const auto plain = refine(scheme, mesh, points, levels).value();
+      const auto plain = refine::refine(scheme, mesh, points, levels).value();
       LimitOptions options;
       options.steps_made = levels;
       const LimitPoints expected =

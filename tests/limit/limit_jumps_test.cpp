@@ -53,7 +53,7 @@ LimitPoints::Curvatures of_piece(const std::vector<Point3>& points, Index i, Ind
 
 TEST(LimitJumps, ABiquadraticSplineHasItsCurvatureAtRegularVertices) {
   const Scheme& scheme = shipped("doo-sabin");
-  const Mesh mesh = torus(Lattice::quad, kSide, kSide);
+  const Mesh mesh = mesh::torus(Lattice::quad, kSide, kSide);
   LimitOptions options;
   options.curvatures = true;
   for (const unsigned seed : {1U, 2U, 3U}) {
@@ -78,7 +78,7 @@ TEST(LimitJumps, WherePiecesMeetThereIsNoOneCurvature) {
   options.curvatures = true;
   options.vertices = {0};
   for (const Index n : {3, 5, 7}) {
-    const Mesh mesh = face_star(n, 5);  // vertex 0 is a corner of the face
+    const Mesh mesh = mesh::face_star(n, 5);  // vertex 0 is a corner of the face
     const std::vector<Point3> points = random_points(mesh.vertex_count(), 3);
     const LimitPoints limit = approx_limit_points(scheme, mesh, points, options).value();
     EXPECT_EQ(limit.no_curvature[0], NoCurvature::direction) << n;
@@ -86,7 +86,7 @@ TEST(LimitJumps, WherePiecesMeetThereIsNoOneCurvature) {
     EXPECT_NEAR(dot(limit.normals[0], limit.normals[0]), 1, 1e-14);
   }
   for (const Index n : {5, 6, 9}) {
-    const Mesh mesh = star(Lattice::quad, n, 4);
+    const Mesh mesh = mesh::star(Lattice::quad, n, 4);
     const std::vector<Point3> points = random_points(mesh.vertex_count(), 3);
     EXPECT_EQ(approx_limit_points(scheme, mesh, points, options)->no_curvature[0],
               NoCurvature::unbounded);
@@ -100,7 +100,7 @@ TEST(LimitJumps, ReasonsAreTold) {
     return approx_limit_points(shipped(name), mesh, random_points(mesh.vertex_count(), 1), options)
         ->no_curvature;
   };
-  const std::vector<NoCurvature> loop = reasons("loop", star(Lattice::triangle, 8, 4));
+  const std::vector<NoCurvature> loop = reasons("loop", mesh::star(Lattice::triangle, 8, 4));
   EXPECT_EQ(loop.front(), NoCurvature::unbounded);
   EXPECT_EQ(loop.back(), NoCurvature::boundary);
   EXPECT_EQ(loop[1], NoCurvature::none);

@@ -83,10 +83,10 @@ void centre(Patch& patch, Point3& moved, double& scale) {
   scale *= size;
 }
 
-void step(const Scheme& scheme, RuleTables<double>& tables, int number, Patch& patch) {
+void step(const Scheme& scheme, refine::RuleTables<double>& tables, int number, Patch& patch) {
   SplitResult fine = scheme.split->apply(patch.mesh, number);
   ASSERT_TRUE(tables.prepare(patch.mesh, fine.births).ok());
-  patch.values = refine_values(scheme, patch.mesh, fine.births, tables, patch.values);
+  patch.values = refine::refine_values(scheme, patch.mesh, fine.births, tables, patch.values);
   patch.mesh = std::move(fine.mesh);
 }
 
@@ -113,7 +113,7 @@ Errors worst_errors(const Scheme& scheme, unsigned seed, int levels) {
   const Result<LimitPoints> limit = approx_limit_points(scheme, mesh, values, options);
   EXPECT_TRUE(limit.ok()) << scheme.name << ' ' << seed << ": " << limit.error().text();
   if (!limit) return errors;
-  RuleTables<double> tables(scheme);
+  refine::RuleTables<double> tables(scheme);
   for (Index v = 0; v < mesh.vertex_count(); v += 1 + mesh.vertex_count() / 5) {
     if (mesh.is_isolated(v)) continue;
     const bool two = mesh.valence(v) == 2 && !mesh.is_boundary_vertex(v);
@@ -170,7 +170,7 @@ TEST_P(LimitPointsAtAnyLevel, AreThoseOfTheNextLevel) {
       values.push_back({std::sin(v), std::cos(3.0 * v), std::sin(5.0 * v)});
     std::vector<Point3> before;
     for (int level = 0; level <= 3; ++level) {
-      const auto fine = refine(scheme, mesh, values, level).value();
+      const auto fine = refine::refine(scheme, mesh, values, level).value();
       LimitOptions options;
       options.steps_made = level;
       const auto limit = approx_limit_points(scheme, fine.mesh, fine.values, options);
@@ -206,7 +206,7 @@ TEST(LimitPoints, OfDooSabinAreCentroidsOfTheFirstStepsFaces) {
   for (Index v = 0; v < mesh.vertex_count(); ++v)
     values.push_back({std::sin(v), std::cos(3.0 * v), std::sin(5.0 * v)});
   const LimitPoints limit = approx_limit_points(scheme, mesh, values).value();
-  RuleTables<double> tables(scheme);
+  refine::RuleTables<double> tables(scheme);
   Patch patch{mesh, values, 0};
   step(scheme, tables, 0, patch);
   std::vector<Point3> mean(values.size());
@@ -234,7 +234,7 @@ TEST(LimitPoints, OfMidEdgeAreHalfTheVertexAndHalfItsNeighbours) {
 
 // At the boundary of a dual scheme the nearest point of the surface: for one face its centre.
 TEST(LimitPoints, OfDooSabinStayOnAnOpenSurface) {
-  const Mesh mesh = fan(Lattice::quad, 2, 2);
+  const Mesh mesh = mesh::fan(Lattice::quad, 2, 2);
   std::vector<Point3> values;
   for (Index v = 0; v < mesh.vertex_count(); ++v)
     values.push_back({std::sin(v), std::cos(3.0 * v), std::sin(5.0 * v)});
@@ -266,7 +266,7 @@ TEST(LimitPoints, HaveTheCurvatureOfQuadraticSurfaces) {
   for (const auto& [name, lattice] : {std::pair{"loop", Lattice::triangle},
                                       {"catmull-clark", Lattice::quad},
                                       {"four-eight", Lattice::quad}}) {
-    const Mesh mesh = torus(lattice, 12, 12);
+    const Mesh mesh = mesh::torus(lattice, 12, 12);
     LimitOptions options;
     options.curvatures = true;
     const Index middle = 6 * 12 + 6;
@@ -287,7 +287,7 @@ TEST(LimitPoints, HaveTheCurvatureOfQuadraticSurfacesOverSkewMeshes) {
   for (const auto& [name, lattice] : {std::pair{"loop", Lattice::triangle},
                                       {"catmull-clark", Lattice::quad},
                                       {"doo-sabin", Lattice::quad}}) {
-    const Mesh mesh = torus(lattice, 12, 12);
+    const Mesh mesh = mesh::torus(lattice, 12, 12);
     std::vector<Point3> values(static_cast<std::size_t>(mesh.vertex_count()));
     for (Index v = 0; v < mesh.vertex_count(); ++v) {
       const double i = v % 12 - 6, j = v / 12 - 6;
@@ -308,7 +308,7 @@ TEST(LimitPoints, HaveTheCurvatureOfQuadraticSurfacesOverSkewMeshes) {
 // Loop's saddles are flat at valence 5, so what is left of the curvature there is a cup's.
 TEST(LimitPoints, HaveTheCurvatureOfTheLimitOfACup) {
   const Scheme& scheme = shipped("loop");
-  const Mesh mesh = star(Lattice::triangle, 5, 5);
+  const Mesh mesh = mesh::star(Lattice::triangle, 5, 5);
   std::vector<Point3> values(static_cast<std::size_t>(mesh.vertex_count()));
   Index v = 1;
   for (int ring = 1; ring <= 5; ++ring)
@@ -323,7 +323,7 @@ TEST(LimitPoints, HaveTheCurvatureOfTheLimitOfACup) {
       approx_limit_points(scheme, mesh, values, options)->curvatures[0];
   EXPECT_NEAR(found.largest, found.smallest, 1e-12);
   Patch patch{mesh, values, 0};
-  RuleTables<double> tables(scheme);
+  refine::RuleTables<double> tables(scheme);
   for (int i = 0; i < 12; ++i) {
     step(scheme, tables, i, patch);
     if (i > 1) patch = cut(patch);
@@ -340,7 +340,7 @@ TEST(LimitPoints, HaveTheCurvatureOfTheLimitOfACup) {
 // No one curvature where a frequency that no quadratic has is as slow as the quadratics, and none
 // where it is not bounded.
 TEST(LimitPoints, HaveNoCurvatureWhereItIsNotBounded) {
-  const Mesh mesh = star(Lattice::triangle, 8, 4);
+  const Mesh mesh = mesh::star(Lattice::triangle, 8, 4);
   std::vector<Point3> values(static_cast<std::size_t>(mesh.vertex_count()), Point3{1, 2, 3});
   LimitOptions options;
   options.curvatures = true;

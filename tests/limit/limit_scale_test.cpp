@@ -20,7 +20,7 @@ std::vector<Point3> times(double scale, std::vector<Point3> points) {
 }
 
 LimitPoints plain_limit(const Scheme& scheme, const Mesh& mesh, const std::vector<Point3>& points) {
-  const auto fine = refine(scheme, mesh, points, kLevels).value();
+  const auto fine = refine::refine(scheme, mesh, points, kLevels).value();
   LimitOptions options;
   options.steps_made = kLevels;
   options.curvatures = true;
@@ -151,7 +151,7 @@ INSTANTIATE_TEST_SUITE_P(Shipped, LimitAtAnySize,
 // A small part of a large model has its own size.
 TEST(LimitAtAnySizeOf, PartsOfAModel) {
   const Scheme& scheme = shipped("loop");
-  Polygons both = torus(Lattice::triangle, 4, 5).polygons(random_points(20, 1));
+  Polygons both = mesh::torus(Lattice::triangle, 4, 5).polygons(random_points(20, 1));
   const Index count = both.vertex_count(), corners = static_cast<Index>(both.corners.size());
   for (Index v = 0; v < count; ++v) both.positions.push_back(1e-120 * both.positions[v]);
   for (Index i = 0; i < corners; ++i) {

@@ -21,7 +21,7 @@ constexpr Lattice kT = Lattice::triangle, kQ = Lattice::quad;
 const Scheme& scheme() { return shipped("quad-triangle"); }
 
 /// In the plane, counterclockwise, with its sectors alike in angle, and bent a little.
-std::vector<Point3> bent_star(const Sectors& sectors, Index rings) {
+std::vector<Point3> bent_star(const mesh::Sectors& sectors, Index rings) {
   std::vector<Point3> points{{0, 0, 0}};
   const auto count = static_cast<Index>(sectors.lattices.size());
   const double whole = sectors.open ? M_PI : 2 * M_PI;
@@ -48,10 +48,10 @@ TEST(SectorMatrix, IsThatOfLoopsAndCatmullAndClarksStarsWhereFacesAreAlike) {
   for (const auto& [end, name, lattice] :
        {std::tuple{"-on-triangles", "loop", kT}, {"-on-quads", "catmull-clark", kQ}}) {
     const int n = lattice == kT ? 6 : 4;
-    const Sectors sectors{std::vector<Lattice>(static_cast<std::size_t>(n), lattice), false};
-    const SectorMatrix mixed = sector_matrix(scheme(), sectors).value();
+    const mesh::Sectors sectors{std::vector<Lattice>(static_cast<std::size_t>(n), lattice), false};
+    const limit::SectorMatrix mixed = limit::sector_matrix(scheme(), sectors).value();
     const auto of = [&](const std::string& of_name) {
-      return dense(subdivision_matrix<double>(shipped(of_name), n, mixed.rings).value());
+      return dense(refine::subdivision_matrix<double>(shipped(of_name), n, mixed.rings).value());
     };
     EXPECT_EQ(mixed.rings, 2);
     EXPECT_LT((mixed.entries - of(name)).cwiseAbs().maxCoeff(), 1e-14);
@@ -61,8 +61,8 @@ TEST(SectorMatrix, IsThatOfLoopsAndCatmullAndClarksStarsWhereFacesAreAlike) {
 }
 
 TEST(SectorSpectrum, BeginsAtASeamWithOneAndTwoHalves) {
-  const SectorSpectrum seam =
-      approx_sector_spectrum(scheme(), {{kT, kT, kT, kQ, kQ}, false}).value();
+  const limit::SectorSpectrum seam =
+      limit::approx_sector_spectrum(scheme(), {{kT, kT, kT, kQ, kQ}, false}).value();
   EXPECT_NEAR(std::abs(seam.eigenvalues[0] - 1.0), 0, 1e-12);
   EXPECT_NEAR(std::abs(seam.eigenvalues[1] - .5), 0, 1e-12);
   EXPECT_NEAR(std::abs(seam.eigenvalues[2] - .5), 0, 1e-12);
@@ -77,7 +77,8 @@ TEST(SectorSpectrum, BeginsAtASeamWithOneAndTwoHalves) {
 TEST(SectorSpectrum, IsTheSameFromAnyFaceOn) {
   const auto moduli = [](const std::vector<Lattice>& kinds) {
     std::vector<double> list;
-    const SectorSpectrum spectrum = approx_sector_spectrum(scheme(), {kinds, false}).value();
+    const limit::SectorSpectrum spectrum =
+        limit::approx_sector_spectrum(scheme(), {kinds, false}).value();
     for (const auto& value : spectrum.eigenvalues) list.push_back(std::abs(value));
     return list;
   };
@@ -94,13 +95,13 @@ TEST(SectorSpectrum, IsTheSameFromAnyFaceOn) {
 /// Refined data shrink as the eigenvalues say: the ring round a vertex, less its limit.
 TEST(SectorSpectrum, IsTheRateAtWhichRefinedStarsShrink) {
   for (const std::vector<Lattice>& kinds : kKinds) {
-    const Sectors sectors{kinds, false};
-    const SectorSpectrum spectrum = approx_sector_spectrum(scheme(), sectors).value();
-    ASSERT_TRUE(spectrum.tangent) << place_text(sectors);
-    const Mesh star = sector_star(sectors, 2);
+    const mesh::Sectors sectors{kinds, false};
+    const limit::SectorSpectrum spectrum = limit::approx_sector_spectrum(scheme(), sectors).value();
+    ASSERT_TRUE(spectrum.tangent) << limit::place_text(sectors);
+    const Mesh star = mesh::sector_star(sectors, 2);
     std::vector<double> areas;  // of ring 1 after each level
     for (int level = 6; level <= 7; ++level) {
-      const auto fine = refine(scheme(), star, bent_star(sectors, 2), level).value();
+      const auto fine = refine::refine(scheme(), star, bent_star(sectors, 2), level).value();
       const Index first = fine.mesh.halfedge_of_vertex(0);
       std::vector<Point3> ring;
       Index h = first;
@@ -118,13 +119,13 @@ TEST(SectorSpectrum, IsTheRateAtWhichRefinedStarsShrink) {
     EXPECT_GT(areas[0], 0);
     // the area shrinks with the product of the pair
     EXPECT_NEAR(areas[1] / areas[0], spectrum.tangent->at(0) * spectrum.tangent->at(1), 2e-3)
-        << place_text(sectors);
+        << limit::place_text(sectors);
   }
 }
 
 TEST(SectorSpectrum, IsRefusedWhereSuchFacesCannotBe) {
   const auto fault = [](const std::string& name, const std::vector<Lattice>& kinds) {
-    const auto found = approx_sector_spectrum(shipped(name), {kinds, false});
+    const auto found = limit::approx_sector_spectrum(shipped(name), {kinds, false});
     return found ? std::string() : found.error().message;
   };
   EXPECT_NE(fault("loop", {kT, kT, kQ}).find("triangles alone"), std::string::npos);
@@ -142,7 +143,7 @@ TEST(MixedLimit, IsThatOfFinerLevels) {
     const Mesh mesh = RandomMesh(seed).mixed();
     std::vector<Point3> before;
     for (int level = 0; level <= 2; ++level) {
-      const auto fine = refine(scheme(), mesh, points_of(mesh), level).value();
+      const auto fine = refine::refine(scheme(), mesh, points_of(mesh), level).value();
       LimitOptions options;
       options.steps_made = level;
       const auto limit = approx_limit_points(scheme(), fine.mesh, fine.values, options);
@@ -163,13 +164,13 @@ TEST(MixedLimit, IsWhereRefinementGoes) {
   constexpr int kLevels = 6;
   for (const std::vector<Lattice>& kinds : kKinds)
     for (const bool open : {false, true}) {
-      const Sectors sectors{kinds, open};
-      const Mesh mesh = sector_star(sectors, 2);
+      const mesh::Sectors sectors{kinds, open};
+      const Mesh mesh = mesh::sector_star(sectors, 2);
       const auto limit = approx_limit_points(scheme(), mesh, points_of(mesh)).value();
-      const auto fine = refine(scheme(), mesh, points_of(mesh), kLevels).value();
+      const auto fine = refine::refine(scheme(), mesh, points_of(mesh), kLevels).value();
       for (std::size_t v = 0; v < limit.positions.size(); ++v)
         EXPECT_LT(length(fine.values[v] - limit.positions[v]), 2 * std::pow(.6, kLevels))
-            << place_text(sectors) << ' ' << v;
+            << limit::place_text(sectors) << ' ' << v;
     }
 }
 
@@ -178,11 +179,11 @@ TEST(MixedLimit, HasTheNormalsOfFinerFaces) {
   constexpr int kLevels = 7;
   for (const std::vector<Lattice>& kinds : kKinds)
     for (const bool open : {false, true}) {
-      const Sectors sectors{kinds, open};
-      const Mesh mesh = sector_star(sectors, 2);
+      const mesh::Sectors sectors{kinds, open};
+      const Mesh mesh = mesh::sector_star(sectors, 2);
       const std::vector<Point3> points = bent_star(sectors, 2);
       const auto limit = approx_limit_points(scheme(), mesh, points).value();
-      const auto fine = refine(scheme(), mesh, points, kLevels).value();
+      const auto fine = refine::refine(scheme(), mesh, points, kLevels).value();
       Point3 sum;
       Index h = fine.mesh.halfedge_of_vertex(0);
       for (std::size_t i = 0; i < kinds.size(); ++i, h = fine.mesh.rotate(h)) {
@@ -192,14 +193,14 @@ TEST(MixedLimit, HasTheNormalsOfFinerFaces) {
                         fine.values[static_cast<std::size_t>(before)] - fine.values[0]);
       }
       const Point3 expected = (1 / length(sum)) * sum;
-      EXPECT_NEAR(length(limit.normals[0]), 1, 1e-12) << place_text(sectors);
-      EXPECT_LT(length(limit.normals[0] - expected), .05) << place_text(sectors);
+      EXPECT_NEAR(length(limit.normals[0]), 1, 1e-12) << limit::place_text(sectors);
+      EXPECT_LT(length(limit.normals[0] - expected), .05) << limit::place_text(sectors);
     }
 }
 
 /// Vertices of one kind of faces alone have the limits of that lattice's own scheme.
 TEST(MixedLimit, IsThatOfOneLatticeAwayFromSeams) {
-  const Mesh triangles = torus(kT, 5, 4), quads = torus(kQ, 5, 4);
+  const Mesh triangles = mesh::torus(kT, 5, 4), quads = mesh::torus(kQ, 5, 4);
   for (const auto& [mesh, name] : {std::pair{triangles, "loop"}, {quads, "catmull-clark"}}) {
     const auto one = approx_limit_points(scheme(), mesh, points_of(mesh)).value();
     const auto other = approx_limit_points(shipped(name), mesh, points_of(mesh)).value();

@@ -24,7 +24,7 @@ TEST(StagedLimit, IsThatOfFinerLevels) {
       const Mesh mesh = RandomMesh(seed).polygons();
       std::vector<Point3> before;
       for (int level = 0; level <= 2; ++level) {
-        const auto fine = refine(scheme, mesh, points_of(mesh), level).value();
+        const auto fine = refine::refine(scheme, mesh, points_of(mesh), level).value();
         LimitOptions options;
         options.steps_made = level;
         const auto limit = approx_limit_points(scheme, fine.mesh, fine.values, options);
@@ -44,9 +44,10 @@ TEST(StagedLimit, IsWhereRefinementGoes) {
   constexpr int kLevels = 5;
   for (const int degree : {3, 5, 7}) {
     const Scheme scheme = spline_of_degree(degree);
-    for (const Mesh& mesh : {cube(), tetrahedron(), icosahedron(), fan(Lattice::quad, 3, 2)}) {
+    for (const Mesh& mesh :
+         {cube(), tetrahedron(), icosahedron(), mesh::fan(Lattice::quad, 3, 2)}) {
       const auto limit = approx_limit_points(scheme, mesh, points_of(mesh)).value();
-      const auto fine = refine(scheme, mesh, points_of(mesh), kLevels).value();
+      const auto fine = refine::refine(scheme, mesh, points_of(mesh), kLevels).value();
       for (std::size_t v = 0; v < limit.positions.size(); ++v)
         EXPECT_LT(length(fine.values[v] - limit.positions[v]), 4 * std::pow(.45, kLevels))
             << degree << ' ' << v;
@@ -61,7 +62,7 @@ TEST(StagedLimit, OfEvenDegreeIsWhereItsFaceGoes) {
     const Scheme scheme = spline_of_degree(degree);
     for (const Mesh& mesh : {cube(), tetrahedron(), icosahedron()}) {
       const auto limit = approx_limit_points(scheme, mesh, points_of(mesh)).value();
-      const auto fine = refine(scheme, mesh, points_of(mesh), kLevels).value();
+      const auto fine = refine::refine(scheme, mesh, points_of(mesh), kLevels).value();
       // faces come before edges and these before vertices, and a face keeps its number
       for (Index v = 0; v < mesh.vertex_count(); ++v) {
         const Index f = mesh.face_count() + mesh.edge_count() + v;

@@ -26,11 +26,11 @@ TEST(Dilation, IsASimilarityForEverySplit) {
 TEST(Dilation, PutsEveryNewVertexOnTheRefinedLatticeOnce) {
   constexpr Index kSide = 6;
   for (const Split& split : splits()) {
-    const Mesh mesh = torus(split.lattice, kSide, kSide);
+    const Mesh mesh = mesh::torus(split.lattice, kSide, kSide);
     const SplitResult fine = split.apply(mesh, 0);
     std::set<LatticeVector> places;
     for (Index v = 0; v < fine.mesh.vertex_count(); ++v) {
-      const Twelfths place = torus_birth_place(mesh, kSide, kSide, fine.births, v);
+      const mesh::Twelfths place = mesh::torus_birth_place(mesh, kSide, kSide, fine.births, v);
       const LatticeVector refined = split.dilation.apply(place);
       const int shift = split.is_dual() ? 6 : 0;  // dual: half a refined edge off
       EXPECT_EQ((refined[0] - shift) % 12, 0) << split.name;

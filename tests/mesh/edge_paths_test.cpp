@@ -86,7 +86,7 @@ std::vector<Point3> refined(const Split& split, Mesh mesh, std::vector<Point3> p
   return points;
 }
 
-Point3 point_of(const EdgePaths& paths, Index p, const std::vector<Point3>& points) {
+Point3 point_of(const mesh::EdgePaths& paths, Index p, const std::vector<Point3>& points) {
   const std::size_t first = paths.begin[static_cast<std::size_t>(p)],
                     last = paths.begin[static_cast<std::size_t>(p) + 1];
   Point3 sum;
@@ -99,7 +99,7 @@ TEST(EdgePaths, AreStraightAndWholeOnARegularMesh) {
     const auto [mesh, points] = grid(split.lattice);
     for (int levels = 0; levels <= 4; ++levels) {
       SCOPED_TRACE(std::string(split.name) + ", level " + std::to_string(levels));
-      const EdgePaths paths = edge_paths(split, mesh, levels);
+      const mesh::EdgePaths paths = mesh::edge_paths(split, mesh, levels);
       const std::vector<Point3> fine = refined(split, mesh, points, levels);
       std::vector<double> length(static_cast<std::size_t>(mesh.edge_count()));
       for (const auto& [from, to, edge] : paths.segments) {
@@ -139,11 +139,11 @@ Index pieces(const Split& split, int levels) {
 TEST(EdgePaths, AreChainsFromEndToEndRoundEveryVertex) {
   for (const Split& split : splits()) {
     for (const Index valence : {3, 4, 5, 7}) {
-      const Mesh mesh = star(split.lattice, valence, 2);
+      const Mesh mesh = mesh::star(split.lattice, valence, 2);
       for (int levels = 1; levels <= 3; ++levels) {
         SCOPED_TRACE(std::string(split.name) + " " + std::to_string(valence) + ", level " +
                      std::to_string(levels));
-        const EdgePaths paths = edge_paths(split, mesh, levels);
+        const mesh::EdgePaths paths = mesh::edge_paths(split, mesh, levels);
         std::map<Index, std::map<Index, int>> met;  // of each edge how often each point
         std::map<Index, Index> count;
         for (const auto& [from, to, edge] : paths.segments) {

@@ -34,7 +34,7 @@ TEST_P(Heritage, EachOldFaceHasItsChildren) {
     const Mesh mesh = random_mesh(split, seed);
     for (int step = 0; step < 2; ++step) {
       const SplitResult fine = split.apply(mesh, step);
-      const std::vector<Index> parents = parent_faces(split, mesh, fine);
+      const std::vector<Index> parents = mesh::parent_faces(split, mesh, fine);
       ASSERT_EQ(parents.size(), static_cast<std::size_t>(fine.mesh.face_count()));
       std::map<Index, Index> count;
       for (const Index f : parents) {
@@ -78,7 +78,7 @@ TEST_P(Heritage, AParentHasACornerOfEachOfItsFaces) {
   for (unsigned seed = 1; seed < 40; ++seed) {
     const Mesh mesh = random_mesh(split, seed);
     const SplitResult fine = split.apply(mesh, 0);
-    const std::vector<Index> parents = parent_faces(split, mesh, fine);
+    const std::vector<Index> parents = mesh::parent_faces(split, mesh, fine);
     const bool inside = !split.is_dual() && !split.boundary_rests();
     for (Index g = 0; g < fine.mesh.halfedge_count(); ++g) {
       const std::vector<Index> faces = faces_of(mesh, fine.births, fine.mesh.origin(g));

@@ -46,10 +46,10 @@ void expect_symmetric(const Mesh& mesh, Index first_ring, Index rings, Size size
 TEST(CroppedStar, IsAStarWithoutTheCornersOfItsLastSquare) {
   for (const Index n : {3, 4, 5, 8})
     for (const Index rings : {2, 3, 4}) {
-      const Mesh mesh = cropped_star(n, rings);
+      const Mesh mesh = mesh::cropped_star(n, rings);
       EXPECT_EQ(mesh.check(), "");
-      EXPECT_EQ(mesh.vertex_count(), cropped_star_size(n, rings));
-      EXPECT_EQ(mesh.vertex_count(), star_size(Lattice::quad, n, rings) - n);
+      EXPECT_EQ(mesh.vertex_count(), mesh::cropped_star_size(n, rings));
+      EXPECT_EQ(mesh.vertex_count(), mesh::star_size(Lattice::quad, n, rings) - n);
       EXPECT_EQ(mesh.face_count(), n * (rings * rings - 1));
       EXPECT_EQ(mesh.uniform_degree(), 4);
       EXPECT_EQ(euler_characteristic(mesh), 1);
@@ -57,18 +57,18 @@ TEST(CroppedStar, IsAStarWithoutTheCornersOfItsLastSquare) {
       EXPECT_EQ(mesh.target(0), 1);
       EXPECT_EQ(mesh.valence(0), n);
       // all that is within is regular
-      for (Index v = 1; v < cropped_star_size(n, rings - 1); ++v) {
+      for (Index v = 1; v < mesh::cropped_star_size(n, rings - 1); ++v) {
         EXPECT_FALSE(mesh.is_boundary_vertex(v));
         EXPECT_EQ(mesh.valence(v), 4);
       }
       expect_symmetric(
-          mesh, 0, rings, [n](Index r) { return cropped_star_size(n, r); },
+          mesh, 0, rings, [n](Index r) { return mesh::cropped_star_size(n, r); },
           [](Index r) { return r == 0   ? 0
                                : r == 1 ? 1
                                         : 2 * r; });
     }
-  EXPECT_EQ(cropped_star_size(5, 0), 1);
-  EXPECT_EQ(cropped_star_size(5, 1), 6);
+  EXPECT_EQ(mesh::cropped_star_size(5, 0), 1);
+  EXPECT_EQ(mesh::cropped_star_size(5, 1), 6);
 }
 
 TEST(SectorStar, IsRegularButForItsCentreAndItsSeams) {
@@ -76,11 +76,11 @@ TEST(SectorStar, IsRegularButForItsCentreAndItsSeams) {
   for (const std::vector<Lattice>& kinds : std::vector<std::vector<Lattice>>{
            {kT, kT, kT, kQ, kQ}, {kT, kQ}, {kQ, kT, kQ, kT}, {kT, kT, kQ, kT, kQ, kQ, kQ}})
     for (const bool open : {false, true}) {
-      const Sectors sectors{kinds, open};
-      const Index rings = 4, inner = sector_star_size(sectors, rings - 1);
-      const Mesh mesh = sector_star(sectors, rings);
+      const mesh::Sectors sectors{kinds, open};
+      const Index rings = 4, inner = mesh::sector_star_size(sectors, rings - 1);
+      const Mesh mesh = mesh::sector_star(sectors, rings);
       EXPECT_EQ(mesh.check(), "");
-      EXPECT_EQ(mesh.vertex_count(), sector_star_size(sectors, rings));
+      EXPECT_EQ(mesh.vertex_count(), mesh::sector_star_size(sectors, rings));
       EXPECT_EQ(mesh.origin(0), 0);
       EXPECT_EQ(mesh.target(0), 1);
       EXPECT_EQ(mesh.face_count(), static_cast<Index>(kinds.size()) * rings * rings);
@@ -106,23 +106,23 @@ TEST(SectorStar, IsRegularButForItsCentreAndItsSeams) {
 TEST(SectorStar, IsWhatQuadTriangleMakesOfIt) {
   constexpr Lattice kT = Lattice::triangle, kQ = Lattice::quad;
   for (const bool open : {false, true}) {
-    const Sectors sectors{{kT, kQ, kQ, kT, kT}, open};
-    const Mesh fine = find_split("quad-triangle")->apply(sector_star(sectors, 2), 0).mesh;
-    const Mesh expected = sector_star(sectors, 4);
+    const mesh::Sectors sectors{{kT, kQ, kQ, kT, kT}, open};
+    const Mesh fine = find_split("quad-triangle")->apply(mesh::sector_star(sectors, 2), 0).mesh;
+    const Mesh expected = mesh::sector_star(sectors, 4);
     EXPECT_EQ(fine.vertex_count(), expected.vertex_count());
     EXPECT_EQ(fine.face_count(), expected.face_count());
     std::vector<Index> places;
     Index start = fine.halfedge_of_vertex(0);
-    const Index toward = sector_star_size(sectors, 2);  // the middle of edge 0
+    const Index toward = mesh::sector_star_size(sectors, 2);  // the middle of edge 0
     for (Index i = 0; i < 6 && fine.target(start) != toward; ++i) start = fine.rotate(start);
-    EXPECT_TRUE(Pattern(expected, expected.vertex_count()).match(fine, start, places));
+    EXPECT_TRUE(mesh::Pattern(expected, expected.vertex_count()).match(fine, start, places));
   }
 }
 
 TEST(Torus, HasTheFacesAndDirectionsOfItsHeader) {
   for (const auto& [nx, ny] : {std::pair{3, 3}, {3, 5}, {7, 4}}) {
     for (const Lattice lattice : kBoth) {
-      const Mesh mesh = torus(lattice, nx, ny);
+      const Mesh mesh = mesh::torus(lattice, nx, ny);
       EXPECT_EQ(mesh.check(), "");
       EXPECT_EQ(mesh.vertex_count(), nx * ny);
       EXPECT_EQ(euler_characteristic(mesh), 0);
@@ -149,15 +149,15 @@ TEST(Fan, IsAStarCutOpenWithARegularBoundary) {
   for (const Lattice lattice : kBoth) {
     for (Index sectors = 1; sectors <= 7; ++sectors) {
       for (Index rings = 1; rings <= 4; ++rings) {
-        const Mesh mesh = fan(lattice, sectors, rings);
+        const Mesh mesh = mesh::fan(lattice, sectors, rings);
         EXPECT_EQ(mesh.check(), "");
-        EXPECT_EQ(mesh.vertex_count(), fan_size(lattice, sectors, rings));
+        EXPECT_EQ(mesh.vertex_count(), mesh::fan_size(lattice, sectors, rings));
         EXPECT_EQ(mesh.face_count(), sectors * rings * rings);
         EXPECT_EQ(euler_characteristic(mesh), 1);
         EXPECT_EQ(mesh.halfedge_of_vertex(0), 0);
         EXPECT_EQ(mesh.valence(0), sectors + 1);
         if (rings == 1) continue;
-        for (Index v = 1; v < fan_size(lattice, sectors, rings - 1); ++v) {
+        for (Index v = 1; v < mesh::fan_size(lattice, sectors, rings - 1); ++v) {
           const Index regular = lattice == Lattice::triangle ? 6 : 4;
           EXPECT_EQ(mesh.valence(v), mesh.is_boundary_vertex(v) ? regular / 2 + 1 : regular) << v;
         }
@@ -171,21 +171,21 @@ TEST(Star, IsRegularButForItsCentre) {
     const Index regular = lattice == Lattice::triangle ? 6 : 4;
     for (Index n = lattice == Lattice::quad ? 2 : 3; n <= 9; ++n) {
       for (Index rings = 1; rings <= 4; ++rings) {
-        const Mesh mesh = star(lattice, n, rings);
+        const Mesh mesh = mesh::star(lattice, n, rings);
         EXPECT_EQ(mesh.check(), "");
-        EXPECT_EQ(mesh.vertex_count(), star_size(lattice, n, rings));
+        EXPECT_EQ(mesh.vertex_count(), mesh::star_size(lattice, n, rings));
         EXPECT_EQ(mesh.uniform_degree(), lattice == Lattice::triangle ? 3 : 4);
         EXPECT_EQ(euler_characteristic(mesh), 1);
         EXPECT_EQ(boundary_loops(mesh), 1);
         EXPECT_EQ(mesh.valence(0), n);
         for (Index v = 0; v < mesh.vertex_count(); ++v) {
-          EXPECT_EQ(mesh.is_boundary_vertex(v), v >= star_size(lattice, n, rings - 1));
+          EXPECT_EQ(mesh.is_boundary_vertex(v), v >= mesh::star_size(lattice, n, rings - 1));
           if (v > 0 && !mesh.is_boundary_vertex(v)) {
             EXPECT_EQ(mesh.valence(v), regular);
           }
         }
         expect_symmetric(
-            mesh, 0, rings, [&](Index r) { return star_size(lattice, n, r); },
+            mesh, 0, rings, [&](Index r) { return mesh::star_size(lattice, n, r); },
             [&](Index r) { return lattice == Lattice::triangle ? r : 2 * r; });
       }
     }
@@ -195,15 +195,15 @@ TEST(Star, IsRegularButForItsCentre) {
 TEST(Star, NumbersRingsOutwardsFromTheFirstSpoke) {
   for (const Lattice lattice : kBoth) {
     const Index n = 5, rings = 3;
-    const Mesh mesh = star(lattice, n, rings);
+    const Mesh mesh = mesh::star(lattice, n, rings);
     // ring r: what the faces at ring r-1 touch
     for (Index r = 1; r <= rings; ++r) {
       std::set<Index> reached;
       for (const auto& face : faces_of(polygons_of(mesh)))
-        if (*std::min_element(face.begin(), face.end()) < star_size(lattice, n, r - 1))
+        if (*std::min_element(face.begin(), face.end()) < mesh::star_size(lattice, n, r - 1))
           reached.insert(face.begin(), face.end());
-      EXPECT_EQ(static_cast<Index>(reached.size()), star_size(lattice, n, r));
-      EXPECT_EQ(*reached.rbegin(), star_size(lattice, n, r) - 1);
+      EXPECT_EQ(static_cast<Index>(reached.size()), mesh::star_size(lattice, n, r));
+      EXPECT_EQ(*reached.rbegin(), mesh::star_size(lattice, n, r) - 1);
     }
     // spokes are straight and run through the first vertex of each sector, counterclockwise
     Index h = 0;
@@ -211,7 +211,7 @@ TEST(Star, NumbersRingsOutwardsFromTheFirstSpoke) {
       EXPECT_EQ(mesh.origin(h), 0);
       for (Index r = 1, k = h;; ++r) {
         const Index per_sector = lattice == Lattice::triangle ? r : 2 * r;
-        EXPECT_EQ(mesh.target(k), star_size(lattice, n, r - 1) + s * per_sector);
+        EXPECT_EQ(mesh.target(k), mesh::star_size(lattice, n, r - 1) + s * per_sector);
         if (r == rings) break;
         // straight on: half way round the vertex
         k = mesh.twin(k);
@@ -232,30 +232,30 @@ TEST(Star, NumbersRingsOutwardsFromTheFirstSpoke) {
 TEST(FaceStar, IsRegularButForItsFace) {
   for (Index n = 3; n <= 9; ++n) {
     for (Index rings = 1; rings <= 4; ++rings) {
-      const Mesh mesh = face_star(n, rings);
+      const Mesh mesh = mesh::face_star(n, rings);
       EXPECT_EQ(mesh.check(), "");
-      EXPECT_EQ(mesh.vertex_count(), face_star_size(n, rings));
+      EXPECT_EQ(mesh.vertex_count(), mesh::face_star_size(n, rings));
       EXPECT_EQ(euler_characteristic(mesh), 1);
       EXPECT_EQ(mesh.degree(0), n);
       EXPECT_EQ(mesh.origin(0), 0);
       EXPECT_EQ(mesh.target(0), 1);
       for (Index f = 1; f < mesh.face_count(); ++f) EXPECT_EQ(mesh.degree(f), 4);
       for (Index v = 0; v < mesh.vertex_count(); ++v) {
-        EXPECT_EQ(mesh.is_boundary_vertex(v), v >= face_star_size(n, rings - 1));
+        EXPECT_EQ(mesh.is_boundary_vertex(v), v >= mesh::face_star_size(n, rings - 1));
         if (!mesh.is_boundary_vertex(v)) {
           EXPECT_EQ(mesh.valence(v), 4);
         }
       }
       expect_symmetric(
-          mesh, 1, rings, [&](Index r) { return face_star_size(n, r); },
+          mesh, 1, rings, [&](Index r) { return mesh::face_star_size(n, r); },
           [](Index r) { return 2 * r - 1; });
     }
   }
 }
 
 TEST(FaceStar, NumbersRingsByCorner) {
-  const Mesh mesh = face_star(5, 3);
-  for (Index r = 1; r <= 3; ++r) EXPECT_EQ(face_star_size(5, r), 5 * r * r);
+  const Mesh mesh = mesh::face_star(5, 3);
+  for (Index r = 1; r <= 3; ++r) EXPECT_EQ(mesh::face_star_size(5, r), 5 * r * r);
   // sector 1 of ring 2 is 5+3, 5+4, 5+5: the outer two join corner 1, the middle one neither
   const std::set<Index> corner = neighbours(mesh, 1);
   EXPECT_EQ(corner, (std::set<Index>{0, 2, 8, 10}));
@@ -266,14 +266,14 @@ TEST(FaceStar, NumbersRingsByCorner) {
 
 TEST(FaceStar, IsTheDualSplitOfAStar) {
   // Doo–Sabin corners round vertex 0 of the quad star are the face star of as many rings
-  const Mesh split = find_split("quad-dual")->apply(star(Lattice::quad, 5, 3), 0).mesh;
+  const Mesh split = find_split("quad-dual")->apply(mesh::star(Lattice::quad, 5, 3), 0).mesh;
   Index five_sided = 0;
   for (Index f = 0; f < split.face_count(); ++f) five_sided += split.degree(f) == 5;
   EXPECT_EQ(five_sided, 1);
   // rings of the star's sectors: (2·3)² quadrants' corners each
-  EXPECT_EQ(split.vertex_count(), face_star_size(5, 6));
-  EXPECT_EQ(split.face_count(), face_star(5, 6).face_count());
-  EXPECT_EQ(split.edge_count(), face_star(5, 6).edge_count());
+  EXPECT_EQ(split.vertex_count(), mesh::face_star_size(5, 6));
+  EXPECT_EQ(split.face_count(), mesh::face_star(5, 6).face_count());
+  EXPECT_EQ(split.edge_count(), mesh::face_star(5, 6).edge_count());
 }
 
 TEST(Tree, GluesRegularFacesAlongATree) {
@@ -281,7 +281,7 @@ TEST(Tree, GluesRegularFacesAlongATree) {
     const Index degree = lattice == Lattice::triangle ? 3 : 4;
     Index ring = degree, faces = 1;
     for (int depth = 0; depth <= 5; ++depth) {
-      const Mesh mesh = tree(lattice, depth);
+      const Mesh mesh = mesh::tree(lattice, depth);
       EXPECT_EQ(mesh.check(), "");
       EXPECT_EQ(mesh.uniform_degree(), degree);
       EXPECT_EQ(mesh.face_count(), faces);

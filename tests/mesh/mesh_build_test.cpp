@@ -110,7 +110,7 @@ TEST(MeshBuild, KnowsTheCube) {
 
 TEST(MeshBuild, HoldsHighValenceInLinearTime) {
   const Index n = 20000;  // quadratic matching at the pole would take minutes
-  const Mesh mesh = star(Lattice::triangle, n, 1);
+  const Mesh mesh = mesh::star(Lattice::triangle, n, 1);
   EXPECT_EQ(mesh.valence(0), n);
   EXPECT_EQ(mesh.max_valence(), n);
 }

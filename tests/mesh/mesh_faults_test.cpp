@@ -13,18 +13,18 @@
 namespace limn::test {
 namespace {
 
-using Kind = MeshFault::Kind;
+using Kind = mesh::MeshFault::Kind;
 
 std::map<Kind, int> census(const Polygons& polygons) {
   std::map<Kind, int> counts;
-  for (const MeshFault& fault : find_mesh_faults(polygons).list) ++counts[fault.kind];
+  for (const mesh::MeshFault& fault : mesh::find_mesh_faults(polygons).list) ++counts[fault.kind];
   return counts;
 }
 
 /// What `build_mesh` says of an OBJ file.
 Error said(const std::string& obj) {
   const MeshFile file = parse_mesh_file(obj, "obj", "m.obj").value();
-  const Result<Mesh> mesh = build_mesh(file.polygons, file.source);
+  const Result<Mesh> mesh = mesh::build_mesh(file.polygons, file.source);
   return mesh.ok() ? Error{} : mesh.error();
 }
 
@@ -118,7 +118,7 @@ TEST(MeshFaults, FacetsOfStlKeepTheirNumbers) {
                           facet("vertex 1 0 0 vertex 0 1 0 vertex 0 0 0") + "endsolid\n",
                       "stl", "m.stl")
           .value();
-  const Result<Mesh> mesh = build_mesh(file.polygons, file.source);
+  const Result<Mesh> mesh = mesh::build_mesh(file.polygons, file.source);
   ASSERT_FALSE(mesh.ok());
   EXPECT_EQ(mesh.error().message, "face 2 is face 1 once more");
   EXPECT_EQ(mesh.error().line, 4);
@@ -128,7 +128,7 @@ TEST(MeshFaults, IsolatedVerticesAreNamedAsInTheFile) {
   const MeshFile file =
       parse_mesh_file("v 9 9 9\n" + points(3) + "f 2 3 4\n", "obj", "m.obj").value();
   Warnings warnings;
-  ASSERT_TRUE(build_mesh(file.polygons, file.source, &warnings).ok());
+  ASSERT_TRUE(mesh::build_mesh(file.polygons, file.source, &warnings).ok());
   ASSERT_EQ(warnings.size(), 1U);
   EXPECT_EQ(
       warnings[0].text(),
@@ -138,10 +138,10 @@ TEST(MeshFaults, IsolatedVerticesAreNamedAsInTheFile) {
 
 TEST(MeshFaults, TooManyIsSaidWithoutHavingThem) {
   constexpr std::size_t most = 2147483646;
-  EXPECT_FALSE(too_many(most, most, most).has_value());
-  EXPECT_EQ(too_many(most + 1, 1, 3)->message, "2^31 - 1 vertices or more");
-  EXPECT_EQ(too_many(3, 1, most + 1)->message, "2^31 - 1 corners or more");
-  EXPECT_EQ(too_many(3, std::size_t{1} << 40, 3)->message, "2^31 - 1 faces or more");
+  EXPECT_FALSE(mesh::too_many(most, most, most).has_value());
+  EXPECT_EQ(mesh::too_many(most + 1, 1, 3)->message, "2^31 - 1 vertices or more");
+  EXPECT_EQ(mesh::too_many(3, 1, most + 1)->message, "2^31 - 1 corners or more");
+  EXPECT_EQ(mesh::too_many(3, std::size_t{1} << 40, 3)->message, "2^31 - 1 faces or more");
 }
 
 /// Few vertices and many faces: every fault is frequent.
@@ -161,10 +161,10 @@ Polygons soup(unsigned seed) {
 RC_GTEST_PROP(MeshFaultLaws, NoneExactlyWhereBuildAccepts, (unsigned seed)) {
   for (unsigned k = 0; k < 200; ++k) {
     const Polygons polygons = soup(seed + k);
-    RC_ASSERT(find_mesh_faults(polygons).list.empty() == Mesh::build(polygons).ok());
+    RC_ASSERT(mesh::find_mesh_faults(polygons).list.empty() == Mesh::build(polygons).ok());
   }
   const Polygons good = polygons_of(RandomMesh(seed).polygons());
-  RC_ASSERT(find_mesh_faults(good).list.empty());
+  RC_ASSERT(mesh::find_mesh_faults(good).list.empty());
 }
 
 /// The kinds of faults that a map counts: faces by their own corners, then edges without the
@@ -216,8 +216,8 @@ RC_GTEST_PROP(MeshFaultLaws, ReversingWhatIsNamedOrientsTheMesh, (unsigned seed)
     for (const Index v : face) vertices = std::max(vertices, v + 1);
     if (random() % 3 == 0) std::reverse(face.begin(), face.end());
   }
-  const MeshFaults faults = find_mesh_faults(make_polygons(vertices, faces));
-  for (const MeshFault& fault : faults.list) {
+  const mesh::MeshFaults faults = mesh::find_mesh_faults(make_polygons(vertices, faces));
+  for (const mesh::MeshFault& fault : faults.list) {
     if (fault.kind == Kind::repeated_face) return;  // two faces back to back, one of them turned
     RC_ASSERT(fault.kind == Kind::flipped_edge);
     RC_ASSERT(!fault.one_sided);
@@ -231,10 +231,11 @@ RC_GTEST_PROP(MeshFaultLaws, ReversingWhatIsNamedOrientsTheMesh, (unsigned seed)
 
 TEST(MeshFaults, AHundredThousandFaultsTakeNoTime) {
   Faces faces(100000, {0, 1, 2});
-  EXPECT_EQ(find_mesh_faults(make_polygons(3, faces)).list.size(), 99999U);
+  EXPECT_EQ(mesh::find_mesh_faults(make_polygons(3, faces)).list.size(), 99999U);
   for (Index f = 0; f < 100000; ++f) faces[static_cast<std::size_t>(f)] = {0, f + 1, f + 2};
   std::reverse(faces[500].begin(), faces[500].end());
-  EXPECT_EQ(find_mesh_faults(make_polygons(100002, faces)).to_reverse, (std::vector<Index>{500}));
+  EXPECT_EQ(mesh::find_mesh_faults(make_polygons(100002, faces)).to_reverse,
+            (std::vector<Index>{500}));
 }
 
 }  // namespace

@@ -12,7 +12,7 @@
 namespace limn {
 namespace {
 
-int exact_turn(Point2 a, Point2 b, Point2 c) {
+int exact_turn(mesh::Point2 a, mesh::Point2 b, mesh::Point2 c) {
   const Rational ax(a.x), ay(a.y), bx(b.x), by(b.y), cx(c.x), cy(c.y);
   const Rational twice_area = (ax - cx) * (by - cy) - (ay - cy) * (bx - cx);
   return twice_area > 0 ? 1 : twice_area < 0 ? -1 : 0;
@@ -29,14 +29,14 @@ RC_GTEST_PROP(Orientation, TheSignIsExact, (unsigned seed)) {
   int rounded_differs = 0;
   for (int k = 0; k < 200; ++k) {
     const double scale = std::ldexp(1.0, static_cast<int>(random() % 41) - 20);
-    const Point2 a{scale * unit(random), unit(random)}, b{unit(random), scale * unit(random)};
+    const mesh::Point2 a{scale * unit(random), unit(random)}, b{unit(random), scale * unit(random)};
     const double t = unit(random);
-    const Point2 c{nudged(a.x + t * (b.x - a.x)), nudged(a.y + t * (b.y - a.y))};
+    const mesh::Point2 c{nudged(a.x + t * (b.x - a.x)), nudged(a.y + t * (b.y - a.y))};
     const int exact = exact_turn(a, b, c);
-    RC_ASSERT(turn(a, b, c) == exact);
-    RC_ASSERT(turn(b, c, a) == exact);
-    RC_ASSERT(turn(b, a, c) == -exact);
-    const double rounded = approx_turn(a, b, c);
+    RC_ASSERT(mesh::turn(a, b, c) == exact);
+    RC_ASSERT(mesh::turn(b, c, a) == exact);
+    RC_ASSERT(mesh::turn(b, a, c) == -exact);
+    const double rounded = mesh::approx_turn(a, b, c);
     rounded_differs += (rounded > 0 ? 1 : rounded < 0 ? -1 : 0) != exact;
   }
   RC_ASSERT(rounded_differs > 0);  // else the test would not need the exact sign
@@ -44,10 +44,12 @@ RC_GTEST_PROP(Orientation, TheSignIsExact, (unsigned seed)) {
 
 TEST(Orientation, CollinearPointsOfALatticeDoNotTurn) {
   for (int k = -20; k <= 20; ++k) {
-    const Point2 a{0.1, 0.3}, b{0.1 + 1.5 * k, 0.3 + 0.25 * k};
-    EXPECT_EQ(turn(a, b, b), 0);
-    EXPECT_EQ(turn({3.0 * k, 7.0 * k}, {0, 0}, {-9, -21}), 0);
-    EXPECT_EQ(turn({3.0 * k, 7.0 * k}, {0, 0}, {-9, -20}), k > 0 ? -1 : k < 0 ? 1 : 0);  // -3 k
+    const mesh::Point2 a{0.1, 0.3}, b{0.1 + 1.5 * k, 0.3 + 0.25 * k};
+    EXPECT_EQ(mesh::turn(a, b, b), 0);
+    EXPECT_EQ(mesh::turn({3.0 * k, 7.0 * k}, {0, 0}, {-9, -21}), 0);
+    EXPECT_EQ(mesh::turn({3.0 * k, 7.0 * k}, {0, 0}, {-9, -20}), k > 0   ? -1
+                                                                 : k < 0 ? 1
+                                                                         : 0);  // -3 k
   }
 }
 

@@ -126,12 +126,12 @@ class RandomMesh {
       case 0: return tetrahedron();
       case 1: return cube();
       case 2: return icosahedron();
-      case 3: return torus(lattice, 3 + below(4), 3 + below(4));
-      case 4: return star(lattice, 3 + below(6), 1 + below(3));
-      case 5: return face_star(3 + below(6), 1 + below(3));
-      case 6: return tree(lattice, below(3));
+      case 3: return mesh::torus(lattice, 3 + below(4), 3 + below(4));
+      case 4: return mesh::star(lattice, 3 + below(6), 1 + below(3));
+      case 5: return mesh::face_star(3 + below(6), 1 + below(3));
+      case 6: return mesh::tree(lattice, below(3));
       case 7: return pillow(3 + below(4));
-      default: return torus(lattice, 3 + below(3), 3 + below(3));
+      default: return mesh::torus(lattice, 3 + below(3), 3 + below(3));
     }
   }
 

@@ -10,9 +10,9 @@ namespace {
 TEST(MeshRings, AreWhatTurningMeets) {
   for (unsigned seed = 0; seed < 60; ++seed) {
     const Mesh mesh = RandomMesh(seed).polygons();
-    const std::vector<Index> counts = valences(mesh);
+    const std::vector<Index> counts = mesh::valences(mesh);
     ASSERT_EQ(std::ssize(counts), mesh.vertex_count());
-    const Rings all = rings(mesh, counts);
+    const mesh::Rings all = mesh::rings(mesh, counts);
     ASSERT_EQ(std::ssize(all.begin), mesh.vertex_count() + 1);
     EXPECT_EQ(all.begin.back(), mesh.halfedge_count());
     for (Index v = 0; v < mesh.vertex_count(); ++v) {

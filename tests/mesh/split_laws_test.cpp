@@ -186,7 +186,7 @@ TEST_P(SplitLaws, OldAndNewValencesOnClosedMeshes) {
 
 TEST_P(SplitLaws, RegularMeshesStayRegular) {
   const Split& split = GetParam();
-  const Mesh mesh = torus(split.lattice, 4, 3);
+  const Mesh mesh = mesh::torus(split.lattice, 4, 3);
   const SplitResult refined = split.apply(mesh, 0);
   EXPECT_EQ(refined.mesh.uniform_degree(), mesh.uniform_degree());
   EXPECT_EQ(refined.mesh.face_count(), split.dilation.growth() * mesh.face_count());

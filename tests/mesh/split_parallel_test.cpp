@@ -12,7 +12,8 @@ namespace {
 TEST(SplitParallel, ThreadsDoNotChangeTheMesh) {
   for (const Split& split : splits()) {
     // large enough for many chunks, and with a boundary
-    for (const Mesh& mesh : {torus(split.lattice, 80, 81), star(split.lattice, 7, 45)}) {
+    for (const Mesh& mesh :
+         {mesh::torus(split.lattice, 80, 81), mesh::star(split.lattice, 7, 45)}) {
       for (const int step : {0, 1}) {
         set_thread_limit(1);
         const auto serial = snapshot(split.apply(mesh, step).mesh);

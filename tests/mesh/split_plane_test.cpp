@@ -312,7 +312,7 @@ TEST(MidEdge, CubeGivesTheCuboctahedron) {
 
 TEST(MidEdge, ClosesBoundaryVerticesInEvenSteps) {
   const Split& midedge = *find_split("midedge");
-  const Mesh mesh = star(Lattice::quad, 4, 3);
+  const Mesh mesh = mesh::star(Lattice::quad, 4, 3);
   const SplitResult refined = midedge.apply(mesh, 0);
   EXPECT_EQ(refined.mesh.check(), "");
   // 24 vertices are on the boundary, 4 of them corners

@@ -85,7 +85,8 @@ double sampled_distance(const Polygons& mesh, const Point3& p, int step) {
 }
 
 TEST(SurfaceDistance, ParallelSquaresAreApartByTheirOffset) {
-  const SurfaceDistance apart = *approx_surface_distance(sheet(2, 0, 7), sheet(2, .25, 3));
+  const mesh::SurfaceDistance apart =
+      *mesh::approx_surface_distance(sheet(2, 0, 7), sheet(2, .25, 3));
   EXPECT_DOUBLE_EQ(apart.largest, .25);
   EXPECT_NEAR(apart.mean, .25, 1e-15);
   EXPECT_DOUBLE_EQ(apart.diagonal, std::sqrt(4 + 4 + .0625));
@@ -99,7 +100,7 @@ TEST(SurfaceDistance, ParallelSquaresAreApartByTheirOffset) {
 TEST(SurfaceDistance, TheMeanIsByArea) {
   // a square of side 1 against the part of side 2 that it covers: the larger one sticks out
   const Polygons small = sheet(1, 0, 40), large = sheet(2, 0, 80);
-  const SurfaceDistance apart = *approx_surface_distance(small, large);
+  const mesh::SurfaceDistance apart = *mesh::approx_surface_distance(small, large);
   EXPECT_NEAR(apart.largest, std::sqrt(2), 1e-14);
   EXPECT_EQ(*std::max_element(apart.from_a.begin(), apart.from_a.end()), 0);
   // over the larger: 2 strips of mean 1/2 and area 1, and a square of mean distance to a corner
@@ -110,8 +111,8 @@ TEST(SurfaceDistance, TheMeanIsByArea) {
 TEST(SurfaceDistance, ConcentricSpheresAreApartByTheDifferenceOfRadii) {
   double last = 0;
   for (const int rings : {8, 16, 32}) {
-    const SurfaceDistance apart =
-        *approx_surface_distance(sphere(1, {1, 2, 3}, rings), sphere(1.25, {1, 2, 3}, 2 * rings));
+    const mesh::SurfaceDistance apart = *mesh::approx_surface_distance(
+        sphere(1, {1, 2, 3}, rings), sphere(1.25, {1, 2, 3}, 2 * rings));
     // a chord lies below its arc by h²/8
     const double off = std::abs(apart.mean - .25);
     EXPECT_LT(off, 1.25 * std::pow(kPi / rings, 2) / 4);
@@ -126,7 +127,7 @@ TEST(SurfaceDistance, IsWhatManyPointsOfEveryTriangleGive) {
   constexpr int kStep = 60;
   for (int trial = 0; trial < 4; ++trial) {
     const Polygons a = random_triangles(random, 13), b = random_triangles(random, 9);
-    const SurfaceDistance apart = *approx_surface_distance(a, b);
+    const mesh::SurfaceDistance apart = *mesh::approx_surface_distance(a, b);
     double largest = 0;
     for (const auto& [from, to, distances] :
          {std::tuple{&a, &b, &apart.from_a}, std::tuple{&b, &a, &apart.from_b}})
@@ -143,7 +144,7 @@ TEST(SurfaceDistance, IsWhatManyPointsOfEveryTriangleGive) {
 
 TEST(SurfaceDistance, VanishesBetweenASurfaceAndItself) {
   const Polygons ball = sphere(1, {}, 12);
-  const SurfaceDistance none = *approx_surface_distance(ball, ball);
+  const mesh::SurfaceDistance none = *mesh::approx_surface_distance(ball, ball);
   EXPECT_LT(none.largest, 1e-15);
   EXPECT_LT(none.mean, 1e-16);
 }
@@ -153,8 +154,8 @@ TEST(SurfaceDistance, IsSymmetricToTheLastBitOnAnyNumberOfThreads) {
   for (const bool symmetric : {false, true}) {  // of spheres many gaps are of one size
     const Polygons a = symmetric ? sphere(1, {}, 20) : random_triangles(random, 300);
     const Polygons b = symmetric ? sphere(2, {}, 20) : random_triangles(random, 200);
-    const SurfaceDistance one = *approx_surface_distance(a, b);
-    const SurfaceDistance other = *approx_surface_distance(b, a);
+    const mesh::SurfaceDistance one = *mesh::approx_surface_distance(a, b);
+    const mesh::SurfaceDistance other = *mesh::approx_surface_distance(b, a);
     EXPECT_EQ(one.largest, other.largest);
     EXPECT_EQ(one.mean, other.mean);
     EXPECT_EQ(one.diagonal, other.diagonal);
@@ -163,7 +164,7 @@ TEST(SurfaceDistance, IsSymmetricToTheLastBitOnAnyNumberOfThreads) {
     EXPECT_EQ(one.from_a, other.from_b);
     EXPECT_EQ(one.from_b, other.from_a);
     set_thread_limit(1);
-    const SurfaceDistance alone = *approx_surface_distance(a, b);
+    const mesh::SurfaceDistance alone = *mesh::approx_surface_distance(a, b);
     set_thread_limit(0);
     EXPECT_EQ(one.mean, alone.mean);
     EXPECT_EQ(one.where, alone.where);
@@ -172,12 +173,13 @@ TEST(SurfaceDistance, IsSymmetricToTheLastBitOnAnyNumberOfThreads) {
 }
 
 TEST(SurfaceDistance, GrowsWithTheSurfaces) {
-  const SurfaceDistance plain = *approx_surface_distance(sheet(1, 0, 5), sheet(1, .1, 5, .3));
+  const mesh::SurfaceDistance plain =
+      *mesh::approx_surface_distance(sheet(1, 0, 5), sheet(1, .1, 5, .3));
   for (const double scale : {0x1p-600, 0x1p+600}) {
     Polygons a = sheet(1, 0, 5), b = sheet(1, .1, 5, .3);
     for (Point3& p : a.positions) p = scale * p;
     for (Point3& p : b.positions) p = scale * p;
-    const SurfaceDistance scaled = *approx_surface_distance(a, b);
+    const mesh::SurfaceDistance scaled = *mesh::approx_surface_distance(a, b);
     EXPECT_EQ(scaled.largest, scale * plain.largest);
     EXPECT_EQ(scaled.mean, scale * plain.mean);
   }
@@ -189,7 +191,7 @@ TEST(SurfaceDistance, TakesTrianglesWithoutAnArea) {
   add_face(needle, {0, 1, 2});
   add_face(needle, {0, 0, 0});
   add_face(needle, {3, 4, 5});
-  const SurfaceDistance apart = *approx_surface_distance(sheet(.5, 1, 2), needle);
+  const mesh::SurfaceDistance apart = *mesh::approx_surface_distance(sheet(.5, 1, 2), needle);
   EXPECT_DOUBLE_EQ(apart.from_a[1], 1);
   EXPECT_TRUE(std::isnan(apart.from_b[6]));  // of no face
   EXPECT_TRUE(std::isfinite(apart.mean));
@@ -199,8 +201,8 @@ TEST(SurfaceDistance, RefusesWhatIsNoSurface) {
   const Polygons good = sheet(1, 0, 2);
   const auto refused = [&](const Polygons& bad, const std::string& part) {
     for (const bool first : {true, false}) {
-      const auto apart =
-          first ? approx_surface_distance(bad, good) : approx_surface_distance(good, bad);
+      const auto apart = first ? mesh::approx_surface_distance(bad, good)
+                               : mesh::approx_surface_distance(good, bad);
       ASSERT_FALSE(apart);
       EXPECT_NE(apart.error().message.find(part), std::string::npos) << apart.error().message;
       EXPECT_NE(apart.error().message.find(first ? "first" : "second"), std::string::npos);

@@ -50,7 +50,7 @@ struct Seen {
 /// boundary.
 Seen cut(const std::vector<Point3>& points) {
   const Polygons mesh = one_face(points);
-  const Triangulation result = triangulate(mesh).value();
+  const mesh::Triangulation result = mesh::triangulate(mesh).value();
   const Point3 area = vector_area_of(points);
   Seen seen{0, HUGE_VAL, norm(area), 0, result.gave_up.size()};
   for (Index f = 0; f < result.polygons.face_count(); ++f) {
@@ -75,7 +75,7 @@ void expect_tiled(const std::vector<Point3>& points, double tolerance = 1e-12) {
 }
 
 /// A turn and a shift in space, of points of a plane.
-std::vector<Point3> placed(const std::vector<Point2>& points, std::mt19937& random) {
+std::vector<Point3> placed(const std::vector<mesh::Point2>& points, std::mt19937& random) {
   std::normal_distribution<double> normal;
   Point3 u{normal(random), normal(random), normal(random)};
   Point3 v{normal(random), normal(random), normal(random)};
@@ -85,20 +85,20 @@ std::vector<Point3> placed(const std::vector<Point2>& points, std::mt19937& rand
   const Point3 origin{normal(random), normal(random), normal(random)};
   std::vector<Point3> result;
   result.reserve(points.size());
-  for (const Point2& p : points) result.push_back(origin + p.x * u + p.y * v);
+  for (const mesh::Point2& p : points) result.push_back(origin + p.x * u + p.y * v);
   return result;
 }
-std::vector<Point3> flat(const std::vector<Point2>& points) {
+std::vector<Point3> flat(const std::vector<mesh::Point2>& points) {
   std::vector<Point3> result;
   result.reserve(points.size());
-  for (const Point2& p : points) result.push_back({p.x, p.y, 0.5});
+  for (const mesh::Point2& p : points) result.push_back({p.x, p.y, 0.5});
   return result;
 }
 
 /// A star-shaped polygon: any radii at sorted angles.
-std::vector<Point2> star_shaped(std::mt19937& random, int corners) {
+std::vector<mesh::Point2> star_shaped(std::mt19937& random, int corners) {
   std::uniform_real_distribution<double> radius(0.05, 1), jitter(0, 0.9);
-  std::vector<Point2> points;
+  std::vector<mesh::Point2> points;
   for (int k = 0; k < corners; ++k) {
     const double angle = 2 * std::numbers::pi * (k + jitter(random)) / corners, r = radius(random);
     points.push_back({r * std::cos(angle), r * std::sin(angle)});
@@ -108,7 +108,7 @@ std::vector<Point2> star_shaped(std::mt19937& random, int corners) {
 
 /// The outline of cells of a square grid that form a tree: with many collinear corners, and places
 /// where it touches itself. Its area is the number of cells.
-std::vector<Point2> tree_of_cells(std::mt19937& random, int wanted) {
+std::vector<mesh::Point2> tree_of_cells(std::mt19937& random, int wanted) {
   using Cell = std::pair<int, int>;
   const Cell steps[4] = {{1, 0}, {0, 1}, {-1, 0}, {0, -1}};
   const auto neighbours = [&](const std::set<Cell>& cells, Cell c) {
@@ -128,7 +128,7 @@ std::vector<Point2> tree_of_cells(std::mt19937& random, int wanted) {
   }
   // Round the tree with the cells on the left: at a side of a cell, the next is met by turning
   // right first within the tree.
-  std::vector<Point2> outline;
+  std::vector<mesh::Point2> outline;
   Cell at = *std::min_element(list.begin(), list.end(), [](Cell a, Cell b) {
     return std::pair(a.second, a.first) < std::pair(b.second, b.first);
   });
@@ -151,8 +151,8 @@ std::vector<Point2> tree_of_cells(std::mt19937& random, int wanted) {
 }
 
 /// A comb: teeth whose tips lie in the gaps of another comb, for long thin ears.
-std::vector<Point2> comb(int teeth) {
-  std::vector<Point2> points;
+std::vector<mesh::Point2> comb(int teeth) {
+  std::vector<mesh::Point2> points;
   for (int k = 0; k < teeth; ++k) {
     points.push_back({static_cast<double>(k), 0});
     points.push_back({k + 0.5, 1000});
@@ -164,8 +164,8 @@ std::vector<Point2> comb(int teeth) {
   return points;
 }
 
-std::vector<Point2> spiral(int corners) {
-  std::vector<Point2> outer, inner;
+std::vector<mesh::Point2> spiral(int corners) {
+  std::vector<mesh::Point2> outer, inner;
   for (int k = 0; k < corners / 2; ++k) {
     const double angle = 40 * std::numbers::pi * k / corners, r = 3 + angle;
     outer.push_back({r * std::cos(angle), r * std::sin(angle)});
@@ -178,7 +178,7 @@ std::vector<Point2> spiral(int corners) {
 TEST(Triangulate, AConcaveQuadIsCutAtItsReflexCorner) {
   // from the first corner the areas would be 8 and -4
   const Polygons mesh = one_face({{0, 4, 0}, {0, 0, 0}, {4, 0, 0}, {1, 1, 0}});
-  const Triangulation result = triangulate(mesh).value();
+  const mesh::Triangulation result = mesh::triangulate(mesh).value();
   EXPECT_TRUE(result.gave_up.empty());
   expect_tiled(mesh.positions);
   EXPECT_NEAR(cut(mesh.positions).total, 4, 1e-15);
@@ -194,7 +194,7 @@ TEST(Triangulate, TwoFacesThatShareBothEdgesOfAVertexAreCutFromThere) {
     mesh.corners = {0, 1, 2, 3};
     mesh.corners.insert(mesh.corners.end(), second.begin(), second.end());
     mesh.face_begin = {0, 4, 8};
-    const Result<Triangulation> cut = triangulate(mesh);
+    const Result<mesh::Triangulation> cut = mesh::triangulate(mesh);
     ASSERT_TRUE(cut.ok());
     EXPECT_EQ(cut->polygons.face_count(), 4);
     EXPECT_TRUE(Mesh::build(cut->polygons).ok());
@@ -205,7 +205,7 @@ TEST(Triangulate, KeepsFansWhereTheyAreRight) {
   std::vector<Point3> round;
   round.reserve(9);
   for (int k = 0; k < 9; ++k) round.push_back({std::cos(0.7 * k), std::sin(0.7 * k), 0.1 * k});
-  const Triangulation result = triangulate(one_face(round)).value();
+  const mesh::Triangulation result = mesh::triangulate(one_face(round)).value();
   for (Index f = 0; f < 7; ++f)
     EXPECT_EQ(faces_of(result.polygons)[static_cast<std::size_t>(f)],
               (std::vector<Index>{0, f + 1, f + 2}));
@@ -213,7 +213,7 @@ TEST(Triangulate, KeepsFansWhereTheyAreRight) {
 
 RC_GTEST_PROP(TriangulateLaws, StarShapedPolygonsAreTiled, (unsigned seed)) {
   std::mt19937 random(seed);
-  const std::vector<Point2> points = star_shaped(random, 4 + static_cast<int>(random() % 60));
+  const std::vector<mesh::Point2> points = star_shaped(random, 4 + static_cast<int>(random() % 60));
   expect_tiled(flat(points));
   expect_tiled(placed(points, random));
   RC_ASSERT(!testing::Test::HasFailure());
@@ -221,7 +221,8 @@ RC_GTEST_PROP(TriangulateLaws, StarShapedPolygonsAreTiled, (unsigned seed)) {
 
 RC_GTEST_PROP(TriangulateLaws, OutlinesOfCellsAreTiled, (unsigned seed)) {
   std::mt19937 random(seed);
-  const std::vector<Point2> points = tree_of_cells(random, 2 + static_cast<int>(random() % 40));
+  const std::vector<mesh::Point2> points =
+      tree_of_cells(random, 2 + static_cast<int>(random() % 40));
   if (points.size() < 4) return;
   expect_tiled(flat(points));
   expect_tiled(placed(points, random), 1e-9);
@@ -262,7 +263,7 @@ TEST(Triangulate, RepeatedAndCollinearCorners) {
     EXPECT_NEAR(seen.total, 4, 1e-14);
     EXPECT_EQ(seen.least, 0) << "the edge between the two equal corners lies in one triangle";
     int flat_ones = 0;
-    const Triangulation result = triangulate(one_face(turned)).value();
+    const mesh::Triangulation result = mesh::triangulate(one_face(turned)).value();
     for (Index f = 0; f < result.polygons.face_count(); ++f)
       flat_ones += norm(vector_area_of(corners_of(result.polygons, f))) == 0;
     EXPECT_EQ(flat_ones, 1) << start;
@@ -286,26 +287,26 @@ TEST(Triangulate, SaysWhereItGaveUp) {
   mesh.positions = {{0, 0, 0}, {3, 0, 0}, {0, 2, 0}, {1, 2, 0}, {0, 0, 0}, {1, 1, 1},
                     {2, 2, 2}, {3, 3, 3}, {1, 1, 1}, {1, 1, 1}, {1, 1, 1}, {1, 1, 1},
                     {0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
-  const Triangulation result = triangulate(mesh).value();
+  const mesh::Triangulation result = mesh::triangulate(mesh).value();
   EXPECT_EQ(result.gave_up, (std::vector<Index>{0, 1, 2}));
   EXPECT_EQ(result.face_of, (std::vector<Index>{0, 0, 1, 1, 2, 2, 3, 3}));
   MeshSource source;
   source.file = "m.obj";
   source.first = 1;
   source.face_lines = {17, 18, 19, 20};
-  const Warnings warnings = warnings_of(result, source);
+  const Warnings warnings = mesh::warnings_of(result, source);
   ASSERT_EQ(warnings.size(), 1U);
   EXPECT_EQ(warnings[0].text(),
             "m.obj:17: 3 faces cross themselves or have no area (the first is 1): their triangles "
             "overlap or are degenerate (faces count from 1, as in the file)");
-  EXPECT_EQ(source_of(result, source).file_faces, result.face_of);
+  EXPECT_EQ(mesh::source_of(result, source).file_faces, result.face_of);
 }
 
 TEST(Triangulate, AnyScaleAndPlace) {
   for (const double scale : {1e-300, 1e-150, 1.0, 1e150, 1e300}) {
     std::vector<Point3> points = {{0, 4, 1}, {0, 0, 1}, {4, 0, 1}, {1, 1, 1}};
     for (Point3& p : points) p = scale * p;
-    const Triangulation result = triangulate(one_face(points)).value();
+    const mesh::Triangulation result = mesh::triangulate(one_face(points)).value();
     EXPECT_TRUE(result.gave_up.empty()) << scale;
     EXPECT_EQ(faces_of(result.polygons)[0], (std::vector<Index>{3, 0, 1})) << scale;
   }
@@ -317,18 +318,18 @@ TEST(Triangulate, AnyScaleAndPlace) {
 TEST(Triangulate, RefusesWhatIsTooLargeBeforeItLooksAtIt) {
   Polygons huge;
   huge.face_begin = {0, 1000000000};  // 3 · (10^9 - 2) corners of triangles
-  const Result<Triangulation> result = triangulate(huge);
+  const Result<mesh::Triangulation> result = mesh::triangulate(huge);
   ASSERT_FALSE(result.ok());
   EXPECT_EQ(result.error().message, "2^31 - 1 corners or more");
   EXPECT_THROW((void)triangulated(huge), std::length_error);
   huge.face_begin = {0, 9, 3};
-  EXPECT_FALSE(triangulate(huge).ok());
+  EXPECT_FALSE(mesh::triangulate(huge).ok());
 }
 
-double seconds_to_cut(const std::vector<Point2>& points) {
+double seconds_to_cut(const std::vector<mesh::Point2>& points) {
   const Polygons mesh = one_face(flat(points));
   const auto start = std::chrono::steady_clock::now();
-  const Triangulation result = triangulate(mesh).value();
+  const mesh::Triangulation result = mesh::triangulate(mesh).value();
   const double seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   EXPECT_TRUE(result.gave_up.empty());

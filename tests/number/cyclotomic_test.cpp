@@ -13,18 +13,18 @@ namespace {
 
 using Polynomial = std::vector<Integer>;
 
-Cyclotomic whole(long long value) { return {Rational(value)}; }
-Cyclotomic cosine(long long p, long long q) { return Cyclotomic::cos_turn(p, q); }
+number::Cyclotomic whole(long long value) { return {Rational(value)}; }
+number::Cyclotomic cosine(long long p, long long q) { return number::Cyclotomic::cos_turn(p, q); }
 
 /// A few cosines with rational coefficients, of one order or of two.
-Cyclotomic random_number(std::mt19937& random) {
+number::Cyclotomic random_number(std::mt19937& random) {
   static constexpr int kOrders[] = {1, 3, 4, 5, 7, 8, 9, 12, 15};
   const int order = kOrders[random() % std::size(kOrders)];
-  Cyclotomic sum;
+  number::Cyclotomic sum;
   for (int i = 0; i < 3; ++i) {
     const Rational factor(static_cast<int>(random() % 19) - 9, 1 + static_cast<int>(random() % 6));
     const int q = random() % 4 == 0 ? 5 : order;
-    sum += Cyclotomic(factor) * cosine(static_cast<int>(random() % 30), q);
+    sum += number::Cyclotomic(factor) * cosine(static_cast<int>(random() % 30), q);
   }
   return sum;
 }
@@ -37,27 +37,27 @@ Polynomial product(const Polynomial& a, const Polynomial& b) {
 }
 
 TEST(CyclotomicPolynomial, IsTheKnownOne) {
-  EXPECT_EQ(cyclotomic_polynomial(1), (Polynomial{-1, 1}));
-  EXPECT_EQ(cyclotomic_polynomial(2), (Polynomial{1, 1}));
-  EXPECT_EQ(cyclotomic_polynomial(3), (Polynomial{1, 1, 1}));
-  EXPECT_EQ(cyclotomic_polynomial(4), (Polynomial{1, 0, 1}));
-  EXPECT_EQ(cyclotomic_polynomial(6), (Polynomial{1, -1, 1}));
-  EXPECT_EQ(cyclotomic_polynomial(7), (Polynomial{1, 1, 1, 1, 1, 1, 1}));
-  EXPECT_EQ(cyclotomic_polynomial(8), (Polynomial{1, 0, 0, 0, 1}));
-  EXPECT_EQ(cyclotomic_polynomial(9), (Polynomial{1, 0, 0, 1, 0, 0, 1}));
-  EXPECT_EQ(cyclotomic_polynomial(10), (Polynomial{1, -1, 1, -1, 1}));
-  EXPECT_EQ(cyclotomic_polynomial(12), (Polynomial{1, 0, -1, 0, 1}));
-  EXPECT_EQ(cyclotomic_polynomial(15), (Polynomial{1, -1, 0, 1, -1, 1, 0, -1, 1}));
+  EXPECT_EQ(number::cyclotomic_polynomial(1), (Polynomial{-1, 1}));
+  EXPECT_EQ(number::cyclotomic_polynomial(2), (Polynomial{1, 1}));
+  EXPECT_EQ(number::cyclotomic_polynomial(3), (Polynomial{1, 1, 1}));
+  EXPECT_EQ(number::cyclotomic_polynomial(4), (Polynomial{1, 0, 1}));
+  EXPECT_EQ(number::cyclotomic_polynomial(6), (Polynomial{1, -1, 1}));
+  EXPECT_EQ(number::cyclotomic_polynomial(7), (Polynomial{1, 1, 1, 1, 1, 1, 1}));
+  EXPECT_EQ(number::cyclotomic_polynomial(8), (Polynomial{1, 0, 0, 0, 1}));
+  EXPECT_EQ(number::cyclotomic_polynomial(9), (Polynomial{1, 0, 0, 1, 0, 0, 1}));
+  EXPECT_EQ(number::cyclotomic_polynomial(10), (Polynomial{1, -1, 1, -1, 1}));
+  EXPECT_EQ(number::cyclotomic_polynomial(12), (Polynomial{1, 0, -1, 0, 1}));
+  EXPECT_EQ(number::cyclotomic_polynomial(15), (Polynomial{1, -1, 0, 1, -1, 1, 0, -1, 1}));
   // the first with a coefficient other than 0 and ±1
-  EXPECT_EQ(cyclotomic_polynomial(105)[7], -2);
-  EXPECT_EQ(cyclotomic_polynomial(105)[41], -2);
+  EXPECT_EQ(number::cyclotomic_polynomial(105)[7], -2);
+  EXPECT_EQ(number::cyclotomic_polynomial(105)[41], -2);
 }
 
 TEST(CyclotomicPolynomial, MultiplyToRootsOfUnity) {
   for (int n = 1; n <= 60; ++n) {
     Polynomial all{1};
     for (int d = 1; d <= n; ++d)
-      if (n % d == 0) all = product(all, cyclotomic_polynomial(d));
+      if (n % d == 0) all = product(all, number::cyclotomic_polynomial(d));
     Polynomial expected(static_cast<std::size_t>(n) + 1, Integer(0));
     expected.front() = -1;
     expected.back() = 1;
@@ -66,7 +66,7 @@ TEST(CyclotomicPolynomial, MultiplyToRootsOfUnity) {
 }
 
 TEST(Cyclotomic, KnowsRationalCosines) {
-  const auto is = [](const Cyclotomic& number, const Rational& value) {
+  const auto is = [](const number::Cyclotomic& number, const Rational& value) {
     return number.is_rational() && number.rational() == value;
   };
   EXPECT_TRUE(is(cosine(0, 1), 1));
@@ -90,7 +90,7 @@ TEST(Cyclotomic, AgreesWithDoubles) {
       EXPECT_NEAR(cosine(p, q).approx(), std::cos(2 * std::numbers::pi * p / q), 1e-14);
   EXPECT_TRUE(rc::check([](unsigned seed) {
     std::mt19937 random(seed);
-    const Cyclotomic a = random_number(random), b = random_number(random);
+    const number::Cyclotomic a = random_number(random), b = random_number(random);
     RC_ASSERT(std::abs((a + b).approx() - (a.approx() + b.approx())) < 1e-12);
     RC_ASSERT(std::abs((a - b).approx() - (a.approx() - b.approx())) < 1e-12);
     RC_ASSERT(std::abs((a * b).approx() - a.approx() * b.approx()) < 1e-10);
@@ -101,8 +101,8 @@ TEST(Cyclotomic, AgreesWithDoubles) {
 TEST(Cyclotomic, IsAField) {
   EXPECT_TRUE(rc::check([](unsigned seed) {
     std::mt19937 random(seed);
-    const Cyclotomic a = random_number(random), b = random_number(random),
-                     c = random_number(random);
+    const number::Cyclotomic a = random_number(random), b = random_number(random),
+                             c = random_number(random);
     RC_ASSERT(a + b == b + a);
     RC_ASSERT(a * b == b * a);
     RC_ASSERT((a + b) + c == a + (b + c));
@@ -133,31 +133,31 @@ TEST(Cyclotomic, ObeysTheAdditionTheorems) {
     RC_ASSERT(cosine(a + q, q) == cosine(a, q));
     RC_ASSERT(cosine(3 * a, 3 * q) == cosine(a, q));
     // sin² + cos² = 1, the sine being a cosine a quarter turn on
-    const Cyclotomic cos = cosine(4 * a, 4 * q), sin = cosine(4 * a - q, 4 * q);
+    const number::Cyclotomic cos = cosine(4 * a, 4 * q), sin = cosine(4 * a - q, 4 * q);
     RC_ASSERT(cos * cos + sin * sin == whole(1));
   }));
 }
 
 TEST(Cyclotomic, KnowsZerosThatDoublesDoNot) {
   for (int n = 2; n <= 40; ++n) {
-    Cyclotomic roots, squares;
+    number::Cyclotomic roots, squares;
     for (int k = 0; k < n; ++k) {
       roots += cosine(k, n);
       squares += cosine(k, n) * cosine(k, n);
     }
     EXPECT_TRUE(roots.is_zero()) << n;  // all n-th roots of unity
-    EXPECT_TRUE(squares == Cyclotomic(n == 2 ? Rational(2) : Rational(n, 2))) << n;
+    EXPECT_TRUE(squares == number::Cyclotomic(n == 2 ? Rational(2) : Rational(n, 2))) << n;
   }
-  const Cyclotomic five = whole(4) * cosine(1, 5) + whole(1);  // √5
+  const number::Cyclotomic five = whole(4) * cosine(1, 5) + whole(1);  // √5
   EXPECT_TRUE(five * five == whole(5));
-  const Cyclotomic c = cosine(1, 7);
+  const number::Cyclotomic c = cosine(1, 7);
   EXPECT_TRUE((whole(8) * c * c * c + whole(4) * c * c - whole(4) * c - whole(1)).is_zero());
   // Morrie's law, at 20°, 40° and 80°
-  EXPECT_TRUE(cosine(1, 18) * cosine(2, 18) * cosine(4, 18) == Cyclotomic(Rational(1, 8)));
+  EXPECT_TRUE(cosine(1, 18) * cosine(2, 18) * cosine(4, 18) == number::Cyclotomic(Rational(1, 8)));
   // of unlike orders: cos 36° - cos 72° = 1/2, √2 + √8 = 3√2
-  EXPECT_TRUE(cosine(1, 10) - cosine(1, 5) == Cyclotomic(Rational(1, 2)));
+  EXPECT_TRUE(cosine(1, 10) - cosine(1, 5) == number::Cyclotomic(Rational(1, 2)));
   // close to zero, but not zero
-  EXPECT_FALSE((cosine(1, 97) - Cyclotomic(Rational(99790, 100000))).is_zero());
+  EXPECT_FALSE((cosine(1, 97) - number::Cyclotomic(Rational(99790, 100000))).is_zero());
 }
 
 TEST(Cyclotomic, IsWrittenInItsField) {
@@ -166,7 +166,8 @@ TEST(Cyclotomic, IsWrittenInItsField) {
   EXPECT_EQ(cosine(1, 7).coefficients().size(), 6U);
   EXPECT_EQ(whole(3).order(), 1);
   EXPECT_EQ(whole(3).coefficients(), std::vector<Rational>{3});
-  for (const Cyclotomic& number : {cosine(1, 5), cosine(1, 9) + cosine(1, 8), cosine(2, 15)}) {
+  for (const number::Cyclotomic& number :
+       {cosine(1, 5), cosine(1, 9) + cosine(1, 8), cosine(2, 15)}) {
     double real = 0;
     for (std::size_t i = 0; i < number.coefficients().size(); ++i)
       real += to_double(number.coefficients()[i]) *

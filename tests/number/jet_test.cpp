@@ -13,7 +13,7 @@ namespace {
 
 template <class Number>
 Number value_of(const std::string& text, const Number& x, const Number& y) {
-  return evaluate<Number>(
+  return scheme::evaluate<Number>(
              Expression::parse(text).value(),
              [&](const std::string& name) -> Result<Number> { return name == "x" ? x : y; })
       .value();
@@ -25,7 +25,8 @@ RC_GTEST_PROP(Jet, HasTheSlopesOfDifferenceQuotients, ()) {
   for (const char* text :
        {"x*y - 3*x^2*y^3", "x/y + cos(2*pi/y)*x", "sqrt(y)*sin(x) - (x - y)/(2 + x^2)",
         "(3/8 + cos(x)/4)^2/y", "(x == 5)*y + (x != 5)*x*y", "1/4 - x^-2"}) {
-    const Jet jet = value_of<Jet>(text, Jet::variable(x, 0, 2), Jet::variable(y, 1, 2));
+    const number::Jet jet =
+        value_of<number::Jet>(text, number::Jet::variable(x, 0, 2), number::Jet::variable(y, 1, 2));
     RC_ASSERT(jet.value == value_of<double>(text, x, y));
     const double h = 1e-5;
     const double by_x =
@@ -39,13 +40,14 @@ RC_GTEST_PROP(Jet, HasTheSlopesOfDifferenceQuotients, ()) {
 }
 
 TEST(Jet, ConstantsHaveNoSlopes) {
-  const Jet jet = Jet(3) * Jet(2) + Jet(1);
+  const number::Jet jet = number::Jet(3) * number::Jet(2) + number::Jet(1);
   EXPECT_EQ(jet.value, 7);
   EXPECT_TRUE(jet.slopes.empty());
   EXPECT_EQ(jet.slope(4), 0);
-  EXPECT_FALSE(Arithmetic<Jet>::sqrt(Jet::variable(0, 0, 1)));
-  EXPECT_TRUE(Arithmetic<Jet>::sqrt(Jet(0)));
-  EXPECT_FALSE(Arithmetic<Jet>::divide(Jet(1), Jet::variable(0, 0, 1)));
+  EXPECT_FALSE(number::Arithmetic<number::Jet>::sqrt(number::Jet::variable(0, 0, 1)));
+  EXPECT_TRUE(number::Arithmetic<number::Jet>::sqrt(number::Jet(0)));
+  EXPECT_FALSE(
+      number::Arithmetic<number::Jet>::divide(number::Jet(1), number::Jet::variable(0, 0, 1)));
 }
 
 }  // namespace

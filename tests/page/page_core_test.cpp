@@ -23,7 +23,7 @@ using page::PageCore;
 json parsed(const std::string& text) { return json::parse(text); }
 
 std::string text_of(const std::string& scheme) {
-  for (const ShippedFile& file : shipped_files())
+  for (const scheme::ShippedFile& file : scheme::shipped_files())
     if (file.name == scheme) return std::string(file.text);
   return {};
 }
@@ -44,7 +44,7 @@ json without_ok(const std::string& answer) {
 
 TEST(PageCore, ListsEveryShippedSchemeWithItsText) {
   const json list = parsed(PageCore().schemes()).at("schemes");
-  ASSERT_EQ(list.size(), shipped_files().size());
+  ASSERT_EQ(list.size(), scheme::shipped_files().size());
   for (const json& one : list) {
     EXPECT_EQ(one.at("text"), text_of(one.at("name")));
     const Scheme scheme = find_scheme(one.at("name")).value();
@@ -55,7 +55,7 @@ TEST(PageCore, ListsEveryShippedSchemeWithItsText) {
 }
 
 TEST(PageCore, EigenvaluesAreTheCommands) {
-  for (const ShippedFile& file : shipped_files()) {
+  for (const scheme::ShippedFile& file : scheme::shipped_files()) {
     const std::string name(file.name);
     const json command = command_json("eigen " + name);
     PageCore core;

@@ -26,7 +26,7 @@ constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 json parsed(const std::string& text) { return json::parse(text); }
 
 std::string text_of(const std::string& scheme) {
-  for (const ShippedFile& file : shipped_files())
+  for (const scheme::ShippedFile& file : scheme::shipped_files())
     if (file.name == scheme) return std::string(file.text);
   return {};
 }
@@ -343,7 +343,7 @@ TEST(PageSurface, DistanceIsBetweenTheTwoSurfaces) {
 }
 
 TEST(PageSurface, EveryShippedSchemeHasAMeshThatItRefines) {
-  for (const ShippedFile& file : shipped_files()) {
+  for (const scheme::ShippedFile& file : scheme::shipped_files()) {
     PageCore core;
     const json loaded = parsed(core.load(std::string(file.text), ""));
     ASSERT_TRUE(loaded.at("ok")) << file.name;

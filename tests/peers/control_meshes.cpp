@@ -174,7 +174,7 @@ Polygons cube() {
 }
 
 Polygons round_torus(Lattice lattice, Index nx, Index ny) {
-  return placed(torus(lattice, nx, ny), [&](Index v) -> Point3 {
+  return placed(mesh::torus(lattice, nx, ny), [&](Index v) -> Point3 {
     const double along = kTurn * (v % nx) / nx, across = kTurn * (v / nx) / ny;
     const double radius = 2 + std::cos(across);
     return {radius * std::cos(along), radius * std::sin(along), std::sin(across)};

@@ -10,8 +10,8 @@ namespace {
 
 /// Our refined mesh with its points moved to the limit and, inside, by `offset` along the normals.
 Polygons our_limit(const Scheme& scheme, const Polygons& control, int levels, double offset) {
-  Refined<Point3> refined =
-      refine(scheme, Mesh::build(control).value(), control.positions, levels).value();
+  refine::Refined<Point3> refined =
+      refine::refine(scheme, Mesh::build(control).value(), control.positions, levels).value();
   LimitOptions options;
   options.steps_made = levels;
   LimitPoints limit = approx_limit_points(scheme, refined.mesh, refined.values, options).value();

@@ -28,7 +28,7 @@ namespace {
 constexpr int kLevels = 2;
 
 Polygons joined(const Polygons& polygons) {
-  return repair(polygons, {.weld = 1e-9}).value().polygons;
+  return mesh::repair(polygons, {.weld = 1e-9}).value().polygons;
 }
 
 Polygons refined_by(const std::unique_ptr<Peer>& peer) {
@@ -37,7 +37,7 @@ Polygons refined_by(const std::unique_ptr<Peer>& peer) {
 }
 
 /// What is sharp in a cut mesh, for OpenSubdiv.
-PeerTags tags_of_cut(const Repaired& cut) {
+PeerTags tags_of_cut(const mesh::Repaired& cut) {
   PeerTags tags;
   tags.edges = cut.sharp_edges;
   tags.edge_sharpness.assign(cut.sharp_edges.size(), kInfinitelySharp);
@@ -47,19 +47,19 @@ PeerTags tags_of_cut(const Repaired& cut) {
 }
 
 /// What is stated of the mesh as it was, for the cut one.
-Sharpness sharpness_of(const Mesh& mesh, const Repaired& cut, const PeerTags& tags) {
+Sharpness sharpness_of(const Mesh& mesh, const mesh::Repaired& cut, const PeerTags& tags) {
   Sharpness sharpness;
-  EXPECT_TRUE(apply_tags(mesh, source_of(cut, {}), stated_by(tags), sharpness).ok());
-  hold_cuts(mesh, cuts_of(cut), sharpness);
-  apply_boundary_mode(mesh, boundary_mode_of(tags), cuts_of(cut), sharpness);
+  EXPECT_TRUE(apply_tags(mesh, mesh::source_of(cut, {}), stated_by(tags), sharpness).ok());
+  mesh::hold_cuts(mesh, mesh::cuts_of(cut), sharpness);
+  mesh::apply_boundary_mode(mesh, boundary_mode_of(tags), mesh::cuts_of(cut), sharpness);
   return sharpness;
 }
 
 /// The cut mesh refined by limn, its copies joined again.
-Polygons refined_by_us(const char* scheme, const Repaired& cut, const PeerTags& tags = {}) {
+Polygons refined_by_us(const char* scheme, const mesh::Repaired& cut, const PeerTags& tags = {}) {
   const Mesh mesh = Mesh::build(cut.polygons).value();
-  const auto fine = refine(find_scheme(scheme).value(), mesh, cut.polygons.positions, kLevels, {},
-                           sharpness_of(mesh, cut, tags))
+  const auto fine = refine::refine(find_scheme(scheme).value(), mesh, cut.polygons.positions,
+                                   kLevels, {}, sharpness_of(mesh, cut, tags))
                         .value();
   return joined(without(fine.mesh.polygons(fine.values), fine.sharpness.holes));
 }
@@ -114,7 +114,7 @@ TEST(PeersNonManifold, SheetsAlongACurveAreRefinedAsOpenSubdivDoes) {
   for (const auto& [method, name, triangles] : kSubjects)
     for (const Index sheets : {3, 4, 5}) {
       const Polygons mesh = rosette(sheets, 3 + sheets, 2, triangles, random);
-      const Repaired cut = repair(mesh, {.cut = true}).value();
+      const mesh::Repaired cut = mesh::repair(mesh, {.cut = true}).value();
       EXPECT_TRUE(cut.sharp_vertices.empty());
       EXPECT_EQ(difference(refined_by_us(name, cut), refined_by(opensubdiv_peer(method, mesh))), "")
           << name << ", " << sheets << " sheets";
@@ -132,11 +132,11 @@ Polygons pinched(const Polygons& clean, std::mt19937& random) {
     const Index from = tried.corners[corner()], to = tried.corners[corner()];
     for (Index& v : tried.corners)
       if (v == from) v = to;
-    const MeshFaults faults = find_mesh_faults(tried);
+    const mesh::MeshFaults faults = mesh::find_mesh_faults(tried);
     const bool only_sheets =
-        std::all_of(faults.list.begin(), faults.list.end(), [](const MeshFault& fault) {
-          return fault.kind == MeshFault::Kind::crowded_edge ||
-                 fault.kind == MeshFault::Kind::several_fans;
+        std::all_of(faults.list.begin(), faults.list.end(), [](const mesh::MeshFault& fault) {
+          return fault.kind == mesh::MeshFault::Kind::crowded_edge ||
+                 fault.kind == mesh::MeshFault::Kind::several_fans;
         });
     if (only_sheets) mesh = std::move(tried);
   }
@@ -162,7 +162,7 @@ ControlMesh random_control(bool triangles, std::mt19937& random) {
 /// Whether each copy of a vertex that is no corner has both edges of the crease. A sheet that has
 /// one of them, or none, cannot know where the crease goes: there cutting is no equal of
 /// OpenSubdiv's.
-bool creases_are_whole(const Repaired& cut) {
+bool creases_are_whole(const mesh::Repaired& cut) {
   const Mesh mesh = Mesh::build(cut.polygons).value();
   std::vector<int> copies(cut.vertex_of.size(), 0), sharp_edges(copies);
   for (const Index v : cut.vertex_of) ++copies[v];
@@ -186,7 +186,7 @@ RC_GTEST_PROP(PeersNonManifold, ACutMeshWithItsCornersIsTheMeshToOpenSubdiv, (un
     const ControlMesh control = random_control(triangles, random);
     RC_PRE(control.polygons.face_count() < 400);
     const Polygons mesh = pinched(control.polygons, random);
-    const Repaired cut = repair(mesh, {.cut = true}).value();
+    const mesh::Repaired cut = mesh::repair(mesh, {.cut = true}).value();
     RC_ASSERT(Mesh::build(cut.polygons).ok());
     if (!creases_are_whole(cut)) continue;
     // joined too: two faces back to back have points in one place
@@ -233,7 +233,7 @@ RC_GTEST_PROP(PeersNonManifold, ACutMeshWithTagsIsTheMeshToOpenSubdiv, (unsigned
     const Polygons mesh = pinched(control.polygons, random);
     const bool fractions = random() % 2 != 0;
     const PeerTags tags = random_tags(mesh, fractions, random);
-    const Repaired cut = repair(mesh, {.cut = true}).value();
+    const mesh::Repaired cut = mesh::repair(mesh, {.cut = true}).value();
     if (!creases_are_whole(cut)) continue;
     const std::string apart = difference(refined_by_us(name, cut, tags),
                                          joined(refined_by(opensubdiv_peer(method, mesh, tags))),
@@ -257,12 +257,12 @@ TEST(PeersNonManifold, CopiesOfOneFaceAreNoCorners) {
       crease.boundary = boundary;
       PeerTags plain;
       plain.boundary = boundary;
-      const Repaired cut = repair(pages, {.cut = true}).value();
+      const mesh::Repaired cut = mesh::repair(pages, {.cut = true}).value();
       EXPECT_EQ(
           difference(refined_by_us("catmull-clark", cut, plain),
                      joined(refined_by(opensubdiv_peer(Method::catmull_clark, pages, plain)))),
           "");
-      const Repaired other = repair(part, {.cut = true}).value();
+      const mesh::Repaired other = mesh::repair(part, {.cut = true}).value();
       EXPECT_EQ(
           difference(refined_by_us("catmull-clark", other, crease),
                      joined(refined_by(opensubdiv_peer(Method::catmull_clark, part, crease)))),
@@ -277,7 +277,7 @@ TEST(PeersNonManifold, TheCasesKeepTheirCorners) {
   const Polygons book{places, {0, 3, 6, 9}, {0, 1, 2, 0, 1, 3, 0, 1, 4}};
   const Polygons touching{places, {0, 3, 6}, {0, 1, 2, 0, 3, 4}};
   for (const Polygons& mesh : {book, touching}) {
-    const Repaired cut = repair(mesh, {.cut = true}).value();
+    const mesh::Repaired cut = mesh::repair(mesh, {.cut = true}).value();
     for (const auto& [method, name, triangles] : kSubjects) {
       const Polygons theirs = refined_by(opensubdiv_peer(method, mesh));
       EXPECT_EQ(

@@ -36,7 +36,7 @@ class Stencils final : public RepeatedPeer {
       table_->UpdateValues(control_, points_);
       return;
     }
-    parallel_for(0, count, [&](Index first, Index last) {
+    base::parallel_for(0, count, [&](Index first, Index last) {
       table_->UpdateValues(control_, points_, first, last);
     });
   }

@@ -20,7 +20,7 @@ namespace limn::peers {
 
 inline Polygons refined(const Scheme& scheme, const Polygons& control, int levels) {
   const auto result =
-      refine(scheme, Mesh::build(control).value(), control.positions, levels).value();
+      refine::refine(scheme, Mesh::build(control).value(), control.positions, levels).value();
   return result.mesh.polygons(result.values);
 }
 

@@ -74,7 +74,7 @@ Polygons refined_with(const Scheme& scheme, const Polygons& control, const PeerT
                       int levels) {
   const Mesh mesh = Mesh::build(control).value();
   const auto fine =
-      refine(scheme, mesh, control.positions, levels, {}, sharpness_of(mesh, tags)).value();
+      refine::refine(scheme, mesh, control.positions, levels, {}, sharpness_of(mesh, tags)).value();
   return without(fine.mesh.polygons(fine.values), fine.sharpness.holes);
 }
 
@@ -185,9 +185,10 @@ TEST_P(Sharp, LimitsOfInfiniteCreasesAndCorners) {
     const Scheme scheme =
         find_scheme(GetParam() == Method::loop ? "loop" : "catmull-clark").value();
     const auto fine =
-        refine(scheme, mesh, control.polygons.positions, 2, {}, sharpness_of(mesh, tags)).value();
+        refine::refine(scheme, mesh, control.polygons.positions, 2, {}, sharpness_of(mesh, tags))
+            .value();
     const LimitPoints limit =
-        approx_limit_points(scheme, fine.mesh, fine.values, fine.sharpness).value();
+        limit::approx_limit_points(scheme, fine.mesh, fine.values, fine.sharpness).value();
     EXPECT_EQ(difference(fine.mesh.polygons(limit.positions), peer->polygons(), 1e-11), "")
         << control.name;
   }
@@ -212,12 +213,12 @@ TEST_P(Sharp, LimitsOfWhatFades) {
       const Polygons theirs = peer->polygons();
       const Scheme scheme =
           find_scheme(GetParam() == Method::loop ? "loop" : "catmull-clark").value();
-      const auto fine = refine(scheme, mesh, control.polygons.positions, sharp_levels, {},
-                               sharpness_of(mesh, tags))
+      const auto fine = refine::refine(scheme, mesh, control.polygons.positions, sharp_levels, {},
+                                       sharpness_of(mesh, tags))
                             .value();
       fading += fine.sharpness.fades() ? 1 : 0;
-      const SharpLimitPoints limit =
-          approx_limit_points(scheme, fine.mesh, fine.values, fine.sharpness).value();
+      const limit::SharpLimitPoints limit =
+          limit::approx_limit_points(scheme, fine.mesh, fine.values, fine.sharpness).value();
       // each of ours is one of theirs: the child of its child
       double most = 0;
       for (const Point3& ours : limit.positions) {
@@ -286,7 +287,7 @@ TEST(SmoothTriangles, HaveTheLimitsOfOpenSubdiv) {
     peer->want_limit();
     peer->refine(1);
     ASSERT_TRUE(peer->move_to_limit(0));
-    const auto fine = refine(smooth, mesh, control.polygons.positions, 1).value();
+    const auto fine = refine::refine(smooth, mesh, control.polygons.positions, 1).value();
     const LimitPoints limit = approx_limit_points(smooth, fine.mesh, fine.values).value();
     EXPECT_EQ(difference(fine.mesh.polygons(limit.positions), peer->polygons(), 1e-12), "")
         << control.name;

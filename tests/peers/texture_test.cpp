@@ -33,7 +33,7 @@ PeerTexture random_texture(const Mesh& mesh, double share, bool merged, unsigned
   std::uniform_real_distribution<double> unit(0, 1);
   std::vector<bool> along(at(mesh.edge_count()));
   for (Index e = 0; e < mesh.edge_count(); ++e) along[at(e)] = unit(random) < share;
-  const CutMesh cut = cut_along(mesh, along);
+  const mesh::CutMesh cut = mesh::cut_along(mesh, along);
   std::vector<Index> point(cut.originals.size());
   PeerTexture texture;
   for (std::size_t v = 0; v < point.size(); ++v) {

@@ -19,10 +19,10 @@ TEST(Correlate, IsTheSumOneByOne) {
     const std::vector<Point3> values = random_points(n, 1);
     std::vector<double> weights;
     for (const Point3& p : random_points(n, 2)) weights.push_back(p.x / n);
-    const std::vector<Point3> sums = correlate(weights, values);
+    const std::vector<Point3> sums = refine::correlate(weights, values);
     for (Index m = 0; m < n; ++m) {
       Point3 sum;
-      for (Index k = 0; k < n; ++k) add_scaled(sum, weights[k], values[(m + k) % n]);
+      for (Index k = 0; k < n; ++k) refine::add_scaled(sum, weights[k], values[(m + k) % n]);
       EXPECT_LT(distance(sums[m], sum), 1e-14) << n << ' ' << m;
     }
   }
@@ -32,10 +32,10 @@ TEST(Correlate, IsTheSumOneByOne) {
 std::vector<Point3> step(const Scheme& scheme, const Mesh& mesh, const std::vector<Point3>& points,
                          const std::vector<Index>* wanted = nullptr) {
   const Births births = scheme.split->apply(mesh, 0).births;
-  RuleTables<double> tables(scheme);
+  refine::RuleTables<double> tables(scheme);
   EXPECT_TRUE(tables.prepare(mesh, births).ok());
-  if (wanted == nullptr) return refine_values(scheme, mesh, births, tables, points);
-  return refine_values_at(scheme, mesh, births, tables, points, *wanted);
+  if (wanted == nullptr) return refine::refine_values(scheme, mesh, births, tables, points);
+  return refine::refine_values_at(scheme, mesh, births, tables, points, *wanted);
 }
 
 class BigRings : public testing::TestWithParam<std::string> {};
@@ -43,8 +43,8 @@ class BigRings : public testing::TestWithParam<std::string> {};
 TEST_P(BigRings, AreTheSumsOneByOne) {
   const Scheme& scheme = shipped(GetParam());
   if (scheme.mask || scheme.factors) GTEST_SKIP() << "no rules off the regular lattice";
-  for (const Index n : {kBigRing - 1, kBigRing, kBigRing + 89}) {
-    const Mesh mesh = split_star(*scheme.split, n, least_star_rings(*scheme.split));
+  for (const Index n : {refine::kBigRing - 1, refine::kBigRing, refine::kBigRing + 89}) {
+    const Mesh mesh = refine::split_star(*scheme.split, n, refine::least_star_rings(*scheme.split));
     const std::vector<Point3> points = random_points(mesh.vertex_count(), 5);
     const std::vector<Point3> quick = step(scheme, mesh, points);
     std::vector<Index> all(quick.size());
@@ -61,7 +61,7 @@ INSTANTIATE_TEST_SUITE_P(Schemes, BigRings, testing::ValuesIn(shipped_schemes())
 /// Two poles with big rings, whose edges meet in vertices that have small ones.
 TEST(BigRingsOf, TwoPolesAreTheSumsOneByOne) {
   const Scheme& scheme = shipped("butterfly-modified");
-  const Index n = kBigRing + 3;
+  const Index n = refine::kBigRing + 3;
   Faces faces;
   for (Index i = 0; i < n; ++i) {
     faces.push_back({0, 2 + i, 2 + (i + 1) % n});
@@ -80,7 +80,8 @@ TEST(BigRingsOf, TwoPolesAreTheSumsOneByOne) {
 TEST(BigRingsOf, AreTheSameBitsOnAnyThreadsAndTakeNoSquareOfTheirSize) {
   for (const char* name : {"butterfly-modified", "doo-sabin"}) {
     const Scheme& scheme = shipped(name);
-    const Mesh mesh = split_star(*scheme.split, 100000, least_star_rings(*scheme.split));
+    const Mesh mesh =
+        refine::split_star(*scheme.split, 100000, refine::least_star_rings(*scheme.split));
     const std::vector<Point3> points = random_points(mesh.vertex_count(), 7);
     const std::vector<Point3> many = step(scheme, mesh, points);
     set_thread_limit(1);

@@ -19,7 +19,7 @@ inline std::size_t at(Index i) { return static_cast<std::size_t>(i); }
 inline Sharpness one_infinite_vertex() { return {{}, {kInfinitelySharp}, {}, {}}; }
 
 inline bool takes_creases(const Scheme& scheme) {
-  return check_takes_sharpness(scheme, one_infinite_vertex()).ok();
+  return refine::check_takes_sharpness(scheme, one_infinite_vertex()).ok();
 }
 
 inline std::vector<std::string> schemes_that_take_creases() {

@@ -10,8 +10,8 @@ inline std::vector<Mesh> bodies() {
   return {tetrahedron(),
           cube(),
           icosahedron(),
-          torus(Lattice::quad, 3, 4),
-          torus(Lattice::triangle, 3, 4),
+          mesh::torus(Lattice::quad, 3, 4),
+          mesh::torus(Lattice::triangle, 3, 4),
           pillow(3),
           pillow(5)};
 }
@@ -22,12 +22,12 @@ inline std::vector<Mesh> open_meshes() {
                            must_build(7, {{0, 1, 2, 3}, {4, 5, 6}})};
   for (const Lattice lattice : {Lattice::triangle, Lattice::quad}) {
     for (const Index n : {3, 4, 5, 9}) {
-      meshes.push_back(star(lattice, n, 1));
-      meshes.push_back(star(lattice, n, 2));
-      meshes.push_back(fan(lattice, n - 2, 2));
-      meshes.push_back(face_star(n, 2));
+      meshes.push_back(mesh::star(lattice, n, 1));
+      meshes.push_back(mesh::star(lattice, n, 2));
+      meshes.push_back(mesh::fan(lattice, n - 2, 2));
+      meshes.push_back(mesh::face_star(n, 2));
     }
-    meshes.push_back(tree(lattice, 2));
+    meshes.push_back(mesh::tree(lattice, 2));
   }
   return meshes;
 }

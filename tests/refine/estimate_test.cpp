@@ -12,7 +12,7 @@ constexpr double kNoLimit = std::numeric_limits<double>::infinity();
 
 Mesh control_mesh(const Scheme& scheme) {
   // an open disc: boundaries must be counted too
-  return scheme.split->is_dual() ? face_star(5, 3) : star(scheme.split->lattice, 5, 3);
+  return scheme.split->is_dual() ? mesh::face_star(5, 3) : mesh::star(scheme.split->lattice, 5, 3);
 }
 
 TEST(RefineEstimate, BoundsTheCountsAndIsNearThem) {
@@ -23,7 +23,7 @@ TEST(RefineEstimate, BoundsTheCountsAndIsNearThem) {
     for (int levels = 0; levels <= 4; ++levels) {
       const RefineEstimate estimate =
           estimate_refinement(*scheme.split, mesh, levels, sizeof(Point3));
-      const auto fine = refine(
+      const auto fine = refine::refine(
           scheme, mesh, std::vector<Point3>(static_cast<std::size_t>(mesh.vertex_count())), levels);
       ASSERT_TRUE(fine.ok()) << fine.error().text();
       const double vertices = fine->mesh.vertex_count();
@@ -36,7 +36,7 @@ TEST(RefineEstimate, BoundsTheCountsAndIsNearThem) {
 
 TEST(RefineEstimate, IsExactForClosedMeshesOfADyadicSplit) {
   const Scheme scheme = find_scheme("loop").value();
-  const Mesh mesh = torus(Lattice::triangle, 5, 4);
+  const Mesh mesh = mesh::torus(Lattice::triangle, 5, 4);
   const RefineEstimate estimate = estimate_refinement(*scheme.split, mesh, 3, sizeof(Point3));
   EXPECT_EQ(estimate.vertices, 20 * 64);
   EXPECT_EQ(estimate.faces, 40 * 64);
@@ -44,7 +44,7 @@ TEST(RefineEstimate, IsExactForClosedMeshesOfADyadicSplit) {
 
 TEST(CheckRefinable, NamesTheEstimateWhereMemoryIsShort) {
   const Scheme scheme = find_scheme("loop").value();
-  const Mesh mesh = torus(Lattice::triangle, 5, 4);
+  const Mesh mesh = mesh::torus(Lattice::triangle, 5, 4);
   EXPECT_TRUE(check_refinable(scheme, mesh, 3, sizeof(Point3), kNoLimit).ok());
   const Status status = check_refinable(scheme, mesh, 8, sizeof(Point3), 1e6);
   ASSERT_FALSE(status.ok());
@@ -60,17 +60,17 @@ TEST(CheckRefinable, NamesWhatTheSplitDoesNotTake) {
   };
   Scheme quads = find_scheme("catmull-clark").value();
   quads.split = find_split("quad-ternary");
-  EXPECT_EQ(message(quads, torus(Lattice::quad, 5, 4)), "");
-  EXPECT_NE(message(quads, torus(Lattice::triangle, 5, 4)).find("refines quads"),
+  EXPECT_EQ(message(quads, mesh::torus(Lattice::quad, 5, 4)), "");
+  EXPECT_NE(message(quads, mesh::torus(Lattice::triangle, 5, 4)).find("refines quads"),
             std::string::npos);
   const Scheme triangles = find_scheme("loop-ternary").value();
-  EXPECT_NE(message(triangles, torus(Lattice::quad, 5, 4)).find("refines triangles"),
+  EXPECT_NE(message(triangles, mesh::torus(Lattice::quad, 5, 4)).find("refines triangles"),
             std::string::npos);
 }
 
 TEST(CheckRefinable, RefusesMoreHalfedgesThanAnIndexHolds) {
   const Scheme scheme = find_scheme("catmull-clark").value();
-  const Mesh mesh = torus(Lattice::quad, 5, 4);
+  const Mesh mesh = mesh::torus(Lattice::quad, 5, 4);
   EXPECT_TRUE(check_refinable(scheme, mesh, 12, sizeof(Point3), kNoLimit).ok());
   const Status status = check_refinable(scheme, mesh, 13, sizeof(Point3), kNoLimit);
   ASSERT_FALSE(status.ok());
@@ -80,7 +80,7 @@ TEST(CheckRefinable, RefusesMoreHalfedgesThanAnIndexHolds) {
 TEST(CheckRefinable, ATriangleSchemeNamesThePolygonAndTheRemedy) {
   const Scheme scheme = find_scheme("loop").value();
   const Status status =
-      check_refinable(scheme, torus(Lattice::quad, 3, 3), 1, sizeof(Point3), kNoLimit);
+      check_refinable(scheme, mesh::torus(Lattice::quad, 3, 3), 1, sizeof(Point3), kNoLimit);
   ASSERT_FALSE(status.ok());
   EXPECT_NE(status.error().message.find("face 0 has 4 corners"), std::string::npos);
   EXPECT_NE(status.error().hint.find("--triangulate"), std::string::npos);

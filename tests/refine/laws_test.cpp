@@ -22,8 +22,8 @@ bool is_mask_only(const Scheme& scheme) { return scheme.name.starts_with("box-sp
 
 Mesh control_mesh(const Scheme& scheme, unsigned seed) {
   if (is_mask_only(scheme))
-    return torus(scheme.split->lattice, 3 + static_cast<Index>(seed % 5),
-                 3 + static_cast<Index>(seed / 5 % 5));
+    return mesh::torus(scheme.split->lattice, 3 + static_cast<Index>(seed % 5),
+                       3 + static_cast<Index>(seed / 5 % 5));
   for (;; ++seed) {
     Mesh mesh = random_control(*scheme.split, seed);
     if (!has_inner_vertex_of_valence_two(mesh)) return mesh;
@@ -36,24 +36,24 @@ class Refiner {
   explicit Refiner(const Scheme& scheme) : scheme_(scheme), tables_(scheme) {}
 
   template <class Value>
-  Refined<Value> step(const Mesh& mesh, const std::vector<Value>& values, int step) {
+  refine::Refined<Value> step(const Mesh& mesh, const std::vector<Value>& values, int step) {
     SplitResult split = scheme_.split->apply(mesh, step);
     const Status status = tables_.prepare(mesh, split.births);
     if (!status) throw std::runtime_error(status.error().text());
-    std::vector<Value> fresh = refine_values(scheme_, mesh, split.births, tables_, values);
+    std::vector<Value> fresh = refine::refine_values(scheme_, mesh, split.births, tables_, values);
     return {std::move(split.mesh), std::move(fresh)};
   }
 
   /// Two steps: sqrt3 refines the boundary in the second.
   template <class Value>
   std::vector<Value> twice(const Mesh& mesh, const std::vector<Value>& values) {
-    const Refined<Value> once = step(mesh, values, 0);
+    const refine::Refined<Value> once = step(mesh, values, 0);
     return step(once.mesh, once.values, 1).values;
   }
 
  private:
   const Scheme& scheme_;
-  RuleTables<double> tables_;
+  refine::RuleTables<double> tables_;
 };
 
 class Laws : public ::testing::TestWithParam<std::string> {
@@ -101,7 +101,8 @@ bool same_set(const std::vector<Point3>& a, const std::vector<Point3>& b) {
 }
 
 /// The same mesh with other numbers, other first corners and another order of faces.
-Refined<Point3> renumbered(const Mesh& mesh, const std::vector<Point3>& points, unsigned seed) {
+refine::Refined<Point3> renumbered(const Mesh& mesh, const std::vector<Point3>& points,
+                                   unsigned seed) {
   std::mt19937 random(seed);
   std::vector<Index> name(points.size());
   std::iota(name.begin(), name.end(), 0);
@@ -131,7 +132,7 @@ TEST_P(Laws, NumbersFirstCornersAndOrientationDoNotMatter) {
     const Mesh mesh = control_mesh(scheme(), seed);
     const std::vector<Point3> points = random_points(mesh.vertex_count(), seed);
     const std::vector<Point3> fine = refiner.twice(mesh, points);
-    const Refined<Point3> other = renumbered(mesh, points, seed);
+    const refine::Refined<Point3> other = renumbered(mesh, points, seed);
     RC_ASSERT(same_set(fine, refiner.twice(other.mesh, other.values)));
     RC_ASSERT(same_set(fine, refiner.twice(mirrored(mesh), points)));
   }));
@@ -150,7 +151,8 @@ TEST_P(Laws, PositionsComplexNumbersAndLinearFormsRefineAlike) {
     for (const int step : {0, 1}) {
       const auto fine = refiner.step(mesh, points, step).values;
       const auto waves = refiner.step(mesh, numbers, step).values;
-      const auto forms = refiner.step(mesh, unit_forms<double>(mesh.vertex_count()), step).values;
+      const auto forms =
+          refiner.step(mesh, refine::unit_forms<double>(mesh.vertex_count()), step).values;
       RC_ASSERT(forms.size() == fine.size());
       for (std::size_t i = 0; i < fine.size(); ++i) {
         Point3 sum;
@@ -254,7 +256,7 @@ std::vector<Point3> lattice_places(const Mesh& mesh, const Births& births,
 
 TEST_P(Laws, LinearFunctionsStayThemselvesOnTheLattice) {
   constexpr Index kSide = 12, kMargin = 4;
-  const Mesh mesh = torus(scheme().split->lattice, kSide, kSide);
+  const Mesh mesh = mesh::torus(scheme().split->lattice, kSide, kSide);
   std::vector<Point3> at;  // lifted to the plane: wrong only across the seam
   for (Index j = 0; j < kSide; ++j)
     for (Index i = 0; i < kSide; ++i) at.push_back({1.0 * i, 1.0 * j, 3.0 * i - 2.0 * j + 1});
@@ -278,8 +280,8 @@ TEST_P(Laws, LinearFunctionsStayThemselvesOnTheLattice) {
 // --- threads, and the driver ----------------------------------------------------------------
 
 TEST_P(Laws, ThreadsDoNotChangeABit) {
-  const Mesh mesh = is_mask_only(scheme()) ? torus(scheme().split->lattice, 40, 41)
-                                           : star(scheme().split->lattice, 7, 20);
+  const Mesh mesh = is_mask_only(scheme()) ? mesh::torus(scheme().split->lattice, 40, 41)
+                                           : mesh::star(scheme().split->lattice, 7, 20);
   const std::vector<Point3> points = random_points(mesh.vertex_count(), 3);
   set_thread_limit(1);
   Refiner refiner(scheme());
@@ -295,17 +297,17 @@ TEST_P(Laws, RefineMakesTheStepsInTurn) {
   const Mesh mesh = control_mesh(scheme(), 5);
   const std::vector<Point3> points = random_points(mesh.vertex_count(), 5);
   std::vector<int> steps;
-  const auto fine =
-      refine<Point3>(scheme(), mesh, points, 2, [&](int done, int levels, const Mesh& made) {
-        EXPECT_EQ(levels, 2);
-        EXPECT_GT(made.vertex_count(), 0);
-        steps.push_back(done);
-      });
+  const auto fine = refine::refine<Point3>(scheme(), mesh, points, 2,
+                                           [&](int done, int levels, const Mesh& made) {
+                                             EXPECT_EQ(levels, 2);
+                                             EXPECT_GT(made.vertex_count(), 0);
+                                             steps.push_back(done);
+                                           });
   ASSERT_TRUE(fine.ok()) << fine.error().text();
   EXPECT_EQ(fine->values, Refiner(scheme()).twice(mesh, points));
   EXPECT_EQ(fine->mesh.vertex_count(), static_cast<Index>(fine->values.size()));
   EXPECT_EQ(steps, (std::vector<int>{1, 2}));
-  const auto same = refine<Point3>(scheme(), mesh, points, 0);
+  const auto same = refine::refine<Point3>(scheme(), mesh, points, 0);
   ASSERT_TRUE(same.ok());
   EXPECT_EQ(same->values, points);
 }

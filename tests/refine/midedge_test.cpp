@@ -21,7 +21,7 @@ TEST(MidEdgeScheme, TwoStepsTakeEachCornerToTheMiddleOfItsMiddles) {
     const Mesh mesh = RandomMesh(seed).polygons();
     RC_PRE(!has_inner_vertex_of_valence_two(mesh));
     const std::vector<Point3> points = random_points(mesh.vertex_count(), seed);
-    const auto fine = refine(shipped("midedge"), mesh, points, 2);
+    const auto fine = refine::refine(shipped("midedge"), mesh, points, 2);
     RC_ASSERT(fine.ok());
     RC_ASSERT(fine->mesh.check() == "");
     for (Index h = 0; h < mesh.halfedge_count(); ++h) {
@@ -45,7 +45,7 @@ TEST(MidEdgeScheme, RecedesByLessThanHalfAFace) {
     }
   const Mesh mesh = must_build(static_cast<Index>(points.size()), faces);
   for (const int levels : {2, 4, 6}) {
-    const auto fine = refine(shipped("midedge"), mesh, points, levels).value();
+    const auto fine = refine::refine(shipped("midedge"), mesh, points, levels).value();
     double least = kSide, most = 0;
     for (const Point3& p : fine.values) {
       least = std::min(least, p.x);

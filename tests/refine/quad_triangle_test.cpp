@@ -25,7 +25,7 @@ void expect_near(const std::vector<Point3>& a, const std::vector<Point3>& b) {
 
 std::vector<Point3> step(const Scheme& scheme, const Mesh& mesh,
                          const std::vector<Point3>& points) {
-  const auto fine = refine<Point3>(scheme, mesh, points, 1);
+  const auto fine = refine::refine<Point3>(scheme, mesh, points, 1);
   EXPECT_TRUE(fine.ok()) << fine.error().text();
   return fine ? fine->values : std::vector<Point3>();
 }
@@ -34,7 +34,7 @@ std::vector<Point3> step(const Scheme& scheme, const Mesh& mesh,
 void expect_as_reference(const Mesh& control, int levels, unsigned seed) {
   const Scheme& scheme = shipped(kName);
   const std::vector<Point3> points = random_points(control.vertex_count(), seed);
-  const auto fine = refine<Point3>(scheme, control, points, levels);
+  const auto fine = refine::refine<Point3>(scheme, control, points, levels);
   ASSERT_TRUE(fine.ok()) << fine.error().text();
   for (double Point3::*which : {&Point3::x, &Point3::y, &Point3::z}) {
     std::vector<double> values;
@@ -76,7 +76,8 @@ TEST(QuadTriangle, HasTheMasksOfLoopsAndCatmullAndClarksSchemes) {
 }
 
 TEST(QuadTriangle, IsLoopsOrCatmullAndClarksWhereAllIsRegular) {
-  const Mesh triangles = torus(Lattice::triangle, 5, 4), quads = torus(Lattice::quad, 5, 4);
+  const Mesh triangles = mesh::torus(Lattice::triangle, 5, 4),
+             quads = mesh::torus(Lattice::quad, 5, 4);
   const std::vector<Point3> points = random_points(triangles.vertex_count(), 3);
   expect_near(step(shipped(kName), triangles, points), step(shipped("loop"), triangles, points));
   expect_near(step(shipped(kName), quads, points), step(shipped("catmull-clark"), quads, points));
@@ -88,8 +89,8 @@ TEST(QuadTriangle, IsWhatItIsOnEitherLattice) {
     for (const auto& [end, mesh] : {std::pair{"-on-triangles", RandomMesh(seed).triangles()},
                                     {"-on-quads", random_quads(seed)}}) {
       const std::vector<Point3> points = random_points(mesh.vertex_count(), seed);
-      const auto one = refine<Point3>(shipped(kName), mesh, points, 2);
-      const auto other = refine<Point3>(shipped(kName + end), mesh, points, 2);
+      const auto one = refine::refine<Point3>(shipped(kName), mesh, points, 2);
+      const auto other = refine::refine<Point3>(shipped(kName + end), mesh, points, 2);
       ASSERT_TRUE(one.ok() && other.ok());
       EXPECT_EQ(one->values, other->values) << seed << end;
       EXPECT_EQ(snapshot(one->mesh), snapshot(other->mesh)) << seed << end;
@@ -103,13 +104,13 @@ TEST(QuadTriangle, GivesSomeVerticesAsItGivesAll) {
   for (unsigned seed = 0; seed < 12; ++seed) {
     const Mesh mesh = RandomMesh(seed).mixed();
     const Births births = scheme.split->apply(mesh, 0).births;
-    RuleTables<double> tables(scheme);
+    refine::RuleTables<double> tables(scheme);
     ASSERT_TRUE(tables.prepare(mesh, births).ok());
     const std::vector<Point3> points = random_points(mesh.vertex_count(), seed);
-    const std::vector<Point3> all = refine_values(scheme, mesh, births, tables, points);
+    const std::vector<Point3> all = refine::refine_values(scheme, mesh, births, tables, points);
     for (std::size_t i = 0; i < all.size(); i += 5) {
-      const auto some = refine_values_at(scheme, mesh, births, tables, points,
-                                         {static_cast<Index>(i), 0, static_cast<Index>(i)});
+      const auto some = refine::refine_values_at(scheme, mesh, births, tables, points,
+                                                 {static_cast<Index>(i), 0, static_cast<Index>(i)});
       EXPECT_EQ(some, (std::vector<Point3>{all[i], all[0], all[i]})) << seed << ' ' << i;
     }
   }
@@ -123,9 +124,9 @@ TEST(QuadTriangle, IsLoopsOrCatmullAndClarksWithTheirOwnWeights) {
     for (const auto& [name, mesh] :
          {std::pair{"loop", RandomMesh(seed).triangles()}, {"catmull-clark", random_quads(seed)}}) {
       const std::vector<Point3> points = random_points(mesh.vertex_count(), seed);
-      const auto theirs = refine<Point3>(shipped(name), mesh, points, 2);
+      const auto theirs = refine::refine<Point3>(shipped(name), mesh, points, 2);
       if (!theirs) continue;  // it has no rule at valence 2
-      const auto ours = refine<Point3>(own, mesh, points, 2);
+      const auto ours = refine::refine<Point3>(own, mesh, points, 2);
       ASSERT_TRUE(ours.ok()) << ours.error().text();
       expect_near(ours->values, theirs->values);
     }
@@ -139,7 +140,7 @@ TEST(QuadTriangle, MaySmoothTwice) {
   const auto mask = [](const Scheme& scheme) { return regular_mask(scheme)->coefficients; };
   Scheme spline = shipped("b-spline-quad");
   ASSERT_TRUE(set_parameter(spline, "degree=5").ok());
-  EXPECT_EQ(mask(lattice_schemes(twice)[1]), mask(spline));
+  EXPECT_EQ(mask(scheme::lattice_schemes(twice)[1]), mask(spline));
   const Mesh mesh = RandomMesh(7).mixed();
   const std::vector<Point3> ones(static_cast<std::size_t>(mesh.vertex_count()), {1, 1, 1});
   for (const Point3& p : step(twice, mesh, ones)) EXPECT_LT(distance(p, {1, 1, 1}), 1e-14);
@@ -152,7 +153,8 @@ TEST(QuadTriangle, IsRefusedWhereOneLatticeIsAskedFor) {
 }
 
 TEST(QuadTriangle, TakesNoSharpness) {
-  const Status sharp = check_takes_sharpness(shipped(kName), {{}, {kInfinitelySharp}, {}, {}});
+  const Status sharp =
+      refine::check_takes_sharpness(shipped(kName), {{}, {kInfinitelySharp}, {}, {}});
   ASSERT_FALSE(sharp.ok());
   EXPECT_NE(sharp.error().message.find("sequence of averagings"), std::string::npos);
 }

@@ -13,16 +13,16 @@ namespace {
 TEST(LinearStep, PutsNewVerticesWhereTheyLieOnTheLattice) {
   constexpr Index n = 6;
   for (const Split& split : splits()) {
-    const Mesh mesh = torus(split.lattice, n, n);
+    const Mesh mesh = mesh::torus(split.lattice, n, n);
     const SplitResult fine = split.apply(mesh, 0);
-    Column places;
+    refine::Column places;
     for (Index v = 0; v < mesh.vertex_count(); ++v)
       places.push_back({12.0 * (v % n), 12.0 * (v / n), 0});  // NOLINT(bugprone-integer-division)
-    const Column values = linear_step(split, mesh, fine.births, places);
+    const refine::Column values = refine::linear_step(split, mesh, fine.births, places);
     ASSERT_EQ(values.size(), static_cast<std::size_t>(fine.mesh.vertex_count()));
     Index compared = 0;
     for (Index v = 0; v < fine.mesh.vertex_count(); ++v) {
-      const Twelfths place = torus_birth_place(mesh, n, n, fine.births, v);
+      const mesh::Twelfths place = mesh::torus_birth_place(mesh, n, n, fine.births, v);
       // across the cut of the torus
       if (std::max(place[0], place[1]) > 12 * (n - 1) || std::min(place[0], place[1]) < 0) continue;
       const Point3 value = values[static_cast<std::size_t>(v)];
@@ -42,18 +42,19 @@ TEST(RefineColumns, GivesWhatRefineGivesOfEachColumn) {
       const Mesh mesh =
           scheme.split->lattice == Lattice::triangle ? random.triangles() : random.polygons();
       std::mt19937 numbers(seed);
-      Columns columns;
+      refine::Columns columns;
       for (int k = 0; k < 2; ++k) {
-        Column column(static_cast<std::size_t>(mesh.vertex_count()));
+        refine::Column column(static_cast<std::size_t>(mesh.vertex_count()));
         for (double& x : numbers_of(column)) x = numbers() * 1e-9;
         columns.smooth.push_back(column);
       }
       Sharpness sharpness;
       if (!scheme.split->is_dual() && !scheme.split->births.thirds)
         sharpness.vertices.assign(static_cast<std::size_t>(mesh.vertex_count()), 10);
-      const auto all = refine_columns(scheme, mesh, columns, sharpness, 2, {.parents = true});
+      const auto all =
+          refine::refine_columns(scheme, mesh, columns, sharpness, 2, {.parents = true});
       for (std::size_t k = 0; k < 2; ++k) {
-        const auto one = refine(scheme, mesh, columns.smooth[k], 2, {}, sharpness);
+        const auto one = refine::refine(scheme, mesh, columns.smooth[k], 2, {}, sharpness);
         ASSERT_EQ(all.ok(), one.ok()) << name << ", seed " << seed;
         if (!one) continue;
         EXPECT_EQ(all->columns.smooth[k], one->values) << name << ", seed " << seed;

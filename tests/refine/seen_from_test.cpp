@@ -21,12 +21,14 @@ namespace {
 constexpr double kPi = std::numbers::pi;
 
 /// The weights of each new vertex over the old ones.
-std::vector<LinearForm<double>> forms(const Scheme& scheme, const Mesh& mesh, const Births& births,
-                                      Boundary boundary = Boundary::refined) {
-  RuleTables<double> tables(scheme, boundary);
+std::vector<refine::LinearForm<double>> forms(
+    const Scheme& scheme, const Mesh& mesh, const Births& births,
+    refine::Boundary boundary = refine::Boundary::refined) {
+  refine::RuleTables<double> tables(scheme, boundary);
   const Status ready = tables.prepare(mesh, births);
   EXPECT_TRUE(ready.ok()) << (ready ? "" : ready.error().text());
-  return refine_values(scheme, mesh, births, tables, unit_forms<double>(mesh.vertex_count()));
+  return refine::refine_values(scheme, mesh, births, tables,
+                               refine::unit_forms<double>(mesh.vertex_count()));
 }
 
 // --- faces ----------------------------------------------------------------------------------
@@ -87,9 +89,9 @@ diagonal = "4^k"
 next = "1000"
 opposite = "5000"
 )toml");
-  const Mesh mesh = star(Lattice::quad, 5, 2);
+  const Mesh mesh = mesh::star(Lattice::quad, 5, 2);
   const SplitResult split = scheme.split->apply(mesh, 0);
-  const auto fresh = forms(scheme, mesh, split.births, Boundary::left_out);
+  const auto fresh = forms(scheme, mesh, split.births, refine::Boundary::left_out);
   // vertices of ring 1: 1 + 2j a neighbour, 2 + 2j the corner opposite 0 in face j
   const auto neighbour = [](Index j) { return 1 + 2 * ((j + 5) % 5); };
   const auto opposite = [](Index j) { return 2 + 2 * ((j + 5) % 5); };
@@ -146,13 +148,13 @@ TEST(FaceEnd, HasTheBlocksOfItsMatrix) {
 
 TEST(FaceEnd, HasLimitsThatRefinementGoesTo) {
   const Scheme scheme = must_parse(kEverywhere);
-  for (const Mesh& mesh : {cube(), star(Lattice::quad, 5, 2), face_star(6, 2)}) {
+  for (const Mesh& mesh : {cube(), mesh::star(Lattice::quad, 5, 2), mesh::face_star(6, 2)}) {
     std::vector<Point3> points(static_cast<std::size_t>(mesh.vertex_count()));
     for (std::size_t i = 0; i < points.size(); ++i)
       points[i] = {std::cos(3. * static_cast<double>(i)), static_cast<double>(i % 5), 0.1};
     const auto limits = approx_limit_points(scheme, mesh, points);
     ASSERT_TRUE(limits.ok()) << limits.error().text();
-    const auto fine = refine(scheme, mesh, points, 5);
+    const auto fine = refine::refine(scheme, mesh, points, 5);
     ASSERT_TRUE(fine.ok());
     const auto finer = approx_limit_points(scheme, fine->mesh, fine->values);
     ASSERT_TRUE(finer.ok()) << finer.error().text();
@@ -166,12 +168,12 @@ TEST(FaceEnd, HasLimitsThatRefinementGoesTo) {
 /// A vertex with very many faces: its sums are made by Fourier transforms, as if one by one.
 TEST(FaceEnd, IsQuickRoundManyFaces) {
   const Scheme scheme = must_parse(kEverywhere);
-  const Mesh mesh = star(Lattice::quad, 600, 1);
+  const Mesh mesh = mesh::star(Lattice::quad, 600, 1);
   const std::vector<double> x = random_values(mesh);
   std::vector<Point3> points;
   for (const double value : x) points.push_back({value, 1 - value, 2 * value});
-  const auto quick = refine(scheme, mesh, points, 1);
-  const auto plain = refine<double>(scheme, mesh, x, 1);
+  const auto quick = refine::refine(scheme, mesh, points, 1);
+  const auto plain = refine::refine<double>(scheme, mesh, x, 1);
   ASSERT_TRUE(quick.ok() && plain.ok());
   for (std::size_t i = 0; i < plain->values.size(); ++i)
     ASSERT_NEAR(quick->values[i].x, plain->values[i], 1e-12) << i;
@@ -269,7 +271,7 @@ near = 1
 near = "1 - 1/n"
 far = "1/n"
 )toml");
-  const Mesh mesh = fan(Lattice::triangle, 3, 2);
+  const Mesh mesh = mesh::fan(Lattice::triangle, 3, 2);
   const SplitResult split = scheme.split->apply(mesh, 1);
   const auto fresh = forms(scheme, mesh, split.births);
   for (std::size_t i = 0; i < split.births.edge_ends.size(); ++i) {

@@ -63,13 +63,14 @@ TEST_P(Creases, AreBoundariesOfTheMeshCutThere) {
     std::vector<Shape> cut, joined;
     bool refined = true;  // some schemes have no rule for some boundaries
     for (const bool which : {false, true}) {
-      const auto part = refine(scheme(), parts[which ? 1 : 0].value(),
-                               part_of(whole, inside, which).positions, levels);
+      const auto part = refine::refine(scheme(), parts[which ? 1 : 0].value(),
+                                       part_of(whole, inside, which).positions, levels);
       refined = refined && part.ok();
       if (part) add_shapes(part->mesh.polygons(part->values), cut);
     }
     if (!refined) continue;
-    const auto ours = refine(scheme(), mesh, whole.positions, levels, {}, rim_of(mesh, inside));
+    const auto ours =
+        refine::refine(scheme(), mesh, whole.positions, levels, {}, rim_of(mesh, inside));
     ASSERT_TRUE(ours.ok()) << ours.error().text();
     EXPECT_EQ(ours->mesh.check(), "");
     add_shapes(ours->mesh.polygons(ours->values), joined);
@@ -85,12 +86,12 @@ TEST_P(Creases, OfIntegerSharpnessAreThatManyInfiniteStepsAndThenSmoothOnes) {
     const Mesh mesh = control_mesh(scheme(), seed);
     const std::vector<Point3> points = random_points(mesh.vertex_count(), seed);
     const Sharpness sharpness = random_sharpness(mesh, seed, 0.4, true);
-    const auto faded = refine(scheme(), mesh, points, 3, {}, made_equal(sharpness, 2));
-    const auto sharp = refine(scheme(), mesh, points, 2, {}, made_equal(sharpness, 10));
+    const auto faded = refine::refine(scheme(), mesh, points, 3, {}, made_equal(sharpness, 2));
+    const auto sharp = refine::refine(scheme(), mesh, points, 2, {}, made_equal(sharpness, 10));
     if (!sharp) continue;  // no rule for some boundary
     ++compared;
     ASSERT_TRUE(faded.ok()) << faded.error().text();
-    const auto smooth = refine(scheme(), sharp->mesh, sharp->values, 1).value();
+    const auto smooth = refine::refine(scheme(), sharp->mesh, sharp->values, 1).value();
     EXPECT_FALSE(faded->sharpness.any());
     ASSERT_EQ(faded->values.size(), smooth.values.size());
     for (std::size_t v = 0; v < smooth.values.size(); ++v)
@@ -119,10 +120,11 @@ TEST_P(Creases, OfOneFractionAreThatPartOfACreaseAndTheRestSmooth) {
     const Mesh mesh = control_mesh(scheme(), seed);
     const std::vector<Point3> points = random_points(mesh.vertex_count(), seed);
     const Sharpness sharpness = random_sharpness(mesh, seed, 0.4, true);
-    const auto sharp = refine(scheme(), mesh, points, 1, {}, made_equal(sharpness, 10));
-    const auto smooth = refine(scheme(), mesh, points, 1);
+    const auto sharp = refine::refine(scheme(), mesh, points, 1, {}, made_equal(sharpness, 10));
+    const auto smooth = refine::refine(scheme(), mesh, points, 1);
     if (!sharp || !smooth) continue;  // no rule for some boundary
-    const auto both = refine(scheme(), mesh, points, 1, {}, made_equal(sharpness, 0.3)).value();
+    const auto both =
+        refine::refine(scheme(), mesh, points, 1, {}, made_equal(sharpness, 0.3)).value();
     EXPECT_FALSE(both.sharpness.any());
     for (std::size_t v = 0; v < both.values.size(); ++v)
       ASSERT_LT(distance(both.values[v], 0.3 * sharp->values[v] + 0.7 * smooth->values[v]), 1e-13)
@@ -140,12 +142,13 @@ TEST_P(Creases, WeighTheSameForEveryKindOfValue) {
     Sharpness sharpness = random_sharpness(mesh, seed, 0.4, false);
     if (seed % 2 == 0) sharpness.method = CreaseMethod::chaikin;
     if (scheme().split->boundary_rests()) sharpness = made_equal(sharpness, kInfinitelySharp);
-    std::vector<LinearForm<double>> forms;
-    for (Index v = 0; v < mesh.vertex_count(); ++v) forms.push_back(LinearForm<double>::unit(v));
-    const auto fine = refine(scheme(), mesh, points, 2, {}, sharpness);
+    std::vector<refine::LinearForm<double>> forms;
+    for (Index v = 0; v < mesh.vertex_count(); ++v)
+      forms.push_back(refine::LinearForm<double>::unit(v));
+    const auto fine = refine::refine(scheme(), mesh, points, 2, {}, sharpness);
     if (!fine) continue;  // no rule for some boundary
     ++compared;
-    const auto weights = refine(scheme(), mesh, forms, 2, {}, sharpness).value();
+    const auto weights = refine::refine(scheme(), mesh, forms, 2, {}, sharpness).value();
     ASSERT_EQ(fine->values.size(), weights.values.size());
     for (std::size_t v = 0; v < fine->values.size(); ++v) {
       Point3 sum;
@@ -167,7 +170,7 @@ TEST_P(Creases, CornersRest) {
   const std::vector<Point3> points = random_points(mesh.vertex_count(), seed);
   Sharpness sharpness;
   sharpness.vertices.assign(at(mesh.vertex_count()), kInfinitelySharp);
-  const auto fine = refine(scheme(), mesh, points, 2, {}, sharpness);
+  const auto fine = refine::refine(scheme(), mesh, points, 2, {}, sharpness);
   ASSERT_TRUE(fine.ok()) << fine.error().text();
   for (std::size_t v = 0; v < points.size(); ++v) EXPECT_EQ(fine->values[v], points[v]);
 }
@@ -178,7 +181,7 @@ INSTANTIATE_TEST_SUITE_P(Shipped, Creases, ::testing::ValuesIn(schemes_that_take
 // --- what is refused --------------------------------------------------------------------------
 
 std::string refusal(const std::string& scheme, const Sharpness& sharpness) {
-  const Status status = check_takes_sharpness(shipped(scheme), sharpness);
+  const Status status = refine::check_takes_sharpness(shipped(scheme), sharpness);
   return status ? "" : status.error().message;
 }
 

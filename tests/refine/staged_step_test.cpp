@@ -70,7 +70,7 @@ std::vector<double> coordinate(const std::vector<Point3>& points, double Point3:
 void expect_same(const Mesh& control, int degree, int stam, int levels, unsigned seed) {
   const Scheme scheme = spline_of_degree(degree, std::to_string(stam));
   const std::vector<Point3> points = random_points(control.vertex_count(), seed);
-  const auto fine = refine<Point3>(scheme, control, points, levels);
+  const auto fine = refine::refine<Point3>(scheme, control, points, levels);
   ASSERT_TRUE(fine.ok()) << fine.error().text();
   for (double Point3::*which : {&Point3::x, &Point3::y, &Point3::z}) {
     std::vector<double> values = coordinate(points, which);
@@ -106,8 +106,8 @@ TEST(StagedStep, IsCatmullAndClarksWithStamsWeights) {
   for (unsigned seed = 0; seed < 30; ++seed) {
     const Mesh mesh = random_quads(seed);
     const std::vector<Point3> points = random_points(mesh.vertex_count(), seed);
-    const auto ours = refine<Point3>(scheme, mesh, points, 2);
-    const auto theirs = refine<Point3>(shipped("catmull-clark"), mesh, points, 2);
+    const auto ours = refine::refine<Point3>(scheme, mesh, points, 2);
+    const auto theirs = refine::refine<Point3>(shipped("catmull-clark"), mesh, points, 2);
     if (!theirs) continue;  // it has no rule at valence 2
     ASSERT_TRUE(ours.ok()) << ours.error().text();
     ASSERT_EQ(ours->values.size(), theirs->values.size());
@@ -123,13 +123,14 @@ TEST(StagedStep, GivesSomeVerticesAsItGivesAll) {
       const Mesh mesh = RandomMesh(seed).polygons();
       const Scheme scheme = spline_of_degree(degree);
       const Births births = scheme.split->apply(mesh, 0).births;
-      RuleTables<double> tables(scheme);
+      refine::RuleTables<double> tables(scheme);
       ASSERT_TRUE(tables.prepare(mesh, births).ok());
       const std::vector<Point3> points = random_points(mesh.vertex_count(), seed);
-      const std::vector<Point3> all = refine_values(scheme, mesh, births, tables, points);
+      const std::vector<Point3> all = refine::refine_values(scheme, mesh, births, tables, points);
       for (std::size_t i = 0; i < all.size(); i += 7) {
-        const auto some = refine_values_at(scheme, mesh, births, tables, points,
-                                           {static_cast<Index>(i), 0, static_cast<Index>(i)});
+        const auto some =
+            refine::refine_values_at(scheme, mesh, births, tables, points,
+                                     {static_cast<Index>(i), 0, static_cast<Index>(i)});
         EXPECT_EQ(some, (std::vector<Point3>{all[i], all[0], all[i]})) << degree << ' ' << seed;
       }
     }
@@ -137,10 +138,11 @@ TEST(StagedStep, GivesSomeVerticesAsItGivesAll) {
 
 /// A boundary of odd degree is the uniform B-spline curve of its polygon, whatever is inside.
 TEST(StagedStep, HasSplineCurvesForBoundaries) {
-  const Mesh mesh = fan(Lattice::quad, 3, 3);
+  const Mesh mesh = mesh::fan(Lattice::quad, 3, 3);
   for (const int degree : {3, 5, 7}) {
     const Scheme scheme = spline_of_degree(degree);
-    const auto fine = refine<Point3>(scheme, mesh, random_points(mesh.vertex_count(), 1), 1);
+    const auto fine =
+        refine::refine<Point3>(scheme, mesh, random_points(mesh.vertex_count(), 1), 1);
     ASSERT_TRUE(fine.ok());
     std::vector<Point3> polygon, curve;  // along the boundary
     const auto walk = [](const Mesh& along, const std::vector<Point3>& values,
@@ -194,7 +196,7 @@ TEST(StagedStep, FollowsItsParameter) {
 
 TEST(StagedStep, RefusesWhatNeedsRules) {
   const Scheme scheme = spline_of_degree(3);
-  const Status sharp = check_takes_sharpness(scheme, {{}, {kInfinitelySharp}, {}, {}});
+  const Status sharp = refine::check_takes_sharpness(scheme, {{}, {kInfinitelySharp}, {}, {}});
   ASSERT_FALSE(sharp.ok());
   EXPECT_NE(sharp.error().message.find("sequence of averagings"), std::string::npos);
 }

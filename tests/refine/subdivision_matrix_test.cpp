@@ -19,7 +19,7 @@ constexpr double kPi = std::numbers::pi;
 constexpr double kRounding = 1e-14;
 
 Eigen::MatrixXd matrix_of(const std::string& scheme, int n, int rings) {
-  return dense(subdivision_matrix<double>(shipped(scheme), n, rings).value());
+  return dense(refine::subdivision_matrix<double>(shipped(scheme), n, rings).value());
 }
 
 double cosine(double p, double q) { return std::cos(kPi * p / q); }
@@ -178,10 +178,10 @@ TEST(SubdivisionMatrix, OfDooSabinIsTheLiteratures) {
 
 TEST(SubdivisionMatrix, SaysWhenItsNeighbourhoodIsNotInvariant) {
   const Scheme& butterfly = shipped("butterfly");
-  EXPECT_EQ(invariant_rings(butterfly, 7).value(), 2);
-  EXPECT_FALSE(subdivision_matrix<double>(butterfly, 7, 1).ok());
-  EXPECT_FALSE(invariant_rings(butterfly, 7, 1).ok());
-  EXPECT_EQ(invariant_rings(shipped("loop"), 7).value(), 1);
+  EXPECT_EQ(refine::invariant_rings(butterfly, 7).value(), 2);
+  EXPECT_FALSE(refine::subdivision_matrix<double>(butterfly, 7, 1).ok());
+  EXPECT_FALSE(refine::invariant_rings(butterfly, 7, 1).ok());
+  EXPECT_EQ(refine::invariant_rings(shipped("loop"), 7).value(), 1);
 }
 
 // --- laws of all schemes --------------------------------------------------------------------
@@ -200,8 +200,9 @@ class OfEveryScheme : public ::testing::TestWithParam<std::string> {
 TEST_P(OfEveryScheme, RotationByASectorCommutes) {
   const Scheme& scheme = this->scheme();
   for (const int n : valences()) {
-    for (int rings = invariant_rings(scheme, n).value(); rings <= 3; ++rings) {
-      if (!subdivision_matrix<double>(scheme, n, rings)) continue;  // one ring may be, and two not
+    for (int rings = refine::invariant_rings(scheme, n).value(); rings <= 3; ++rings) {
+      if (!refine::subdivision_matrix<double>(scheme, n, rings))
+        continue;  // one ring may be, and two not
       const Eigen::MatrixXd s = matrix_of(GetParam(), n, rings);
       const std::vector<int> image = rotation(*scheme.split, n, rings);
       ASSERT_EQ(s.rows(), static_cast<int>(image.size()));
@@ -220,15 +221,15 @@ TEST_P(OfEveryScheme, ExactEntriesAreTheDoublesAndSumToOne) {
   for (const int n : valences()) {
     const int rings = analysis_rings(scheme, n);
     const Eigen::MatrixXd s = matrix_of(GetParam(), n, rings);
-    const auto exact = subdivision_matrix<Exact>(scheme, n, rings).value();
+    const auto exact = refine::subdivision_matrix<number::Exact>(scheme, n, rings).value();
     ASSERT_EQ(exact.size, s.rows());
     for (int i = 0; i < exact.size; ++i) {
-      Exact sum;
+      number::Exact sum;
       for (int j = 0; j < exact.size; ++j) {
         sum += exact(i, j);
         EXPECT_NEAR(exact(i, j).approx(), s(i, j), kRounding);
       }
-      EXPECT_TRUE(sum == Exact(1)) << n << ", row " << i;
+      EXPECT_TRUE(sum == number::Exact(1)) << n << ", row " << i;
     }
   }
 }
@@ -236,7 +237,7 @@ TEST_P(OfEveryScheme, ExactEntriesAreTheDoublesAndSumToOne) {
 TEST_P(OfEveryScheme, SmallerNeighbourhoodsAreCornersOfLargerOnes) {
   const Scheme& scheme = this->scheme();
   for (const int n : valences()) {
-    const int rings = invariant_rings(scheme, n).value();
+    const int rings = refine::invariant_rings(scheme, n).value();
     const Eigen::MatrixXd small = matrix_of(GetParam(), n, rings);
     const Eigen::MatrixXd large = matrix_of(GetParam(), n, rings + 2);
     const auto rows = large.topRows(small.rows());

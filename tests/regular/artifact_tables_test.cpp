@@ -168,7 +168,7 @@ double value_of(const std::string& formula, const Mask& mask, Frequency f) {
   EXPECT_TRUE(parsed.ok()) << formula << ": " << parsed.error().text();
   if (!parsed) return std::nan("");
   const Result<double> value =
-      limn::evaluate<double>(*parsed, [&](const std::string& name) -> Result<double> {
+      limn::scheme::evaluate<double>(*parsed, [&](const std::string& name) -> Result<double> {
         const auto found = names.find(name);
         if (found == names.end()) return Error{"no such name: " + name};
         return found->second;
@@ -195,22 +195,25 @@ void expect_formulas(const std::string& name, const Mask& mask,
 TEST(ArtifactFormulas, SayWhatTheComponentsAre) {
   for (const auto& [name, mask] : many_masks()) {
     const ArtifactAnalysis analysis = analysis_of(mask);
-    const Result<std::vector<std::string>> limit = limit_formulas(mask, Notation::text);
+    const Result<std::vector<std::string>> limit =
+        regular::limit_formulas(mask, number::Notation::text);
     ASSERT_TRUE(limit.ok()) << name << ": " << limit.error().text();
     if (name != "random" || limit->back().size() < kLongest)
       expect_formulas(name, mask, *limit, [&](Frequency f) { return analysis.in_limit(f); });
-    expect_formulas(name, mask, step_formulas(mask, Notation::text),
+    expect_formulas(name, mask, regular::step_formulas(mask, number::Notation::text),
                     [&](Frequency f) { return analysis.after_steps(f, 1); });
   }
 }
 
 TEST(ArtifactFormulas, InLatexHaveTheirBracesAndNoStars) {
   for (const auto& [name, mask] : many_masks()) {
-    std::vector<std::string> texts = limit_formulas(mask, Notation::latex).value();
-    for (const std::string& text : step_formulas(mask, Notation::latex)) texts.push_back(text);
-    for (const std::string& text : formula_names(mask, Notation::latex)) texts.push_back(text);
+    std::vector<std::string> texts = regular::limit_formulas(mask, number::Notation::latex).value();
+    for (const std::string& text : regular::step_formulas(mask, number::Notation::latex))
+      texts.push_back(text);
+    for (const std::string& text : regular::formula_names(mask, number::Notation::latex))
+      texts.push_back(text);
     for (int i = 0; i < mask.dilation.growth(); ++i)
-      texts.push_back(component_name(i, Notation::latex));
+      texts.push_back(regular::component_name(i, number::Notation::latex));
     for (const std::string& text : texts) {
       int depth = 0;
       for (const char letter : text) {
@@ -225,10 +228,10 @@ TEST(ArtifactFormulas, InLatexHaveTheirBracesAndNoStars) {
 }
 
 TEST(ArtifactFormulas, NameTheComponentsByGreekLetters) {
-  EXPECT_EQ(component_name(0, Notation::text), "alpha");
-  EXPECT_EQ(component_name(1, Notation::latex), "\\beta");
+  EXPECT_EQ(regular::component_name(0, number::Notation::text), "alpha");
+  EXPECT_EQ(regular::component_name(1, number::Notation::latex), "\\beta");
   std::set<std::string> names;
-  for (int i = 0; i < 9; ++i) names.insert(component_name(i, Notation::text));
+  for (int i = 0; i < 9; ++i) names.insert(regular::component_name(i, number::Notation::text));
   EXPECT_EQ(names.size(), 9U);
 }
 

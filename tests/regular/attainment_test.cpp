@@ -114,7 +114,7 @@ TEST(ExactExponent, IsNotNamedWhereNothingCloses) {
 
 /// Largest differences over h^order of the refined impulse, level by level.
 std::vector<double> measured(const Mask& mask, int order, int levels) {
-  const Laurent a = integer_offsets(mask);
+  const Laurent a = regular::integer_offsets(mask);
   int reach = 0;
   for (const auto& [k, value] : a) reach = std::max({reach, std::abs(k[0]), std::abs(k[1])});
   std::vector<double> values{1};
@@ -131,7 +131,8 @@ std::vector<double> measured(const Mask& mask, int order, int levels) {
           fine[at(2 * x + k[0] + fine_half, 2 * y + k[1] + fine_half, width)] +=
               to_double(value) * values[at(x + half, y + half, 2 * half + 1)];
     double most = 0;
-    for (const Laurent& difference : unit_differences(edge_directions(mask.lattice), order))
+    for (const Laurent& difference :
+         regular::unit_differences(edge_directions(mask.lattice), order))
       for (int x = order; x < width - order; ++x)
         for (int y = order; y < width - order; ++y) {
           double sum = 0;
@@ -168,17 +169,17 @@ TEST(Attainment, LogarithmsAreWhatRefinedDataShow) {
 }
 
 TEST(ExponentText, IsShort) {
-  EXPECT_EQ(exponent_text(Rational(-1, 4), 1, 4), "2");
-  EXPECT_EQ(exponent_text(Rational(1, 8), 2, 4), "3/2");
-  EXPECT_EQ(exponent_text(Rational(49, 576), 2, 4), "log2(24/7)");
-  EXPECT_EQ(exponent_text(Rational(1, 5), 3, 4), "log2(5)/3");
-  EXPECT_EQ(exponent_text(Rational(1, 9), 1, 3), "4");
-  EXPECT_EQ(exponent_text(Rational(1, 7), 1, 3), "2*log3(7)");
-  EXPECT_EQ(exponent_text(Rational(1, 27), 1, 9), "3");
+  EXPECT_EQ(regular::exponent_text(Rational(-1, 4), 1, 4), "2");
+  EXPECT_EQ(regular::exponent_text(Rational(1, 8), 2, 4), "3/2");
+  EXPECT_EQ(regular::exponent_text(Rational(49, 576), 2, 4), "log2(24/7)");
+  EXPECT_EQ(regular::exponent_text(Rational(1, 5), 3, 4), "log2(5)/3");
+  EXPECT_EQ(regular::exponent_text(Rational(1, 9), 1, 3), "4");
+  EXPECT_EQ(regular::exponent_text(Rational(1, 7), 1, 3), "2*log3(7)");
+  EXPECT_EQ(regular::exponent_text(Rational(1, 27), 1, 9), "3");
 }
 
-RationalMatrix matrix(const std::vector<std::vector<int>>& rows) {
-  RationalMatrix result;
+regular::RationalMatrix matrix(const std::vector<std::vector<int>>& rows) {
+  regular::RationalMatrix result;
   for (const std::vector<int>& row : rows) {
     result.emplace_back();
     for (const int entry : row) result.back().emplace_back(entry);
@@ -187,27 +188,27 @@ RationalMatrix matrix(const std::vector<std::vector<int>>& rows) {
 }
 
 /// The same in another basis.
-RationalMatrix hidden(const RationalMatrix& a) {
-  const RationalMatrix show = matrix({{1, 0, 0}, {2, 1, 0}, {-1, 3, 1}});
-  const RationalMatrix hide = matrix({{1, 0, 0}, {-2, 1, 0}, {7, -3, 1}});
-  return product(product(show, a), hide);
+regular::RationalMatrix hidden(const regular::RationalMatrix& a) {
+  const regular::RationalMatrix show = matrix({{1, 0, 0}, {2, 1, 0}, {-1, 3, 1}});
+  const regular::RationalMatrix hide = matrix({{1, 0, 0}, {-2, 1, 0}, {7, -3, 1}});
+  return regular::product(regular::product(show, a), hide);
 }
 
 TEST(JordanBlocks, AreCountedExactly) {
-  EXPECT_EQ(largest_jordan_block(hidden(matrix({{2, 1, 0}, {0, 2, 1}, {0, 0, 2}})), 2), 3);
-  EXPECT_EQ(largest_jordan_block(hidden(matrix({{2, 1, 0}, {0, 2, 0}, {0, 0, 2}})), 2), 2);
-  EXPECT_EQ(largest_jordan_block(hidden(matrix({{2, 1, 0}, {0, 3, 0}, {0, 0, 2}})), 2), 1);
-  EXPECT_EQ(largest_jordan_block(hidden(matrix({{2, 1, 0}, {0, 3, 0}, {0, 0, 2}})), 5), 0);
-  EXPECT_EQ(largest_jordan_block(matrix({{0, 0}, {0, 0}}), 0), 1);
+  EXPECT_EQ(regular::largest_jordan_block(hidden(matrix({{2, 1, 0}, {0, 2, 1}, {0, 0, 2}})), 2), 3);
+  EXPECT_EQ(regular::largest_jordan_block(hidden(matrix({{2, 1, 0}, {0, 2, 0}, {0, 0, 2}})), 2), 2);
+  EXPECT_EQ(regular::largest_jordan_block(hidden(matrix({{2, 1, 0}, {0, 3, 0}, {0, 0, 2}})), 2), 1);
+  EXPECT_EQ(regular::largest_jordan_block(hidden(matrix({{2, 1, 0}, {0, 3, 0}, {0, 0, 2}})), 5), 0);
+  EXPECT_EQ(regular::largest_jordan_block(matrix({{0, 0}, {0, 0}}), 0), 1);
 }
 
 TEST(GrowthPower, IsThatOfBlocksWhichActOnEachOther) {
-  const auto power = [](const std::vector<RationalMatrix>& matrices) {
-    std::vector<RationalMatrix> others;
-    for (const RationalMatrix& one : matrices) others.push_back(hidden(one));
-    return bound_growth_power(others, 1, 1);
+  const auto power = [](const std::vector<regular::RationalMatrix>& matrices) {
+    std::vector<regular::RationalMatrix> others;
+    for (const regular::RationalMatrix& one : matrices) others.push_back(hidden(one));
+    return regular::bound_growth_power(others, 1, 1);
   };
-  const RationalMatrix identity = matrix({{1, 0, 0}, {0, 1, 0}, {0, 0, 1}});
+  const regular::RationalMatrix identity = matrix({{1, 0, 0}, {0, 1, 0}, {0, 0, 1}});
   // unlike diagonal blocks, so that the couplings are no matter of the basis
   EXPECT_EQ(power({matrix({{1, 0, 0}, {0, -1, 0}, {0, 0, 1}}), identity}), 0);
   EXPECT_EQ(power({matrix({{1, 1, 0}, {0, 1, 0}, {0, 0, 0}}), identity}), 1);
@@ -215,8 +216,8 @@ TEST(GrowthPower, IsThatOfBlocksWhichActOnEachOther) {
   // a change of basis takes the coupling away
   EXPECT_EQ(power({matrix({{1, 5, 0}, {0, -1, 0}, {0, 0, 0}})}), 0);
   // by way of a smaller block
-  const std::vector<RationalMatrix> through{matrix({{1, 1, 0}, {0, 0, 1}, {0, 0, 1}}),
-                                            matrix({{1, 0, 0}, {0, 0, 1}, {0, 0, 1}})};
+  const std::vector<regular::RationalMatrix> through{matrix({{1, 1, 0}, {0, 0, 1}, {0, 0, 1}}),
+                                                     matrix({{1, 0, 0}, {0, 0, 1}, {0, 0, 1}})};
   EXPECT_EQ(power(through), 1);
   EXPECT_EQ(power({matrix({{2, 0, 0}, {0, 1, 0}, {0, 0, 1}})}), std::nullopt);
 }

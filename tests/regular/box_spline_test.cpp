@@ -22,14 +22,15 @@ Mask mask_of(const std::string& name, const std::vector<std::string>& parameters
 /// The Zwart–Powell element, and what differences find of others.
 TEST(BoxSpline, HasTheExponentThatDifferencesFindWhereShiftsAreStable) {
   const auto exponent = [](const std::string& name, const std::vector<std::string>& counts) {
-    const std::optional<BoxSpline> spline = find_box_spline(mask_of(name, counts));
+    const std::optional<regular::BoxSpline> spline =
+        regular::find_box_spline(mask_of(name, counts));
     return spline ? spline->exponent() : -1;
   };
   Mask zwart_powell{Lattice::quad, find_split("quad-dyadic")->dilation, {{{0, 0}, Rational(4)}}};
   for (const LatticeVector d : {LatticeVector{1, 0}, {0, 1}, {1, 1}, {1, -1}})
     zwart_powell.coefficients =
-        product(zwart_powell.coefficients, smoothing_direction(d, zwart_powell.dilation));
-  EXPECT_EQ(find_box_spline(zwart_powell).value().exponent(), 2);
+        product(zwart_powell.coefficients, scheme::smoothing_direction(d, zwart_powell.dilation));
+  EXPECT_EQ(regular::find_box_spline(zwart_powell).value().exponent(), 2);
   for (const auto& counts : {std::vector<std::string>{"i=1", "j=1", "k3=1"},
                              {"i=2", "j=2", "k3=2"},
                              {"i=4", "j=2", "k3=2"},
@@ -46,9 +47,9 @@ TEST(BoxSpline, HasTheExponentThatDifferencesFindWhereShiftsAreStable) {
   // directions that a step does not carry to one another: no box spline, whatever the kernel
   const Mask own = mask_of("four-eight");
   Mask lopsided{own.lattice, own.dilation, {}};
-  const Laurent along = smoothing_direction({1, 0}, own.dilation);
+  const Laurent along = scheme::smoothing_direction({1, 0}, own.dilation);
   lopsided.coefficients = scaled(product(product(along, along), product(along, along)), 2);
-  EXPECT_FALSE(find_box_spline(lopsided).has_value());
+  EXPECT_FALSE(regular::find_box_spline(lopsided).has_value());
 }
 
 /// φ̂ is a product of sinc², one for each of the four directions.

@@ -14,8 +14,8 @@
 namespace limn {
 namespace {
 
-RationalMatrix matrix(const std::vector<std::vector<int>>& rows, int over = 1) {
-  RationalMatrix result;
+regular::RationalMatrix matrix(const std::vector<std::vector<int>>& rows, int over = 1) {
+  regular::RationalMatrix result;
   for (const std::vector<int>& row : rows) {
     result.emplace_back();
     for (const int entry : row) result.back().emplace_back(entry, over);
@@ -30,14 +30,16 @@ void expect_encloses(const JointSpectralRadius& found, double value, double widt
 }
 
 /// The bracket that all products of one length give: the greatest spectral radius and norm.
-std::pair<double, double> by_all_products(const std::vector<RationalMatrix>& matrices, int length) {
+std::pair<double, double> by_all_products(const std::vector<regular::RationalMatrix>& matrices,
+                                          int length) {
   std::vector<Eigen::MatrixXd> products{
       Eigen::MatrixXd::Identity(static_cast<Eigen::Index>(matrices[0].size()),
                                 static_cast<Eigen::Index>(matrices[0].size()))};
   for (int i = 0; i < length; ++i) {
     std::vector<Eigen::MatrixXd> longer;
     for (const Eigen::MatrixXd& p : products)
-      for (const RationalMatrix& m : matrices) longer.emplace_back(p * approx_matrix(m));
+      for (const regular::RationalMatrix& m : matrices)
+        longer.emplace_back(p * regular::approx_matrix(m));
     products = std::move(longer);
   }
   double radius = 0;
@@ -51,7 +53,7 @@ std::pair<double, double> by_all_products(const std::vector<RationalMatrix>& mat
 
 TEST(JointSpectralRadius, OfTheGoldenPairIsTheGoldenMean) {
   const JointSpectralRadius found =
-      enclose_joint_spectral_radius({matrix({{1, 1}, {0, 1}}), matrix({{1, 0}, {1, 1}})});
+      regular::enclose_joint_spectral_radius({matrix({{1, 1}, {0, 1}}), matrix({{1, 0}, {1, 1}})});
   expect_encloses(found, (1 + std::sqrt(5)) / 2, 1e-7);
   EXPECT_EQ(found.product.size(), 2U);
 }
@@ -64,9 +66,9 @@ TEST(JointSpectralRadius, OfDaubechiesFourIsThatOfOneMatrix) {
   const std::vector<double> h{(1 + root3) / 4, (3 + root3) / 4, (3 - root3) / 4, (1 - root3) / 4};
   // T_e(i, l) = h(e + 2i - l) for i, l in 0..2, on sequences that sum to 0: basis d_l = δ_l -
   // δ_{l+1}
-  std::vector<RationalMatrix> matrices;
+  std::vector<regular::RationalMatrix> matrices;
   for (int e = 0; e < 2; ++e) {
-    RationalMatrix m(2, FieldVector<Rational>(2, Rational(0)));
+    regular::RationalMatrix m(2, regular::FieldVector<Rational>(2, Rational(0)));
     const auto t = [&](int i, int l) {
       const int k = e + 2 * i - l;
       return k < 0 || k > 3 ? 0.0 : h[static_cast<std::size_t>(k)];
@@ -77,26 +79,26 @@ TEST(JointSpectralRadius, OfDaubechiesFourIsThatOfOneMatrix) {
     }
     matrices.push_back(m);
   }
-  const JointSpectralRadius found = enclose_joint_spectral_radius(matrices);
+  const JointSpectralRadius found = regular::enclose_joint_spectral_radius(matrices);
   expect_encloses(found, (1 + root3) / 4, 1e-7);
   EXPECT_NEAR(-std::log2(found.upper), 0.5500, 1e-4);
 }
 
 TEST(JointSpectralRadius, OfOneMatrixIsItsSpectralRadius) {
-  expect_encloses(enclose_joint_spectral_radius({matrix({{2, 1}, {1, 1}}, 4)}),
+  expect_encloses(regular::enclose_joint_spectral_radius({matrix({{2, 1}, {1, 1}}, 4)}),
                   (3 + std::sqrt(5)) / 8, 1e-7);
   // complex leading eigenvalues: the traces of powers are what is left
-  expect_encloses(enclose_joint_spectral_radius({matrix({{1, -2}, {2, 1}}, 5)}), std::sqrt(5) / 5,
-                  3e-3);
-  expect_encloses(enclose_joint_spectral_radius({matrix({{0, 1}, {0, 0}})}), 0, 0);
-  const JointSpectralRadius single = enclose_joint_spectral_radius({matrix({{-3}}, 7)});
+  expect_encloses(regular::enclose_joint_spectral_radius({matrix({{1, -2}, {2, 1}}, 5)}),
+                  std::sqrt(5) / 5, 3e-3);
+  expect_encloses(regular::enclose_joint_spectral_radius({matrix({{0, 1}, {0, 0}})}), 0, 0);
+  const JointSpectralRadius single = regular::enclose_joint_spectral_radius({matrix({{-3}}, 7)});
   EXPECT_TRUE(single.exact);
   EXPECT_EQ(*single.eigenvalue, Rational(-3, 7));
 }
 
 TEST(JointSpectralRadius, IsExactWhereAPolytopeClosesAtARationalLevel) {
   // fourth differences of the four-point scheme
-  const JointSpectralRadius found = enclose_joint_spectral_radius(
+  const JointSpectralRadius found = regular::enclose_joint_spectral_radius(
       {matrix({{-1, 0}, {-1, 4}}, 16), matrix({{4, -1}, {0, -1}}, 16)});
   EXPECT_TRUE(found.exact);
   EXPECT_EQ(*found.eigenvalue, Rational(1, 4));
@@ -106,7 +108,8 @@ TEST(JointSpectralRadius, IsExactWhereAPolytopeClosesAtARationalLevel) {
   EXPECT_EQ(found.blocks[0].vertices, 2);
   // an irrational radius stays a bracket
   EXPECT_FALSE(
-      enclose_joint_spectral_radius({matrix({{1, 1}, {0, 1}}), matrix({{1, 0}, {1, 1}})}).exact);
+      regular::enclose_joint_spectral_radius({matrix({{1, 1}, {0, 1}}), matrix({{1, 0}, {1, 1}})})
+          .exact);
 }
 
 TEST(JointSpectralRadius, LiesWithinWhatAllProductsGive) {
@@ -114,7 +117,7 @@ TEST(JointSpectralRadius, LiesWithinWhatAllProductsGive) {
   std::uniform_int_distribution<int> entry(-3, 3);
   for (int trial = 0; trial < 12; ++trial) {
     const int size = 2 + trial % 3;
-    std::vector<RationalMatrix> matrices;
+    std::vector<regular::RationalMatrix> matrices;
     for (int m = 0; m < 2 + trial % 2; ++m) {
       std::vector<std::vector<int>> rows(static_cast<std::size_t>(size),
                                          std::vector<int>(static_cast<std::size_t>(size)));
@@ -122,7 +125,7 @@ TEST(JointSpectralRadius, LiesWithinWhatAllProductsGive) {
         for (int& value : row) value = entry(random);
       matrices.push_back(matrix(rows, 4));
     }
-    const JointSpectralRadius found = enclose_joint_spectral_radius(matrices);
+    const JointSpectralRadius found = regular::enclose_joint_spectral_radius(matrices);
     const auto [low, high] = by_all_products(matrices, 6);
     EXPECT_GE(found.upper, low * (1 - 1e-12)) << trial;
     EXPECT_LE(found.lower, high * (1 + 1e-12)) << trial;
@@ -130,9 +133,9 @@ TEST(JointSpectralRadius, LiesWithinWhatAllProductsGive) {
   }
 }
 
-RationalMatrix inverse_of_unimodular(const RationalMatrix& a) {
-  const Eigen::MatrixXd inverse = approx_matrix(a).inverse();
-  RationalMatrix result(a.size(), FieldVector<Rational>(a.size(), Rational(0)));
+regular::RationalMatrix inverse_of_unimodular(const regular::RationalMatrix& a) {
+  const Eigen::MatrixXd inverse = regular::approx_matrix(a).inverse();
+  regular::RationalMatrix result(a.size(), regular::FieldVector<Rational>(a.size(), Rational(0)));
   for (std::size_t i = 0; i < a.size(); ++i)
     for (std::size_t j = 0; j < a.size(); ++j)
       result[i][j] = static_cast<int>(
@@ -142,31 +145,32 @@ RationalMatrix inverse_of_unimodular(const RationalMatrix& a) {
 
 TEST(DiagonalBlocks, AreFoundBehindAChangeOfBasis) {
   // blocks 2, 1 and 1, hidden by unimodular matrices; the golden pair leads
-  const RationalMatrix hide = matrix({{1, 2, 0, 1}, {0, 1, 3, 0}, {1, 2, 1, 2}, {0, 0, 0, 1}});
-  const RationalMatrix show = inverse_of_unimodular(hide);
-  std::vector<RationalMatrix> matrices;
+  const regular::RationalMatrix hide =
+      matrix({{1, 2, 0, 1}, {0, 1, 3, 0}, {1, 2, 1, 2}, {0, 0, 0, 1}});
+  const regular::RationalMatrix show = inverse_of_unimodular(hide);
+  std::vector<regular::RationalMatrix> matrices;
   for (const auto& rows : {matrix({{1, 1, 5, 2}, {0, 1, 1, 1}, {0, 0, 1, 3}, {0, 0, 0, -1}}),
                            matrix({{1, 0, 2, 2}, {1, 1, 0, 1}, {0, 0, -1, 7}, {0, 0, 0, 1}})})
-    matrices.push_back(product(product(show, rows), hide));
+    matrices.push_back(regular::product(regular::product(show, rows), hide));
   std::vector<std::size_t> sizes;
-  Echelon<Rational> earlier(4);
-  for (const DiagonalBlock& block : diagonal_blocks(matrices)) {
+  regular::Echelon<Rational> earlier(4);
+  for (const regular::DiagonalBlock& block : regular::diagonal_blocks(matrices)) {
     sizes.push_back(block.size());
     EXPECT_TRUE(block.irreducible);
     // the basis: images differ from what the block's matrix says by vectors of earlier blocks
     for (std::size_t m = 0; m < matrices.size(); ++m)
       for (std::size_t j = 0; j < block.size(); ++j) {
-        FieldVector<Rational> rest = product(matrices[m], block.basis[j]);
+        regular::FieldVector<Rational> rest = regular::product(matrices[m], block.basis[j]);
         for (std::size_t i = 0; i < block.size(); ++i)
           for (std::size_t k = 0; k < rest.size(); ++k)
             rest[k] -= block.matrices[m][i][j] * block.basis[i][k];
         EXPECT_TRUE(earlier.contains(rest));
       }
-    for (const FieldVector<Rational>& v : block.basis) EXPECT_TRUE(earlier.insert(v));
+    for (const regular::FieldVector<Rational>& v : block.basis) EXPECT_TRUE(earlier.insert(v));
   }
   std::sort(sizes.begin(), sizes.end());
   EXPECT_EQ(sizes, (std::vector<std::size_t>{1, 1, 2}));
-  expect_encloses(enclose_joint_spectral_radius(matrices), (1 + std::sqrt(5)) / 2, 1e-7);
+  expect_encloses(regular::enclose_joint_spectral_radius(matrices), (1 + std::sqrt(5)) / 2, 1e-7);
 }
 
 TEST(SpectralRadius, IsNotBoundedByWhatRoundingMakesOfJordanBlocks) {
@@ -174,9 +178,9 @@ TEST(SpectralRadius, IsNotBoundedByWhatRoundingMakesOfJordanBlocks) {
   int beyond = 0;
   for (std::size_t size = 2; size <= 5; ++size)
     for (int variant = 1; variant <= 6; ++variant) {
-      RationalMatrix left(size, FieldVector<Rational>(size, Rational(0)));
-      RationalMatrix right = left;
-      RationalMatrix jordan = left;
+      regular::RationalMatrix left(size, regular::FieldVector<Rational>(size, Rational(0)));
+      regular::RationalMatrix right = left;
+      regular::RationalMatrix jordan = left;
       for (std::size_t i = 0; i < size; ++i)
         for (std::size_t j = 0; j < size; ++j) {
           const int entry = static_cast<int>(3 * i + 5 * j) * variant % 7 - 3;
@@ -185,11 +189,12 @@ TEST(SpectralRadius, IsNotBoundedByWhatRoundingMakesOfJordanBlocks) {
           if (i == j) jordan[i][j] = Rational(1, 3);
           if (j == i + 1) jordan[i][j] = 1;
         }
-      const RationalMatrix hide = product(left, right);
-      const RationalMatrix hidden = product(product(inverse_of_unimodular(hide), jordan), hide);
-      for (const std::complex<double> value : approx_matrix(hidden).eigenvalues())
+      const regular::RationalMatrix hide = regular::product(left, right);
+      const regular::RationalMatrix hidden =
+          regular::product(regular::product(inverse_of_unimodular(hide), jordan), hide);
+      for (const std::complex<double> value : regular::approx_matrix(hidden).eigenvalues())
         beyond += value.imag() == 0 && value.real() > (1 + 1e-9) / 3 ? 1 : 0;
-      const double lower = lower_spectral_radius(hidden).lower;
+      const double lower = regular::lower_spectral_radius(hidden).lower;
       EXPECT_LE(lower, 1.0 / 3) << size << ' ' << variant;
       EXPECT_GE(lower, 0.99 / 3) << size << ' ' << variant;
     }
@@ -198,14 +203,16 @@ TEST(SpectralRadius, IsNotBoundedByWhatRoundingMakesOfJordanBlocks) {
 
 TEST(SpectralRadius, IsBoundedFromBelow) {
   // a double eigenvalue, whose determinant does not change its sign
-  const RationalMatrix twice = matrix({{1, 1, 0, 0}, {1, 0, 0, 0}, {0, 0, 1, 1}, {0, 0, 1, 0}});
-  const SpectralRadiusBound bound = lower_spectral_radius(twice);
+  const regular::RationalMatrix twice =
+      matrix({{1, 1, 0, 0}, {1, 0, 0, 0}, {0, 0, 1, 1}, {0, 0, 1, 0}});
+  const regular::SpectralRadiusBound bound = regular::lower_spectral_radius(twice);
   EXPECT_LE(bound.lower, (1 + std::sqrt(5)) / 2);
   EXPECT_GE(bound.lower, (1 + std::sqrt(5)) / 2 * (1 - 1e-9));
   EXPECT_FALSE(bound.eigenvalue);
   // a Jordan block of a rational one
-  EXPECT_EQ(lower_spectral_radius(matrix({{-3, 1}, {0, -3}}, 7)).eigenvalue, Rational(-3, 7));
-  EXPECT_EQ(lower_spectral_radius(matrix({{0, 0}, {0, 0}})).lower, 0);
+  EXPECT_EQ(regular::lower_spectral_radius(matrix({{-3, 1}, {0, -3}}, 7)).eigenvalue,
+            Rational(-3, 7));
+  EXPECT_EQ(regular::lower_spectral_radius(matrix({{0, 0}, {0, 0}})).lower, 0);
 }
 
 }  // namespace

@@ -33,7 +33,9 @@ Laurent stencil(Lattice lattice, const Rational& centre, const Rational& edge,
 }
 
 TEST(LimitStencil, IsThatOfTheLiterature) {
-  const auto of = [](const char* name) { return limit_stencil(shipped_mask(name)).value(); };
+  const auto of = [](const char* name) {
+    return regular::limit_stencil(shipped_mask(name)).value();
+  };
   EXPECT_EQ(of("loop"), stencil(Lattice::triangle, Rational(1, 2), Rational(1, 12)));  // (11)
   // Kobbelt 2000: 3α/(1 + 3α) = 1/2 on the ring
   EXPECT_EQ(of("sqrt3"), stencil(Lattice::triangle, Rational(1, 2), Rational(1, 12)));
@@ -44,13 +46,13 @@ TEST(LimitStencil, IsThatOfTheLiterature) {
   for (const char* name :
        {"butterfly", "butterfly-modified", "interpolating-loop", "laplacian-butterfly"})
     EXPECT_EQ(of(name), (Laurent{{{0, 0}, Rational(1)}})) << name;
-  EXPECT_EQ(limit_stencil(ternary_box_spline()).value(), of("loop"));
-  EXPECT_EQ(limit_stencil(quincunx()).value(), (Laurent{{{0, 0}, Rational(1)}}));
+  EXPECT_EQ(regular::limit_stencil(ternary_box_spline()).value(), of("loop"));
+  EXPECT_EQ(regular::limit_stencil(quincunx()).value(), (Laurent{{{0, 0}, Rational(1)}}));
 }
 
 /// φ(k) = Σ a(l) φ(Mk − l), exactly, and Σ φ = 1: of primal masks.
 void expect_fixed(const std::string& name, const Mask& mask) {
-  const Result<Laurent> limit = limit_stencil(mask);
+  const Result<Laurent> limit = regular::limit_stencil(mask);
   ASSERT_TRUE(limit.ok()) << name << ": " << limit.error().text();
   EXPECT_EQ(total(*limit), 1) << name;
   Laurent refined;
@@ -65,7 +67,7 @@ void expect_fixed(const std::string& name, const Mask& mask) {
     const auto found = limit->find(k);
     EXPECT_EQ(found == limit->end() ? Rational(0) : found->second, value) << name;
   }
-  const Values approx = approx_limit_stencil(mask).value();
+  const Values approx = regular::approx_limit_stencil(mask).value();
   for (const auto& [k, value] : approx) {
     const auto found = limit->find({2 * k[0], 2 * k[1]});
     EXPECT_NEAR(found == limit->end() ? 0 : to_double(found->second), value, 1e-13) << name;
@@ -110,8 +112,9 @@ TEST(LimitStencil, IsTheLeftEigenvectorOfTheSpatialMatrix) {
     const Lattice lattice = scheme.split->lattice;
     if (is_dual(shipped_mask(name)) || !scheme.rule(RuleKind::vertex)) continue;
     const int n = lattice == Lattice::triangle ? 6 : 4;
-    const int rings = invariant_rings(scheme, n).value();
-    const Eigen::MatrixXd matrix = dense(subdivision_matrix<double>(scheme, n, rings).value());
+    const int rings = refine::invariant_rings(scheme, n).value();
+    const Eigen::MatrixXd matrix =
+        dense(refine::subdivision_matrix<double>(scheme, n, rings).value());
     const Eigen::MatrixXd shifted =
         matrix.transpose() - Eigen::MatrixXd::Identity(matrix.rows(), matrix.rows());
     Eigen::FullPivLU<Eigen::MatrixXd> lu(shifted);
@@ -119,7 +122,7 @@ TEST(LimitStencil, IsTheLeftEigenvectorOfTheSpatialMatrix) {
     const Eigen::MatrixXd kernel = lu.kernel();
     ASSERT_EQ(kernel.cols(), 1) << name;
     const Eigen::VectorXd left = kernel.col(0) / kernel.sum();
-    const Values limit = approx_limit_stencil(shipped_mask(name)).value();
+    const Values limit = regular::approx_limit_stencil(shipped_mask(name)).value();
     const std::vector<LatticeVector> places = star_places(*scheme.split, rings);
     ASSERT_EQ(static_cast<Eigen::Index>(places.size()), left.size());
     for (std::size_t i = 0; i < places.size(); ++i) {
@@ -133,7 +136,7 @@ TEST(LimitStencil, IsTheLeftEigenvectorOfTheSpatialMatrix) {
 
 TEST(InnerProducts, AreSymmetricSumToOneAndArePositiveDefinite) {
   for (const std::string& name : lattice_names()) {
-    const Values products = approx_inner_products(shipped_mask(name)).value();
+    const Values products = regular::approx_inner_products(shipped_mask(name)).value();
     double sum = 0, others = 0;
     for (const auto& [j, value] : products) {
       sum += value;
@@ -147,7 +150,7 @@ TEST(InnerProducts, AreSymmetricSumToOneAndArePositiveDefinite) {
 
 TEST(InnerProducts, OfDooSabinAreTheQuinticBSplines) {
   const std::map<int, double> b = {{0, 66 / 120.}, {1, 26 / 120.}, {2, 1 / 120.}};
-  const Values products = approx_inner_products(shipped_mask("doo-sabin")).value();
+  const Values products = regular::approx_inner_products(shipped_mask("doo-sabin")).value();
   for (const auto& [j, value] : products) {
     const auto x = b.find(std::abs(j[0])), y = b.find(std::abs(j[1]));
     EXPECT_NEAR(value, x == b.end() || y == b.end() ? 0 : x->second * y->second, 1e-14);
@@ -178,7 +181,7 @@ Values loop_samples(int levels) {
 TEST(InnerProducts, OfLoopAreTheIntegrals) {
   const int scale = 16;
   const Values phi = loop_samples(4);
-  const Values products = approx_inner_products(shipped_mask("loop")).value();
+  const Values products = regular::approx_inner_products(shipped_mask("loop")).value();
   for (const auto& [j, value] : products) {
     double sum = 0;
     for (const auto& [x, at] : phi) {
@@ -191,7 +194,7 @@ TEST(InnerProducts, OfLoopAreTheIntegrals) {
 
 TEST(Autocorrelation, RefinesWithTheSquareOfTheSymbol) {
   for (const char* name : {"loop", "doo-sabin", "sqrt3"}) {
-    const Mask squared = autocorrelation(shipped_mask(name));
+    const Mask squared = regular::autocorrelation(shipped_mask(name));
     EXPECT_EQ(total(squared.coefficients), squared.dilation.growth()) << name;
     EXPECT_FALSE(is_dual(squared)) << name;
     const ArtifactAnalysis analysis = analysis_of(squared);
@@ -205,7 +208,7 @@ TEST(Autocorrelation, RefinesWithTheSquareOfTheSymbol) {
 
 /// Nothing that needs a limit is had of this mask, and all say why.
 void expect_no_limit(const std::string& what, const Mask& mask) {
-  const Result<Values> stencil = approx_limit_stencil(mask);
+  const Result<Values> stencil = regular::approx_limit_stencil(mask);
   EXPECT_FALSE(stencil.ok()) << what;
   if (!stencil) EXPECT_GT(stencil.error().message.size(), 15U) << what;
   const Result<ArtifactAnalysis> analysis = ArtifactAnalysis::of(mask);
@@ -227,15 +230,15 @@ TEST(LimitStencil, FailsWhereThereIsNone) {
   expect_no_limit("cup eigenvalue 5/4", laplacian("a=1"));
   expect_no_limit("cup eigenvalue 1", laplacian("a=3/4"));
   expect_no_limit("cup eigenvalue just above 1", laplacian("a=7501/10000"));
-  EXPECT_FALSE(limit_stencil(laplacian("a=3/4")).ok());
-  EXPECT_TRUE(approx_limit_stencil(laplacian("a=1/2")).ok());  // 3/4: it converges
+  EXPECT_FALSE(regular::limit_stencil(laplacian("a=3/4")).ok());
+  EXPECT_TRUE(regular::approx_limit_stencil(laplacian("a=1/2")).ok());  // 3/4: it converges
 
   // new points from afar: the mask's own vertices keep their values, and others are free
   const std::map<int, Rational> far = {{0, 1}, {3, Rational(1, 2)}, {-3, Rational(1, 2)}};
   Mask torn{Lattice::quad, {{{{2, 0}, {0, 2}}}}, {}};
   for (const auto& [i, a] : far)
     for (const auto& [j, b] : far) torn.coefficients[{2 * i, 2 * j}] = a * b;
-  EXPECT_FALSE(limit_stencil(torn).ok());
+  EXPECT_FALSE(regular::limit_stencil(torn).ok());
   expect_no_limit("torn", torn);
 }
 
@@ -260,7 +263,7 @@ TEST(LimitStencil, OfPiecewiseConstantsIsThere) {
   // φ is the indicator of a cell: it jumps, but not at the control points
   Mask cells{Lattice::quad, {{{{2, 0}, {0, 2}}}}, {}};
   for (const Exponents k : {Exponents{1, 1}, {1, -1}, {-1, 1}, {-1, -1}}) cells.coefficients[k] = 1;
-  EXPECT_EQ(limit_stencil(cells).value(), (Laurent{{{0, 0}, Rational(1)}}));
+  EXPECT_EQ(regular::limit_stencil(cells).value(), (Laurent{{{0, 0}, Rational(1)}}));
   const ArtifactAnalysis analysis = analysis_of(cells);
   ASSERT_TRUE(analysis.energy_status().ok()) << analysis.energy_status().error().text();
   for (const Frequency& f : some_frequencies(20)) {

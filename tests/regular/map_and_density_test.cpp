@@ -16,8 +16,8 @@ namespace limn::test {
 namespace {
 
 void expect_map(const std::string& name, const ArtifactAnalysis& analysis,
-                const FrequencyGrid& grid) {
-  const std::vector<std::vector<double>> map = limit_map(analysis, grid);
+                const regular::FrequencyGrid& grid) {
+  const std::vector<std::vector<double>> map = regular::limit_map(analysis, grid);
   ASSERT_EQ(map.size(), static_cast<std::size_t>(analysis.artifact_count()) + 1) << name;
   for (const std::vector<double>& component : map)
     ASSERT_EQ(component.size(),
@@ -43,19 +43,19 @@ TEST(LimitMap, IsTheComponentsOneByOne) {
       const double x0 = draw(3), y0 = draw(3), dx = draw(.5);  // far beyond Nyquist, too
       expect_map(name, analysis, {x0, y0, dx, draw(.5), nx, ny});
     }
-    expect_map(name, analysis, nyquist_grid(analysis.mask().lattice, 6, 5));
+    expect_map(name, analysis, regular::nyquist_grid(analysis.mask().lattice, 6, 5));
   }
 }
 
 TEST(NyquistGrid, FillsTheBoxOfTheNyquistRegion) {
-  const FrequencyGrid hexagon = nyquist_grid(Lattice::triangle, 4, 3);
+  const regular::FrequencyGrid hexagon = regular::nyquist_grid(Lattice::triangle, 4, 3);
   EXPECT_EQ(hexagon.nx, 4);
   EXPECT_EQ(hexagon.ny, 3);
   EXPECT_NEAR(hexagon.dx, 4 / 3. / 4, 1e-15);
   EXPECT_NEAR(hexagon.dy, 2 / kSqrt3 / 3, 1e-15);
   EXPECT_NEAR(hexagon.x0, -2 / 3. + hexagon.dx / 2, 1e-15);
   EXPECT_NEAR(hexagon.y0, -1 / kSqrt3 + hexagon.dy / 2, 1e-15);
-  const FrequencyGrid square = nyquist_grid(Lattice::quad, 1, 2);
+  const regular::FrequencyGrid square = regular::nyquist_grid(Lattice::quad, 1, 2);
   EXPECT_NEAR(square.x0, 0, 1e-15);
   EXPECT_NEAR(square.y0, -.25, 1e-15);
   EXPECT_NEAR(square.dx, 1, 1e-15);

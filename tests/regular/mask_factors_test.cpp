@@ -77,7 +77,7 @@ TEST(MaskFactors, TheStageIsThePapersMask) {
   EXPECT_EQ(smoothing_stage(Lattice::triangle, kDyadic), hexagon(Rational(1, 4), Rational(1, 8)));
   const Laurent one = {{{0, 0}, Rational(1)}};
   EXPECT_EQ(smoothing_stage(Lattice::quad, kDyadic), smoothed(smoothed(one, {1, 0}, 2), {0, 1}, 2));
-  EXPECT_EQ(smoothing_direction({1, -2}, kTernary), smoothed(one, {1, -2}, 3));
+  EXPECT_EQ(scheme::smoothing_direction({1, -2}, kTernary), smoothed(one, {1, -2}, 3));
 }
 
 /// Counts of the kind that factor gives, from counts of all directions.

@@ -24,7 +24,7 @@ TEST(RegularMask, IsTheOneThatTheLiteratureStates) {
     if (!scheme.stated_mask) continue;
     ++stated;
     EXPECT_EQ(mask_of(name).coefficients,
-              mask_from_rows(scheme, *scheme.stated_mask).value().coefficients)
+              scheme::mask_from_rows(scheme, *scheme.stated_mask).value().coefficients)
         << name;
   }
   EXPECT_GE(stated, 10);

@@ -217,7 +217,7 @@ TEST(PolynomialOrders, AreThoseOfRefinedPolynomials) {
 
 TEST(TransitionOperators, AreDifferencesOfRefinedImpulses) {
   const Mask mask = mask_of("sqrt3");
-  const Laurent a = integer_offsets(mask);
+  const Laurent a = regular::integer_offsets(mask);
   const std::vector<LatticeVector> digits = cosets(mask.dilation);
   const Laurent start{{{0, 0}, Rational(1)}, {{1, 2}, Rational(-3)}};
   // two steps of the unit impulse, directly, and `start` run over them
@@ -234,8 +234,8 @@ TEST(TransitionOperators, AreDifferencesOfRefinedImpulses) {
   refined = product(refined, start);
   for (const LatticeVector first : digits)
     for (const LatticeVector second : digits) {
-      const Laurent seen =
-          transition(a, mask.dilation, second, transition(a, mask.dilation, first, start));
+      const Laurent seen = regular::transition(a, mask.dilation, second,
+                                               regular::transition(a, mask.dilation, first, start));
       for (const auto& [i, value] : seen) {
         const LatticeVector inner = mask.dilation.apply(i);
         const LatticeVector outer =
@@ -248,8 +248,8 @@ TEST(TransitionOperators, AreDifferencesOfRefinedImpulses) {
 TEST(DifferenceNorm, IsWhatItIsByHand) {
   // an edge point of the butterfly less an end: half an edge, and each wing's 1/8 carried to its
   // two outer vertices
-  EXPECT_NEAR(difference_norms(mask_of("butterfly"), 1, 1, 0).front(), 0.75, 1e-9);
-  const std::vector<double> cubic = difference_norms(mask_of("catmull-clark"), 3, 3, 0);
+  EXPECT_NEAR(regular::difference_norms(mask_of("butterfly"), 1, 1, 0).front(), 0.75, 1e-9);
+  const std::vector<double> cubic = regular::difference_norms(mask_of("catmull-clark"), 3, 3, 0);
   ASSERT_EQ(cubic.size(), 3U);
   for (std::size_t k = 0; k < 3; ++k)
     EXPECT_NEAR(cubic[k], std::pow(0.125, static_cast<double>(k + 1)), 1e-9);
@@ -257,9 +257,9 @@ TEST(DifferenceNorm, IsWhatItIsByHand) {
 
 TEST(DifferenceNorm, IsNeverExceededByData) {
   const Mask mask = mask_of("laplacian-butterfly");
-  const Laurent a = integer_offsets(mask);
-  const double norm = difference_norms(mask, 2, 1, 0).front();
-  const std::vector<Laurent> kinds = unit_differences(edge_directions(mask.lattice), 2);
+  const Laurent a = regular::integer_offsets(mask);
+  const double norm = regular::difference_norms(mask, 2, 1, 0).front();
+  const std::vector<Laurent> kinds = regular::unit_differences(edge_directions(mask.lattice), 2);
   std::uint32_t state = 5;
   for (int trial = 0; trial < 20; ++trial) {
     Laurent data;  // a torus of 16 × 16

@@ -62,8 +62,8 @@ TEST(RegularPart, AtTheExponentTwoIsToldExactly) {
   EXPECT_EQ(four_point.bounded, Truth::no);
   EXPECT_NE(four_point.reason.find("Jordan block"), std::string::npos) << four_point.reason;
   // an exact norm of 1, of which a rounded one could only say that it is not below
-  EXPECT_EQ(steps_that_bound_differences(tensor({1, 3, 3, 1}, 4, 2), 2, 2, 4), 1);
-  EXPECT_EQ(steps_that_bound_differences(tensor({-1, 0, 9, 16, 9, 0, -1}, 16, 2), 2, 2, 2),
+  EXPECT_EQ(regular::steps_that_bound_differences(tensor({1, 3, 3, 1}, 4, 2), 2, 2, 4), 1);
+  EXPECT_EQ(regular::steps_that_bound_differences(tensor({-1, 0, 9, 16, 9, 0, -1}, 16, 2), 2, 2, 2),
             std::nullopt);
 }
 
@@ -77,17 +77,17 @@ TEST(RegularPart, IsNotBoundedByANormThatIsALittleTooLarge) {
     for (int j = 0; j < 5; ++j)
       mask.coefficients[{2 * i - 4, 2 * j - 4}] =
           row[static_cast<std::size_t>(i)] * row[static_cast<std::size_t>(j)];
-  EXPECT_EQ(steps_that_bound_differences(mask, 2, 2, 1), std::nullopt);
+  EXPECT_EQ(regular::steps_that_bound_differences(mask, 2, 2, 1), std::nullopt);
 }
 
 /// The largest second difference over h² along edges, level by level, of one raised vertex.
 std::vector<double> measured(const Scheme& scheme, int levels) {
-  const Mesh mesh = torus(Lattice::triangle, 8, 8);
+  const Mesh mesh = mesh::torus(Lattice::triangle, 8, 8);
   std::vector<Point3> values(static_cast<std::size_t>(mesh.vertex_count()));
   values[0].z = 1;
   std::vector<double> largest;
   for (int level = 1; level <= levels; ++level) {
-    const auto fine = refine(scheme, mesh, values, level).value();
+    const auto fine = refine::refine(scheme, mesh, values, level).value();
     double most = 0;
     for (Index h = 0; h < fine.mesh.halfedge_count(); ++h) {
       const Index opposite = fine.mesh.rotate(fine.mesh.rotate(fine.mesh.rotate(h)));

@@ -5,7 +5,7 @@
 namespace limn::test {
 
 TorusWave::TorusWave(const Scheme& scheme, Index n, Frequency f)
-    : scheme_(scheme), lattice_(scheme.split->lattice), n_(n), mesh_(torus(lattice_, n, n)) {
+    : scheme_(scheme), lattice_(scheme.split->lattice), n_(n), mesh_(mesh::torus(lattice_, n, n)) {
   for (Index v = 0; v < n * n; ++v) {
     at_.push_back({1. * (v % n), 1. * (v / n)});
     values_.push_back(wave(f, plane(lattice_, at_.back())));
@@ -46,7 +46,7 @@ void TorusWave::refine_once() {
     const Index degree = mesh_.degree(mesh_.face(h));
     fresh.push_back(between(h, degree - 1, (scheme_.split->is_dual() ? 2 : 1.5) * degree));
   }
-  Refined<Complex> refined = refine<Complex>(scheme_, mesh_, values_, 1).value();
+  refine::Refined<Complex> refined = refine::refine<Complex>(scheme_, mesh_, values_, 1).value();
   mesh_ = std::move(refined.mesh);
   values_ = std::move(refined.values);
   at_ = std::move(fresh);

@@ -29,10 +29,10 @@ TEST(WaveInSpace, PlacesAreThoseOfTheBirths) {
     const Scheme& scheme = shipped(name);
     TorusWave torus_wave(scheme, 5, {0, 0});
     torus_wave.refine_once();
-    const Mesh mesh = torus(scheme.split->lattice, 5, 5);
+    const Mesh mesh = mesh::torus(scheme.split->lattice, 5, 5);
     const Births births = scheme.split->apply(mesh, 0).births;
     for (Index v = 0; v < static_cast<Index>(torus_wave.values().size()); ++v) {
-      const Twelfths at = torus_birth_place(mesh, 5, 5, births, v);
+      const mesh::Twelfths at = mesh::torus_birth_place(mesh, 5, 5, births, v);
       const Place expected = plane(scheme.split->lattice, {at[0] / 12., at[1] / 12.});
       const Place found = torus_wave.place(static_cast<std::size_t>(v));
       for (const Frequency& g : closed_frequencies(scheme.split->lattice, 5))  // tell it mod 5

@@ -8,28 +8,28 @@
 namespace limn {
 namespace {
 
-SmoothSurface ball(int cells, double radius) {
-  SmoothSurface surface = test::sphere(cells);
-  for (SpaceVector& vertex : surface.vertices) vertex = sum({}, vertex, radius);
+figure::SmoothSurface ball(int cells, double radius) {
+  figure::SmoothSurface surface = test::sphere(cells);
+  for (figure::SpaceVector& vertex : surface.vertices) vertex = figure::sum({}, vertex, radius);
   return surface;
 }
 
-std::vector<const Image*> images(const Canvas& canvas) {
-  std::vector<const Image*> found;
-  for (const DrawingOp& op : canvas.ops())
-    if (const auto* image = std::get_if<ImageOp>(&op)) found.push_back(&image->image);
+std::vector<const figure::Image*> images(const figure::Canvas& canvas) {
+  std::vector<const figure::Image*> found;
+  for (const figure::DrawingOp& op : canvas.ops())
+    if (const auto* image = std::get_if<figure::ImageOp>(&op)) found.push_back(&image->image);
   return found;
 }
 
-std::string words(const Canvas& canvas) {
+std::string words(const figure::Canvas& canvas) {
   std::string all;
-  for (const DrawingOp& op : canvas.ops())
-    if (const auto* text = std::get_if<TextOp>(&op)) all += text->text + "\n";
+  for (const figure::DrawingOp& op : canvas.ops())
+    if (const auto* text = std::get_if<figure::TextOp>(&op)) all += text->text + "\n";
   return all;
 }
 
 /// Red less green, in [−1, 1], of the pixel in the middle.
-double redness(const Image& image) {
+double redness(const figure::Image& image) {
   const std::size_t middle =
       std::size_t(image.height / 2) * image.width + std::size_t(image.width / 2);
   return (image.rgba[4 * middle] - image.rgba[4 * middle + 1]) / 255.0;
@@ -38,17 +38,18 @@ double redness(const Image& image) {
 class CompareFigure : public testing::Test {
  protected:
   void SetUp() override {
-    if (!rays_available()) GTEST_SKIP() << "built without Embree";
+    if (!figure::rays_available()) GTEST_SKIP() << "built without Embree";
   }
-  static Canvas drawn(const std::vector<NamedSurface>& surfaces) {
-    return compare_figure(surfaces, *approx_distances(surfaces), {.resolution = 36}).canvas();
+  static figure::Canvas drawn(const std::vector<report::NamedSurface>& surfaces) {
+    return report::compare_figure(surfaces, *report::approx_distances(surfaces), {.resolution = 36})
+        .canvas();
   }
 };
 
 TEST_F(CompareFigure, ShowsEachPairWithTheFirst) {
-  const Canvas canvas =
+  const figure::Canvas canvas =
       drawn({{"A", ball(12, 1)}, {"B_{x}", ball(14, 1.25)}, {"C", ball(10, .75)}});
-  const std::vector<const Image*> all = images(canvas);
+  const std::vector<const figure::Image*> all = images(canvas);
   ASSERT_EQ(all.size(), 8U);
   EXPECT_LT(redness(*all[0]), -.1);                                   // the first is green …
   EXPECT_GT(redness(*all[1]), .1);                                    // … the second pink …
@@ -62,8 +63,8 @@ TEST_F(CompareFigure, ShowsEachPairWithTheFirst) {
 }
 
 TEST_F(CompareFigure, ShowsNeitherWhereBothAreEqual) {
-  const Canvas canvas = drawn({{"A", ball(12, 1)}, {"the same", ball(12, 1)}});
-  const std::vector<const Image*> all = images(canvas);
+  const figure::Canvas canvas = drawn({{"A", ball(12, 1)}, {"the same", ball(12, 1)}});
+  const std::vector<const figure::Image*> all = images(canvas);
   ASSERT_EQ(all.size(), 4U);
   EXPECT_LT(redness(*all[0]), -.1);
   EXPECT_GT(redness(*all[1]), .1);
@@ -74,16 +75,16 @@ TEST_F(CompareFigure, ShowsNeitherWhereBothAreEqual) {
 }
 
 TEST(CompareDistances, AreOfAllPairs) {
-  const std::vector<PairDistance> distances =
-      *approx_distances({{"A", ball(40, 1)}, {"B", ball(40, 1.25)}, {"C", ball(40, .75)}});
+  const std::vector<report::PairDistance> distances =
+      *report::approx_distances({{"A", ball(40, 1)}, {"B", ball(40, 1.25)}, {"C", ball(40, .75)}});
   ASSERT_EQ(distances.size(), 3U);
   EXPECT_NEAR(distances[0].distance.mean, .25, 2e-3);
   EXPECT_NEAR(distances[1].distance.mean, .25, 2e-3);
   EXPECT_NEAR(distances[2].distance.mean, .5, 2e-3);
   EXPECT_EQ(distances[2].first, 1U);
   EXPECT_EQ(distances[2].second, 2U);
-  EXPECT_FALSE(approx_distances({{"A", ball(3, 1)}, {"nothing", {}}}).ok());
-  EXPECT_TRUE(approx_distances({{"alone", ball(3, 1)}})->empty());
+  EXPECT_FALSE(report::approx_distances({{"A", ball(3, 1)}, {"nothing", {}}}).ok());
+  EXPECT_TRUE(report::approx_distances({{"alone", ball(3, 1)}})->empty());
 }
 
 }  // namespace

@@ -20,18 +20,18 @@ Polygons cube(bool triangles) {
   return triangles ? triangulated(mesh) : mesh;
 }
 
-MeshComparison on_cube(const std::vector<std::string>& names, bool triangles) {
-  std::vector<LabelledScheme> schemes;
+report::MeshComparison on_cube(const std::vector<std::string>& names, bool triangles) {
+  std::vector<report::LabelledScheme> schemes;
   schemes.reserve(names.size());
   for (const std::string& name : names) schemes.push_back({name, *find_scheme(name)});
   const Polygons polygons = cube(triangles);
-  return compare_on_mesh(schemes, "cube", *Mesh::build(polygons), polygons.positions,
-                         {.steps = 2, .fairness_levels = 2});
+  return report::compare_on_mesh(schemes, "cube", *Mesh::build(polygons), polygons.positions,
+                                 {.steps = 2, .fairness_levels = 2});
 }
 
 /// Without the parts that take their time.
-RecordOptions quick() {
-  RecordOptions options{.first_valence = 3, .last_valence = 7};
+study::RecordOptions quick() {
+  study::RecordOptions options{.first_valence = 3, .last_valence = 7};
   options.regularity.budget = 20;
   return options;
 }
@@ -56,7 +56,7 @@ TEST(CompareRecord, KnowsWhatInterpolates) {
 TEST(CompareRecord, ArtifactsAndSamplingDensityAgree) {
   for (const char* name : {"sqrt3", "doo-sabin"}) {
     const ArtifactAnalysis analysis = *ArtifactAnalysis::of(*regular_mask(*find_scheme(name)));
-    const WaveArtifacts wave = wave_artifacts(analysis, 5);
+    const study::WaveArtifacts wave = study::wave_artifacts(analysis, 5);
     const auto density = [&](double percent) {
       return *sampling_density(analysis, percent, ArtifactMeasure::total_energy);
     };
@@ -68,13 +68,14 @@ TEST(CompareRecord, ArtifactsAndSamplingDensityAgree) {
 }
 
 TEST(CompareRecord, SaysWhatASchemeLacks) {
-  const SchemeRecord record = approx_record("spline", *find_scheme("box-spline-triangle"), quick());
+  const study::SchemeRecord record =
+      study::approx_record("spline", *find_scheme("box-spline-triangle"), quick());
   EXPECT_TRUE(record.artifacts.ok());
   EXPECT_TRUE(record.valences[3].components.ok());  // n = 6
   EXPECT_FALSE(record.valences[4].components.ok());
-  ASSERT_EQ(missing_parts(record).size(), 1U);
-  EXPECT_NE(missing_parts(record)[0].find("no vertex rule at n = 3"), std::string::npos);
-  const nlohmann::ordered_json json = record_json(record);
+  ASSERT_EQ(study::missing_parts(record).size(), 1U);
+  EXPECT_NE(study::missing_parts(record)[0].find("no vertex rule at n = 3"), std::string::npos);
+  const nlohmann::ordered_json json = report::record_json(record);
   EXPECT_EQ(json.at("scheme"), "spline");
   EXPECT_TRUE(json.at("valences")[4].at("components").is_null());
   EXPECT_EQ(json.at("valences")[3].at("components").at("tangent"), .5);
@@ -82,11 +83,11 @@ TEST(CompareRecord, SaysWhatASchemeLacks) {
 }
 
 TEST(CompareOnMesh, MeasuresEveryPair) {
-  const MeshComparison three = on_cube({"loop", "butterfly-modified", "sqrt3"}, true);
+  const report::MeshComparison three = on_cube({"loop", "butterfly-modified", "sqrt3"}, true);
   ASSERT_EQ(three.surfaces.size(), 3U);
   ASSERT_EQ(three.distances.size(), 3U);
   // the butterfly's surface holds the cube's corners; Loop's lies within by its limit stencil
-  const SurfaceDistance& loop = three.distances[0].distance;
+  const mesh::SurfaceDistance& loop = three.distances[0].distance;
   EXPECT_GT(loop.largest, .2);
   EXPECT_GT(loop.diagonal, std::sqrt(3));
   EXPECT_LT(loop.diagonal, 2.5);
@@ -97,7 +98,7 @@ TEST(CompareOnMesh, MeasuresEveryPair) {
 }
 
 TEST(CompareOnMesh, SkipsSchemesThatDoNotTakeTheMesh) {
-  const MeshComparison mixed = on_cube({"loop", "catmull-clark", "doo-sabin"}, false);
+  const report::MeshComparison mixed = on_cube({"loop", "catmull-clark", "doo-sabin"}, false);
   ASSERT_EQ(mixed.surfaces.size(), 2U);
   ASSERT_EQ(mixed.distances.size(), 1U);
   EXPECT_EQ(mixed.surfaces[mixed.distances[0].first].name, "catmull-clark");
@@ -110,12 +111,12 @@ TEST(CompareOnMesh, SkipsSchemesThatDoNotTakeTheMesh) {
 
 /// Loop's C2 is proved, so that its list goes on to C3; butterfly's ends with C2, which is refuted.
 TEST(CompareReport, ListsSmoothnessAsFarAsAnySchemeHasIt) {
-  Comparison comparison;
+  report::Comparison comparison;
   for (const char* name : {"loop", "butterfly"})
-    comparison.schemes.push_back(approx_record(name, *find_scheme(name), quick()));
+    comparison.schemes.push_back(study::approx_record(name, *find_scheme(name), quick()));
   ASSERT_EQ(comparison.schemes[0].regularity->smoothness.size(), 4U);
   ASSERT_EQ(comparison.schemes[1].regularity->smoothness.size(), 3U);
-  const std::string text = compare_text(comparison);
+  const std::string text = report::compare_text(comparison);
   const std::size_t at = text.find("\n  C3 ");
   ASSERT_NE(at, std::string::npos) << text;
   const std::string line = text.substr(at + 1, text.find('\n', at + 1) - at - 1);
@@ -125,18 +126,18 @@ TEST(CompareReport, ListsSmoothnessAsFarAsAnySchemeHasIt) {
 }
 
 TEST(CompareReport, HasAColumnForEachAndWhatIsMissing) {
-  Comparison comparison;
+  report::Comparison comparison;
   for (const char* name : {"loop", "box-spline-triangle", "doo-sabin"})
-    comparison.schemes.push_back(approx_record(name, *find_scheme(name), quick()));
+    comparison.schemes.push_back(study::approx_record(name, *find_scheme(name), quick()));
   comparison.on_mesh = on_cube({"loop", "box-spline-triangle", "doo-sabin"}, true);
-  const std::string text = compare_text(comparison);
+  const std::string text = report::compare_text(comparison);
   for (const char* part :
        {"Hölder exponent", "8 edges long, worst direction", "n = 7 ", "thin plate",
         "loop – doo-sabin: largest 0.", "no vertex rule at n = 3", "* the best of its line"})
     EXPECT_NE(text.find(part), std::string::npos) << part << " in\n" << text;
   EXPECT_NE(text.find("interpolating"), std::string::npos);
-  EXPECT_EQ(compare_text(comparison, true).find("interpolating"), std::string::npos);
-  const nlohmann::ordered_json json = compare_json(comparison);
+  EXPECT_EQ(report::compare_text(comparison, true).find("interpolating"), std::string::npos);
+  const nlohmann::ordered_json json = report::compare_json(comparison);
   EXPECT_EQ(json.at("mesh"), "cube");
   EXPECT_EQ(json.at("distances").size(), 1U);
   EXPECT_TRUE(json.at("schemes")[1].at("fairness").is_null());

@@ -11,65 +11,74 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-TableRow row(Better better, const std::vector<std::optional<Between>>& values) {
-  TableRow row{"row", better};
+report::TableRow row(report::Better better,
+                     const std::vector<std::optional<report::Between>>& values) {
+  report::TableRow row{"row", better};
   for (const auto& value : values) row.cells.push_back({"", value});
   return row;
 }
 
-std::vector<bool> best(Better better, const std::vector<std::optional<Between>>& values) {
-  return best_cells(row(better, values));
+std::vector<bool> best(report::Better better,
+                       const std::vector<std::optional<report::Between>>& values) {
+  return report::best_cells(row(better, values));
 }
 
-Between exactly(double value) { return {value, value}; }
+report::Between exactly(double value) { return {value, value}; }
 
 TEST(CompareTable, MarksTheBest) {
-  const std::vector<std::optional<Between>> three = {exactly(2), exactly(1), exactly(3)};
-  EXPECT_EQ(best(Better::more, three), (std::vector{false, false, true}));
-  EXPECT_EQ(best(Better::less, three), (std::vector{false, true, false}));
-  EXPECT_EQ(best(Better::none, three), (std::vector{false, false, false}));
+  const std::vector<std::optional<report::Between>> three = {exactly(2), exactly(1), exactly(3)};
+  EXPECT_EQ(best(report::Better::more, three), (std::vector{false, false, true}));
+  EXPECT_EQ(best(report::Better::less, three), (std::vector{false, true, false}));
+  EXPECT_EQ(best(report::Better::none, three), (std::vector{false, false, false}));
 }
 
 TEST(CompareTable, MarksAllThatTieAndNoneWhereAllDo) {
-  EXPECT_EQ(best(Better::less, {exactly(1), exactly(1 + 1e-12), exactly(2)}),
+  EXPECT_EQ(best(report::Better::less, {exactly(1), exactly(1 + 1e-12), exactly(2)}),
             (std::vector{true, true, false}));
-  EXPECT_EQ(best(Better::less, {exactly(1), exactly(1 + 1e-12)}), (std::vector{false, false}));
-  EXPECT_EQ(best(Better::more, {exactly(0), exactly(0)}), (std::vector{false, false}));
+  EXPECT_EQ(best(report::Better::less, {exactly(1), exactly(1 + 1e-12)}),
+            (std::vector{false, false}));
+  EXPECT_EQ(best(report::Better::more, {exactly(0), exactly(0)}), (std::vector{false, false}));
 }
 
 TEST(CompareTable, OfOverlappingBracketsNoneIsBetter) {
-  EXPECT_EQ(best(Better::more, {Between{1.8, 1.9}, Between{1.85, 2}}), (std::vector{false, false}));
-  EXPECT_EQ(best(Better::more, {Between{1.8, 1.9}, Between{1.95, 2}}), (std::vector{false, true}));
-  EXPECT_EQ(best(Better::more, {Between{1.8, kInfinity}, exactly(3)}), (std::vector{false, false}));
-  EXPECT_EQ(best(Better::less, {Between{1.8, kInfinity}, exactly(1)}), (std::vector{false, true}));
-  EXPECT_EQ(best(Better::less, {exactly(kInfinity), exactly(1)}), (std::vector{false, true}));
-  EXPECT_EQ(best(Better::less, {exactly(kInfinity), exactly(kInfinity)}),
+  EXPECT_EQ(best(report::Better::more, {report::Between{1.8, 1.9}, report::Between{1.85, 2}}),
             (std::vector{false, false}));
-  EXPECT_EQ(best(Better::less, {exactly(-kInfinity), exactly(-2), exactly(1)}),
+  EXPECT_EQ(best(report::Better::more, {report::Between{1.8, 1.9}, report::Between{1.95, 2}}),
+            (std::vector{false, true}));
+  EXPECT_EQ(best(report::Better::more, {report::Between{1.8, kInfinity}, exactly(3)}),
+            (std::vector{false, false}));
+  EXPECT_EQ(best(report::Better::less, {report::Between{1.8, kInfinity}, exactly(1)}),
+            (std::vector{false, true}));
+  EXPECT_EQ(best(report::Better::less, {exactly(kInfinity), exactly(1)}),
+            (std::vector{false, true}));
+  EXPECT_EQ(best(report::Better::less, {exactly(kInfinity), exactly(kInfinity)}),
+            (std::vector{false, false}));
+  EXPECT_EQ(best(report::Better::less, {exactly(-kInfinity), exactly(-2), exactly(1)}),
             (std::vector{true, false, false}));
 }
 
 TEST(CompareTable, WhatIsNotKnownIsNotCompared) {
-  EXPECT_EQ(best(Better::more, {exactly(2), {}, exactly(1)}), (std::vector{true, false, false}));
-  EXPECT_EQ(best(Better::more, {exactly(2), {}}), (std::vector{false, false}));
-  EXPECT_EQ(best(Better::more, {}), std::vector<bool>());
+  EXPECT_EQ(best(report::Better::more, {exactly(2), {}, exactly(1)}),
+            (std::vector{true, false, false}));
+  EXPECT_EQ(best(report::Better::more, {exactly(2), {}}), (std::vector{false, false}));
+  EXPECT_EQ(best(report::Better::more, {}), std::vector<bool>());
 }
 
 TEST(CompareTable, AlignsItsColumnsAndKeepsDifferences) {
-  const std::vector<TableSection> sections = {
-      {"", {{"split", Better::none, {{"ä"}, {"ä"}}}}},
+  const std::vector<report::TableSection> sections = {
+      {"", {{"split", report::Better::none, {{"ä"}, {"ä"}}}}},
       {"smooth",
-       {{"C1", Better::more, {{"no", exactly(0)}, {"yes", exactly(1)}}},
-        {"C0", Better::more, {{"yes", exactly(1)}, {"yes", exactly(1)}}}}},
+       {{"C1", report::Better::more, {{"no", exactly(0)}, {"yes", exactly(1)}}},
+        {"C0", report::Better::more, {{"yes", exactly(1)}, {"yes", exactly(1)}}}}},
       {"empty", {}}};
-  EXPECT_EQ(table_text({"one", "other"}, sections, false),
+  EXPECT_EQ(report::table_text({"one", "other"}, sections, false),
             "         one  other\n"
             "split    ä    ä\n"
             "\n"
             "smooth\n"
             "  C1     no   yes *\n"
             "  C0     yes  yes\n");
-  EXPECT_EQ(table_text({"one", "other"}, sections, true),
+  EXPECT_EQ(report::table_text({"one", "other"}, sections, true),
             "      one  other\n"
             "\n"
             "smooth\n"
@@ -77,9 +86,9 @@ TEST(CompareTable, AlignsItsColumnsAndKeepsDifferences) {
 }
 
 TEST(CompareTable, WritesNumbers) {
-  EXPECT_EQ(numbers_text({}), "none");
-  EXPECT_EQ(numbers_text({7}), "7");
-  EXPECT_EQ(numbers_text({3, 4, 6, 7, 8, 12}), "3, 4, 6…8, 12");
+  EXPECT_EQ(report::numbers_text({}), "none");
+  EXPECT_EQ(report::numbers_text({7}), "7");
+  EXPECT_EQ(report::numbers_text({3, 4, 6, 7, 8, 12}), "3, 4, 6…8, 12");
 }
 
 }  // namespace

@@ -32,11 +32,11 @@ std::vector<Point3> torus_points() {
   return points;
 }
 
-FairnessRecord fairness_of(const std::string& scheme, int levels = 0) {
-  const Mesh mesh = torus(shipped(scheme).split->lattice, kAround, kAcross);
-  FairnessOptions options;
+study::FairnessRecord fairness_of(const std::string& scheme, int levels = 0) {
+  const Mesh mesh = mesh::torus(shipped(scheme).split->lattice, kAround, kAcross);
+  study::FairnessOptions options;
   options.levels = levels;
-  return approx_fairness(scheme, shipped(scheme), mesh, torus_points(), options).value();
+  return study::approx_fairness(scheme, shipped(scheme), mesh, torus_points(), options).value();
 }
 
 /// The uniform B-spline of degree d at t, supported on (0, d + 1), or its derivative: by the
@@ -73,7 +73,7 @@ struct SplineTorus {
 
 TEST(Fairness, OfCatmullClarkOnATorusIsThatOfBicubicSplines) {
   const Densities exact = integrals(SplineTorus{3}, {0, kAround}, {0, kAcross}, 240);
-  const FairnessRecord record = fairness_of("catmull-clark");
+  const study::FairnessRecord record = fairness_of("catmull-clark");
   EXPECT_GE(record.last().vertices, 50000);
   EXPECT_LE(record.last().vertices, 200000);
   EXPECT_NEAR(record.last().energies.area, exact.area, 1e-4 * exact.area);
@@ -87,7 +87,7 @@ TEST(Fairness, OfCatmullClarkOnATorusIsThatOfBicubicSplines) {
 
 TEST(Fairness, OfDooSabinOnATorusIsThatOfBiquadraticSplines) {
   const Densities exact = integrals(SplineTorus{2}, {0, kAround}, {0, kAcross}, 240);
-  const FairnessRecord record = fairness_of("doo-sabin");
+  const study::FairnessRecord record = fairness_of("doo-sabin");
   EXPECT_NEAR(record.area.limit, exact.area, 1e-4 * exact.area);
   EXPECT_EQ(record.thin_plate.converges, Truth::yes);
   EXPECT_NEAR(record.thin_plate.limit, exact.thin_plate, .01 * exact.thin_plate);
@@ -96,44 +96,45 @@ TEST(Fairness, OfDooSabinOnATorusIsThatOfBiquadraticSplines) {
 }
 
 TEST(Fairness, FindsHighPassLessFairThanLoopOnATorus) {
-  const FairnessRecord loop = fairness_of("loop");
-  const FairnessRecord high = fairness_of("laplacian-loop");
+  const study::FairnessRecord loop = fairness_of("loop");
+  const study::FairnessRecord high = fairness_of("laplacian-loop");
   EXPECT_LT(loop.last().energies.thin_plate, high.last().energies.thin_plate);
   EXPECT_LT(loop.last().laplacian_energy, high.last().laplacian_energy);
   EXPECT_EQ(loop.thin_plate.converges, Truth::yes);
   EXPECT_EQ(loop.curvature_variation.converges, Truth::yes);
   EXPECT_EQ(high.thin_plate.converges, Truth::no);
   EXPECT_EQ(high.curvature_variation.converges, Truth::no);
-  const nlohmann::ordered_json json = fairness_json("torus", {high, loop});
+  const nlohmann::ordered_json json = report::fairness_json("torus", {high, loop});
   EXPECT_EQ(json.at("fairest").at("thin_plate"), "loop");
   EXPECT_EQ(json.at("fairest").at("laplacian_energy"), "loop");
   EXPECT_EQ(json.at("schemes")[0].at("trends").at("thin_plate").at("converges"), "no");
   EXPECT_TRUE(json.at("schemes")[0].at("trends").at("thin_plate").at("limit").is_null());
-  const std::string text = fairness_text("torus", {high, loop});
+  const std::string text = report::fairness_text("torus", {high, loop});
   EXPECT_NE(text.find("*"), std::string::npos);
   EXPECT_NE(text.find("grows"), std::string::npos);
 }
 
 TEST(Fairness, IsMeasuredOnTheLimitAtEachLevel) {
   const Scheme& scheme = shipped("sqrt3");  // whose boundary moves in every second step
-  const Mesh mesh = star(Lattice::triangle, 7, 2);
+  const Mesh mesh = mesh::star(Lattice::triangle, 7, 2);
   std::vector<Point3> points;
   for (Index v = 0; v < mesh.vertex_count(); ++v)
     points.push_back({std::cos(2. * v), std::sin(3. * v), std::cos(v * v)});
-  FairnessOptions options;
+  study::FairnessOptions options;
   options.levels = 3;
-  const FairnessRecord record = approx_fairness("it", scheme, mesh, points, options).value();
+  const study::FairnessRecord record =
+      study::approx_fairness("it", scheme, mesh, points, options).value();
   EXPECT_EQ(record.scheme, "it");
   ASSERT_EQ(record.levels.size(), 3U);
-  for (const FairnessLevel& level : record.levels) {
-    const Refined<Point3> fine = refine(scheme, mesh, points, level.level).value();
+  for (const study::FairnessLevel& level : record.levels) {
+    const refine::Refined<Point3> fine = refine::refine(scheme, mesh, points, level.level).value();
     LimitOptions made;
     made.steps_made = level.level;
     const std::vector<Point3> limit =
         approx_limit_points(scheme, fine.mesh, fine.values, made)->positions;
     EXPECT_EQ(level.vertices, fine.mesh.vertex_count());
     const double thin_plate = approx_energies(fine.mesh, limit)->thin_plate;
-    const double laplacian = laplacian_energy(fine.mesh, limit);
+    const double laplacian = fairness::laplacian_energy(fine.mesh, limit);
     EXPECT_NEAR(level.energies.thin_plate, thin_plate, 1e-10 * thin_plate);
     EXPECT_NEAR(level.laplacian_energy, laplacian, 1e-10 * laplacian);
     EXPECT_NEAR(level.scaled_laplacian, level.laplacian_energy * std::pow(3, level.level), 1e-9);
@@ -141,35 +142,37 @@ TEST(Fairness, IsMeasuredOnTheLimitAtEachLevel) {
 }
 
 TEST(Fairness, ComparesTheLaplacianOfOneSplitOnly) {
-  const std::vector<FairnessRecord> records{fairness_of("loop", 2), fairness_of("sqrt3", 2)};
-  const nlohmann::ordered_json json = fairness_json("torus", records);
+  const std::vector<study::FairnessRecord> records{fairness_of("loop", 2), fairness_of("sqrt3", 2)};
+  const nlohmann::ordered_json json = report::fairness_json("torus", records);
   EXPECT_FALSE(json.at("fairest").contains("laplacian_energy"));
   EXPECT_TRUE(json.at("fairest").contains("thin_plate"));
-  EXPECT_NE(fairness_text("torus", records).find("does not compare"), std::string::npos);
-  EXPECT_TRUE(fairness_json("torus", {records[0]}).at("fairest").empty());
+  EXPECT_NE(report::fairness_text("torus", records).find("does not compare"), std::string::npos);
+  EXPECT_TRUE(report::fairness_json("torus", {records[0]}).at("fairest").empty());
 }
 
 TEST(Fairness, OfAPlaneIsZeroAndNoNoiseGrows) {
-  const Mesh mesh = star(Lattice::triangle, 6, 3);
+  const Mesh mesh = mesh::star(Lattice::triangle, 6, 3);
   std::vector<Point3> points;
   for (Index v = 0; v < mesh.vertex_count(); ++v)  // flat, whatever the mesh makes of it
     points.push_back({std::cos(v) * v, std::sin(v) * v, .3 * std::cos(v) * v});
-  const FairnessRecord record = approx_fairness("loop", shipped("loop"), mesh, points).value();
+  const study::FairnessRecord record =
+      study::approx_fairness("loop", shipped("loop"), mesh, points).value();
   EXPECT_EQ(record.thin_plate.converges, Truth::yes);
   EXPECT_NEAR(record.thin_plate.limit, 0, 1e-12);
   EXPECT_EQ(record.curvature_variation.converges, Truth::yes);
 }
 
-std::vector<FairnessRecord> loop_and_optimal(const Mesh& mesh, const std::vector<Point3>& points) {
-  std::vector<FairnessRecord> records;
+std::vector<study::FairnessRecord> loop_and_optimal(const Mesh& mesh,
+                                                    const std::vector<Point3>& points) {
+  std::vector<study::FairnessRecord> records;
   for (const char* name : {"loop", "butterfly", "optimal"})
-    records.push_back(approx_fairness(name, shipped(name), mesh, points, {4, {}}).value());
+    records.push_back(study::approx_fairness(name, shipped(name), mesh, points, {4, {}}).value());
   return records;
 }
 
 // … so none is the fairest: what is left is rounding.
 TEST(Fairness, OfPlanesIsATie) {
-  const Mesh mesh = star(Lattice::triangle, 7, 3);
+  const Mesh mesh = mesh::star(Lattice::triangle, 7, 3);
   for (const double scale : {1e-100, 1e-3, 1.0, 1e5, 1e100}) {
     SCOPED_TRACE(scale);
     std::vector<Point3> points;
@@ -178,10 +181,10 @@ TEST(Fairness, OfPlanesIsATie) {
       points.push_back(scale * Point3{x + 3, y, .3 * x - .7 * y});
     }
     const auto records = loop_and_optimal(mesh, points);
-    const auto json = fairness_json("plane", records);
+    const auto json = report::fairness_json("plane", records);
     for (const char* flat : {"thin_plate", "curvature_variation"})
       EXPECT_FALSE(json.at("fairest").contains(flat)) << json.at("fairest").dump();
-    for (const FairnessRecord& record : records) {
+    for (const study::FairnessRecord& record : records) {
       EXPECT_EQ(record.thin_plate.limit, 0) << record.scheme;
       EXPECT_EQ(record.curvature_variation.limit, 0) << record.scheme;
     }
@@ -190,29 +193,29 @@ TEST(Fairness, OfPlanesIsATie) {
 
 // What rounding may be is not so much that it hides what there is.
 TEST(Fairness, OfBentSurfacesIsNoTie) {
-  const Mesh mesh = torus(Lattice::triangle, kAround, kAcross);
+  const Mesh mesh = mesh::torus(Lattice::triangle, kAround, kAcross);
   const auto records = loop_and_optimal(mesh, torus_points());
-  for (const FairnessRecord& record : records) {
+  for (const study::FairnessRecord& record : records) {
     const SurfaceEnergies& e = record.last().energies;
     EXPECT_LT(e.rounding.thin_plate, 1e-8 * e.thin_plate) << record.scheme;
     EXPECT_LT(e.rounding.curvature_variation, 1e-6 * e.curvature_variation) << record.scheme;
     EXPECT_LT(record.last().laplacian_rounding, 1e-8 * record.last().laplacian_energy);
   }
-  EXPECT_EQ(fairness_json("torus", records).at("fairest").size(), 3);
+  EXPECT_EQ(report::fairness_json("torus", records).at("fairest").size(), 3);
 }
 
 TEST(Fairness, OfOnePointDoesNotGrow) {
-  const Mesh mesh = torus(Lattice::triangle, 4, 5);
+  const Mesh mesh = mesh::torus(Lattice::triangle, 4, 5);
   for (const Point3 at :
        {Point3{}, Point3{1, 2, 3}, Point3{.1, .7, -.3}, Point3{1e-90, 3e-90, 0}}) {
     const auto records = loop_and_optimal(mesh, std::vector<Point3>(20, at));
-    for (const FairnessRecord& record : records)
-      for (const Trend& trend :
+    for (const study::FairnessRecord& record : records)
+      for (const fairness::Trend& trend :
            {record.scaled_laplacian, record.area, record.thin_plate, record.curvature_variation})
         EXPECT_EQ(trend.converges, Truth::yes) << record.scheme;
-    EXPECT_TRUE(fairness_json("point", records).at("fairest").empty());
-    for (const FairnessRecord& record : records)
-      for (const FairnessLevel& level : record.levels) {
+    EXPECT_TRUE(report::fairness_json("point", records).at("fairest").empty());
+    for (const study::FairnessRecord& record : records)
+      for (const study::FairnessLevel& level : record.levels) {
         EXPECT_EQ(level.laplacian_energy, 0) << record.scheme;
         EXPECT_EQ(level.scaled_laplacian, 0);
         EXPECT_EQ(level.energies.area, 0);
@@ -224,7 +227,7 @@ TEST(Fairness, OfOnePointDoesNotGrow) {
 
 // A part without any size adds nothing to the rest.
 TEST(Fairness, OfPartsThatAreOnePointIsThatOfTheRest) {
-  const Mesh mesh = torus(Lattice::triangle, kAround, kAcross);
+  const Mesh mesh = mesh::torus(Lattice::triangle, kAround, kAcross);
   Polygons both = mesh.polygons(torus_points());
   const Index count = both.vertex_count();
   const auto corners = static_cast<Index>(both.corners.size());
@@ -233,10 +236,11 @@ TEST(Fairness, OfPartsThatAreOnePointIsThatOfTheRest) {
     both.corners.push_back(both.corners[static_cast<std::size_t>(i)] + count);
     if (i % 3 == 2) both.face_begin.push_back(static_cast<Index>(both.corners.size()));
   }
-  const FairnessRecord alone =
-      approx_fairness("loop", shipped("loop"), mesh, torus_points(), {4, {}}).value();
-  const FairnessRecord record =
-      approx_fairness("loop", shipped("loop"), Mesh::build(both).value(), both.positions, {4, {}})
+  const study::FairnessRecord alone =
+      study::approx_fairness("loop", shipped("loop"), mesh, torus_points(), {4, {}}).value();
+  const study::FairnessRecord record =
+      study::approx_fairness("loop", shipped("loop"), Mesh::build(both).value(), both.positions,
+                             {4, {}})
           .value();
   const SurfaceEnergies &a = alone.last().energies, &b = record.last().energies;
   EXPECT_NEAR(b.thin_plate, a.thin_plate, 1e-9 * a.thin_plate);
@@ -246,25 +250,25 @@ TEST(Fairness, OfPartsThatAreOnePointIsThatOfTheRest) {
 }
 
 TEST(Fairness, RefusesWhatCannotBeRefined) {
-  const Mesh quads = torus(Lattice::quad, kAround, kAcross);
-  const auto refused = approx_fairness("loop", shipped("loop"), quads, torus_points());
+  const Mesh quads = mesh::torus(Lattice::quad, kAround, kAcross);
+  const auto refused = study::approx_fairness("loop", shipped("loop"), quads, torus_points());
   ASSERT_FALSE(refused.ok());
   EXPECT_NE(refused.error().text().find("triang"), std::string::npos);
   std::vector<Point3> points = torus_points();
   points[3].z = std::numeric_limits<double>::infinity();
-  EXPECT_FALSE(
-      approx_fairness("loop", shipped("loop"), torus(Lattice::triangle, kAround, kAcross), points)
-          .ok());
+  EXPECT_FALSE(study::approx_fairness("loop", shipped("loop"),
+                                      mesh::torus(Lattice::triangle, kAround, kAcross), points)
+                   .ok());
 }
 
 TEST(SpectrumReport, HasBothEnds) {
-  const Mesh mesh = torus(Lattice::quad, 4, 4);
-  const SpectrumEnds ends = approx_spectrum_ends(mesh, 2).value();
+  const Mesh mesh = mesh::torus(Lattice::quad, 4, 4);
+  const report::SpectrumEnds ends = report::approx_spectrum_ends(mesh, 2).value();
   EXPECT_NEAR(ends.smallest[0], 0, 1e-14);
   EXPECT_NEAR(ends.smallest[1], .5, 1e-14);
   EXPECT_NEAR(ends.largest[1], 2, 1e-14);
-  EXPECT_EQ(spectrum_json(ends).at("largest").size(), 2U);
-  EXPECT_NE(spectrum_text("m", ends).find("0.50000000"), std::string::npos);
+  EXPECT_EQ(report::spectrum_json(ends).at("largest").size(), 2U);
+  EXPECT_NE(report::spectrum_text("m", ends).find("0.50000000"), std::string::npos);
 }
 
 }  // namespace

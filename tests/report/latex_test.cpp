@@ -32,7 +32,7 @@ TEST(LatexStructure, FindsWhatIsWrong) {
 
 TEST(Latex, EveryShippedSchemeIsDescribed) {
   for (const std::string& name : shipped_schemes()) {
-    const Result<std::string> latex = describe_latex(shipped(name));
+    const Result<std::string> latex = report::describe_latex(shipped(name));
     ASSERT_TRUE(latex.ok()) << latex.error().text();
     EXPECT_EQ(latex_fault(*latex), "") << name << "\n" << *latex;
   }
@@ -42,7 +42,7 @@ TEST(Latex, EveryShippedSchemesFormulas) {
   for (const std::string& name : lattice_names()) {
     const Result<EigenFormulas> formulas = eigen_formulas(shipped(name), {}, 0);
     if (!formulas) continue;  // no rules, or no FLINT
-    const std::string latex = eigen_formulas_text(name, *formulas, Notation::latex);
+    const std::string latex = report::eigen_formulas_text(name, *formulas, number::Notation::latex);
     EXPECT_EQ(latex_fault(latex), "") << name << "\n" << latex;
   }
 }
@@ -59,8 +59,8 @@ TEST(Latex, TablesOfEigenvalues) {
   for (const std::string& name : lattice_names()) {
     const Scheme& scheme = shipped(name);
     if (scheme.mask || scheme.factors) continue;
-    const std::string latex =
-        eigenvalue_latex("a_b & {" + name, eigenvalue_table(components(scheme, 3, 8)));
+    const std::string latex = report::eigenvalue_latex(
+        "a_b & {" + name, report::eigenvalue_table(components(scheme, 3, 8)));
     EXPECT_EQ(latex_fault(latex), "") << name << "\n" << latex;
   }
 }
@@ -68,17 +68,17 @@ TEST(Latex, TablesOfEigenvalues) {
 TEST(Latex, ANameIsNoMarkup) {
   Scheme scheme = shipped("loop");
   scheme.name = "loop\n\\input{evil}\n\x1b[31m%&_";
-  const std::string shown = describe_latex(scheme).value();
+  const std::string shown = report::describe_latex(scheme).value();
   EXPECT_EQ(shown.find("\n\\input"), std::string::npos) << shown;
   EXPECT_EQ(latex_fault(shown), "") << shown;
   const std::string table =
-      eigenvalue_latex(scheme.name, eigenvalue_table(components(scheme, 5, 6)));
+      report::eigenvalue_latex(scheme.name, report::eigenvalue_table(components(scheme, 5, 6)));
   EXPECT_EQ(latex_fault(table), "") << table;
 }
 
 /// Loop's eigenvalues in closed form [Loop 1987]: tangent 3/8 + cos(2π/n)/4, cup its square.
 TEST(EigenvalueTable, IsLoopsClosedForm) {
-  const DataTable table = eigenvalue_table(components(shipped("loop"), 3, 12));
+  const report::DataTable table = report::eigenvalue_table(components(shipped("loop"), 3, 12));
   ASSERT_EQ(table.columns[1], "tangent");
   ASSERT_EQ(table.columns[3], "cup");
   for (const std::vector<double>& row : table.rows) {
@@ -89,7 +89,7 @@ TEST(EigenvalueTable, IsLoopsClosedForm) {
     EXPECT_EQ(std::isnan(row[4]), row[0] == 3);
     EXPECT_EQ(row.size(), table.columns.size());
   }
-  EXPECT_FALSE(has_complex(table));
+  EXPECT_FALSE(report::has_complex(table));
 }
 
 /// A complex pair: weights round a dual face that turn it, so that frequency 1 has no real leader.
@@ -107,13 +107,13 @@ TEST(EigenvalueTable, ComplexEigenvaluesAreModuliAndSaidSo) {
   found.spectra[0].eigenvalues = {eigenvalue(1), eigenvalue({0.3, 0.4}), eigenvalue({0.3, -0.4})};
   found.spectra[1].eigenvalues = {eigenvalue(0.6)};
   found.spectra[2].eigenvalues = {eigenvalue(-0.25)};
-  const DataTable table = eigenvalue_table({found});
-  EXPECT_TRUE(has_complex(table));
+  const report::DataTable table = report::eigenvalue_table({found});
+  EXPECT_TRUE(report::has_complex(table));
   const std::vector<double> row{5, 0.6, 0.36, 0.5, -0.25, 0.5, 0, 1, 0, 1};
   ASSERT_EQ(table.rows.front().size(), row.size());
   for (std::size_t i = 0; i < row.size(); ++i)
     EXPECT_NEAR(table.rows.front()[i], row[i], 1e-15) << i;
-  const std::string latex = eigenvalue_latex("turned", table);
+  const std::string latex = report::eigenvalue_latex("turned", table);
   EXPECT_NE(latex.find("$|0.500000|$"), std::string::npos) << latex;
   EXPECT_NE(latex.find("moduli of complex"), std::string::npos) << latex;
 }

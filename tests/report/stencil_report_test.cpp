@@ -13,22 +13,22 @@
 namespace limn::test {
 namespace {
 
-std::vector<RulePicture> pictures_of(const std::string& name) {
-  Result<std::vector<RulePicture>> pictures = rule_pictures(shipped(name));
+std::vector<study::RulePicture> pictures_of(const std::string& name) {
+  Result<std::vector<study::RulePicture>> pictures = study::rule_pictures(shipped(name));
   EXPECT_TRUE(pictures.ok()) << name;
   return *std::move(pictures);
 }
 
 /// The weight at a place, or "".
-std::string at(const RulePicture& picture, double x, double y) {
-  for (const RulePicture::Spot& spot : picture.weights)
+std::string at(const study::RulePicture& picture, double x, double y) {
+  for (const study::RulePicture::Spot& spot : picture.weights)
     if (std::hypot(spot.at[0] - x, spot.at[1] - y) < 1e-9) return spot.weight;
   return {};
 }
 
 TEST(RulePictures, PutWeightsWhereTheyAre) {
-  const std::vector<RulePicture> loop = pictures_of("loop");
-  const RulePicture& edge = loop[1];
+  const std::vector<study::RulePicture> loop = pictures_of("loop");
+  const study::RulePicture& edge = loop[1];
   ASSERT_EQ(edge.kind, RuleKind::edge);
   const double up = std::sqrt(3) / 2;
   EXPECT_EQ(at(edge, 0, 0), "3/8");
@@ -38,7 +38,7 @@ TEST(RulePictures, PutWeightsWhereTheyAre) {
   EXPECT_EQ(edge.weights.size(), 4U);
   EXPECT_EQ(edge.edges.size(), 5U);  // of its two triangles
   EXPECT_NEAR(edge.made[0], 0.5, 1e-12);
-  const RulePicture& vertex = loop[0];
+  const study::RulePicture& vertex = loop[0];
   EXPECT_EQ(vertex.valence, 6);
   EXPECT_EQ(at(vertex, 0, 0), "5/8");
   EXPECT_EQ(at(vertex, 0.5, up), "1/16");
@@ -51,11 +51,11 @@ TEST(RulePictures, ShowEveryCaseOfEveryShippedScheme) {
     std::size_t cases = 0;
     for (const auto& rule : shipped(name).rules)
       if (rule) cases += rule->size();
-    const std::vector<RulePicture> pictures = pictures_of(name);
+    const std::vector<study::RulePicture> pictures = pictures_of(name);
     EXPECT_EQ(pictures.size(), cases);
-    for (const RulePicture& picture : pictures) {
+    for (const study::RulePicture& picture : pictures) {
       double sum = 0;
-      for (const RulePicture::Spot& spot : picture.weights) {
+      for (const study::RulePicture::Spot& spot : picture.weights) {
         const std::size_t slash = spot.weight.find('/');
         sum += std::stod(spot.weight) /
                (slash == std::string::npos ? 1 : std::stod(spot.weight.substr(slash + 1)));
@@ -63,13 +63,13 @@ TEST(RulePictures, ShowEveryCaseOfEveryShippedScheme) {
       EXPECT_NEAR(sum, 1, 1e-2) << rule_name(picture.kind);
       EXPECT_FALSE(picture.vertices.empty());
     }
-    EXPECT_EQ(stencils_json(pictures).size(), cases);
-    EXPECT_TRUE(stencils_figure(name, pictures).check().ok());
+    EXPECT_EQ(report::stencils_json(pictures).size(), cases);
+    EXPECT_TRUE(report::stencils_figure(name, pictures).check().ok());
   }
 }
 
 TEST(StencilText, DrawsInLetters) {
-  const std::string text = stencils_text({pictures_of("loop")[1]});
+  const std::string text = report::stencils_text({pictures_of("loop")[1]});
   EXPECT_NE(text.find("  edge\n\n"), std::string::npos) << text;
   EXPECT_NE(text.find("    3/8  [ ] 3/8\n"), std::string::npos) << text;
   const std::size_t wing = text.find("1/8");

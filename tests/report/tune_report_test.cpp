@@ -29,7 +29,7 @@ ValenceSolutions made() {
 }
 
 TEST(TuneReport, GivesSolutionsAsJson) {
-  const nlohmann::json json = tune_json(made());
+  const nlohmann::json json = report::tune_json(made());
   EXPECT_EQ(json.at("searched"), (nlohmann::json{0., 1.}));
   const nlohmann::json& first = json.at("solutions")[0];
   EXPECT_EQ(first.at("exact"), "1/2");
@@ -44,7 +44,7 @@ TEST(TuneReport, GivesSolutionsAsJson) {
 }
 
 TEST(TuneReport, GivesSolutionsAsText) {
-  const std::string text = tune_text("g", made());
+  const std::string text = report::tune_text("g", made());
   EXPECT_NE(text.find("0.5 = 1/2\n"), std::string::npos) << text;
   EXPECT_NE(text.find("0.7071067811865476 (double)\n           why\n"), std::string::npos) << text;
   EXPECT_NE(text.find("      5  solved by every g in [0.75 = 3/4, 1]\n"), std::string::npos)
@@ -55,14 +55,14 @@ TEST(TuneReport, TellsOpenEndsFromClosedOnes) {
   ValenceRange range;
   range.valence = 7;
   range.parts = {{{0, Rational(0), true, {}}, {0.3, std::nullopt, false, "because"}}};
-  EXPECT_EQ(tune_text("g", range).substr(0, 26), "      7  0 <= g < 0.3\n    ");
-  EXPECT_NE(tune_text("g", range).find("to 0.3: because"), std::string::npos);
+  EXPECT_EQ(report::tune_text("g", range).substr(0, 26), "      7  0 <= g < 0.3\n    ");
+  EXPECT_NE(report::tune_text("g", range).find("to 0.3: because"), std::string::npos);
   range.closed = true;
-  EXPECT_NE(tune_text("g", range).find("0 <= g <= 0.3"), std::string::npos);
-  const nlohmann::json json = tune_json(range);
+  EXPECT_NE(report::tune_text("g", range).find("0 <= g <= 0.3"), std::string::npos);
+  const nlohmann::json json = report::tune_json(range);
   EXPECT_EQ(json.at("parts")[0].at("low").at("end_of_search"), true);
   EXPECT_EQ(json.at("parts")[0].at("high").at("reason"), "because");
-  EXPECT_NE(common_text("g", {}).find("no g serves"), std::string::npos);
+  EXPECT_NE(report::common_text("g", {}).find("no g serves"), std::string::npos);
 }
 
 }  // namespace

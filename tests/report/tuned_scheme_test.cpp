@@ -22,7 +22,7 @@ Tuned tuned(const std::string& name, const std::string& free, const std::string&
   const Requirement requirement = Requirement::parse(text, shipped(name)).value();
   std::vector<ValenceSolutions> all;
   for (int n = first; n <= last; ++n) all.push_back(solve_at(freed, requirement, n).value());
-  Result<std::string> file = tuned_scheme_text(freed, requirement, all, name);
+  Result<std::string> file = report::tuned_scheme_text(freed, requirement, all, name);
   return {std::move(all), std::move(file)};
 }
 

@@ -92,7 +92,7 @@ TEST_P(BadScheme, IsRefusedAtItsPlace) {
 /// The same without a file: only the name differs.
 TEST_P(BadScheme, IsRefusedAsText) {
   const Expected& expected = GetParam();
-  const std::string text = *read_file((folder() / expected.file).string());
+  const std::string text = *base::read_file((folder() / expected.file).string());
   const Result<Scheme> scheme = parse_scheme(text, {});
   ASSERT_FALSE(scheme.ok());
   EXPECT_TRUE(scheme.error().file.empty()) << scheme.error().file;

@@ -19,8 +19,9 @@ TEST(Decimals, AreTheFractionsThatTheySpell) {
                                    "weights = \"decimal\"\n"
                                    "edge = { end = \"0.375\", wing = \".125\" }\n");
   EXPECT_TRUE(scheme.has_decimals);
-  expect_same_refinement(scheme, find_scheme("loop").value(), torus(Lattice::triangle, 5, 4));
-  const Row<Exact> row = tabulate_row<Exact>(scheme, RuleKind::edge, 0).value();
+  expect_same_refinement(scheme, find_scheme("loop").value(), mesh::torus(Lattice::triangle, 5, 4));
+  const refine::Row<number::Exact> row =
+      refine::tabulate_row<number::Exact>(scheme, RuleKind::edge, 0).value();
   EXPECT_EQ(row.weights.front().rational(), Rational(3, 8));
   EXPECT_EQ(scheme.rule(RuleKind::edge)->front().weights.front().value.expression.text(), "0.375");
 }
@@ -32,11 +33,14 @@ TEST(Decimals, ThatSumToOneToRoundingAloneAreDividedByTheirSum) {
                                    "[[vertex]]\nwhen = \"n == 5\"\n"
                                    "self = \"0.5805\"\nring = \"0.0840\"\n"
                                    "[[vertex]]\nself = \"5/8\"\nring = \"3/(8*n)\"\n");
-  const Row<Exact> edge = tabulate_row<Exact>(scheme, RuleKind::edge, 0).value();
+  const refine::Row<number::Exact> edge =
+      refine::tabulate_row<number::Exact>(scheme, RuleKind::edge, 0).value();
   EXPECT_EQ(edge.weights.front().rational(), Rational(3333, 9998));
-  const Row<Exact> vertex = tabulate_row<Exact>(scheme, RuleKind::vertex, 5).value();
+  const refine::Row<number::Exact> vertex =
+      refine::tabulate_row<number::Exact>(scheme, RuleKind::vertex, 5).value();
   EXPECT_EQ(vertex.weights.front().rational(), Rational(5805, 10005));
-  const Row<Exact> exact = tabulate_row<Exact>(scheme, RuleKind::vertex, 7).value();
+  const refine::Row<number::Exact> exact =
+      refine::tabulate_row<number::Exact>(scheme, RuleKind::vertex, 7).value();
   EXPECT_EQ(exact.weights.front().rational(), Rational(5, 8));  // as it stands
 }
 

@@ -21,6 +21,7 @@ struct Measured {
   double error = 0;
 };
 
+namespace number {
 template <>
 struct Arithmetic<Measured> {
   static Measured rounded(double value, double error) {
@@ -57,9 +58,12 @@ struct Arithmetic<Measured> {
     if (std::abs(a.value) <= a.error) return Error{"unknown: near 0"};
     return a.value < 0 ? -1 : 1;
   }
-  static Result<long long> integer(Measured a) { return Arithmetic<double>::integer(a.value); }
+  static Result<long long> integer(Measured a) {
+    return number::Arithmetic<double>::integer(a.value);
+  }
   static double approx(Measured a) { return a.value; }
 };
+}  // namespace number
 
 namespace {
 
@@ -70,18 +74,19 @@ template <class Number>
 Result<Number> evaluate(const std::string& text) {
   const Result<Expression> expression = Expression::parse(text);
   if (!expression) return expression.error();
-  return limn::evaluate<Number>(*expression, [](const std::string& name) -> Result<Number> {
+  return limn::scheme::evaluate<Number>(*expression, [](const std::string& name) -> Result<Number> {
     const std::map<std::string, Rational> values{{"n", kN}, {"k", kK}, {"w", Rational(1, 16)}};
     const auto found = values.find(name);
     if (found == values.end()) return Error{"unknown name"};
-    return Arithmetic<Number>::from(found->second);
+    return number::Arithmetic<Number>::from(found->second);
   });
 }
 
 template <class Number>
 class Conformance : public testing::Test {};
 
-using Numbers = testing::Types<double, Jet, Exact, Symbolic, Measured, Ball, certify::PowerBall>;
+using Numbers = testing::Types<double, number::Jet, number::Exact, number::Symbolic, Measured,
+                               number::Ball, certify::PowerBall>;
 TYPED_TEST_SUITE(Conformance, Numbers);
 
 TYPED_TEST(Conformance, Values) {
@@ -117,7 +122,7 @@ TYPED_TEST(Conformance, Values) {
   for (const auto& [text, value] : expected) {
     const Result<TypeParam> result = evaluate<TypeParam>(text);
     ASSERT_TRUE(result.ok()) << text << ": " << result.error().message;
-    EXPECT_NEAR(Arithmetic<TypeParam>::approx(*result), value, 1e-12) << text;
+    EXPECT_NEAR(number::Arithmetic<TypeParam>::approx(*result), value, 1e-12) << text;
   }
 }
 
@@ -140,7 +145,7 @@ TEST(ConformanceOfTwo, NumbersBeyondDouble) {
   for (const char* text : {"10^999", "(10^200)*(10^200)", "10^200/10^-200", "2^1030 - 2^1030",
                            "((2^4096)^4096)^4096"}) {
     const Result<double> approx = evaluate<double>(text);
-    const Result<Exact> exact = evaluate<Exact>(text);
+    const Result<number::Exact> exact = evaluate<number::Exact>(text);
     ASSERT_FALSE(approx.ok()) << text;
     ASSERT_FALSE(exact.ok()) << text;
     EXPECT_EQ(approx.error().message, exact.error().message) << text;
@@ -178,9 +183,9 @@ rc::Gen<std::string> any_expression(int depth) {
 RC_GTEST_PROP(ConformanceOfTwo, RandomExpressions, ()) {
   const std::string text = *any_expression(4);
   const Result<Measured> measured = evaluate<Measured>(text);
-  const Result<Exact> exact = evaluate<Exact>(text);
+  const Result<number::Exact> exact = evaluate<number::Exact>(text);
   const Result<double> approx = evaluate<double>(text);
-  const Result<Symbolic> symbolic = evaluate<Symbolic>(text);
+  const Result<number::Symbolic> symbolic = evaluate<number::Symbolic>(text);
   if (!measured) {
     RC_CLASSIFY(true, "fails");
     if (measured.error().message.find("unknown") == 0) return;
@@ -192,7 +197,7 @@ RC_GTEST_PROP(ConformanceOfTwo, RandomExpressions, ()) {
   }
   RC_ASSERT(approx.ok());
   if (symbolic)
-    RC_ASSERT(std::abs(Arithmetic<Symbolic>::approx(*symbolic) - *approx) <=
+    RC_ASSERT(std::abs(number::Arithmetic<number::Symbolic>::approx(*symbolic) - *approx) <=
               1e3 * measured->error + 1e-10 * (1 + std::abs(*approx)));
   if (!exact) {  // only for want of a way to write it
     RC_CLASSIFY(true, "not exact");

@@ -17,12 +17,12 @@ std::string value(const std::string& text) {
     return std::to_string(error.column) + ": " + error.message;
   };
   if (!expression) return failed(expression.error());
-  const Result<Exact> result =
-      limn::evaluate<Exact>(*expression, [](const std::string& name) -> Result<Exact> {
+  const Result<number::Exact> result = limn::scheme::evaluate<number::Exact>(
+      *expression, [](const std::string& name) -> Result<number::Exact> {
         const std::map<std::string, Rational> values{{"n", 7}, {"k", 3}, {"w", Rational(1, 16)}};
         const auto found = values.find(name);
         if (found == values.end()) return Error{"unknown " + name};
-        return Exact(found->second);
+        return number::Exact(found->second);
       });
   if (!result) return failed(result.error());
   return result->is_rational() ? to_string(result->rational()) : "irrational";

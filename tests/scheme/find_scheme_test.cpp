@@ -50,7 +50,7 @@ class Extending : public testing::Test {
   std::string write(const std::string& name, const std::string& text) {
     const std::string path = folder_ / name;
     std::filesystem::create_directories(std::filesystem::path(path).parent_path());
-    EXPECT_TRUE(write_file(path, text).ok());
+    EXPECT_TRUE(base::write_file(path, text).ok());
     return path;
   }
   test::TemporaryFolder folder_;
@@ -71,7 +71,7 @@ TEST_F(Extending, RelativeToTheFile) {
       *scheme,
       test::must_parse("split = \"triangle-dyadic\"\n[vertex]\nself = \"5/8\"\nring = \"3/8/n\"\n"
                        "[edge]\nend = \"1/3\"\nwing = \"1/6\"\n"),
-      torus(Lattice::triangle, 4, 5), 2);
+      mesh::torus(Lattice::triangle, 4, 5), 2);
 }
 
 TEST_F(Extending, ALetTakesThePlaceOfAParameter) {
@@ -116,7 +116,7 @@ TEST_F(Extending, LongChains) {
 
 /// What refining a star gives, as a fingerprint of a scheme's weights.
 std::vector<double> fingerprint(const Scheme& scheme) {
-  return test::refined(scheme, star(Lattice::triangle, 5, 2), 2).value().values;
+  return test::refined(scheme, mesh::star(Lattice::triangle, 5, 2), 2).value().values;
 }
 
 TEST(SetParameter, ExpressionsInNAndLets) {
@@ -170,7 +170,7 @@ TEST(SetParameter, AFailureLeavesTheSchemeUnchanged) {
 
 TEST(SetParameter, OfFactorsMakesTheRulesAnew) {
   Scheme scheme = find_scheme("box-spline-quad").value();
-  const Mesh mesh = torus(Lattice::quad, 6, 6);
+  const Mesh mesh = mesh::torus(Lattice::quad, 6, 6);
   const std::vector<double> bicubic = test::refined(scheme, mesh)->values;
   EXPECT_FALSE(set_parameter(scheme, "i=3").ok());  // then the centre fits no primal split
   EXPECT_EQ(test::refined(scheme, mesh)->values, bicubic);
@@ -179,7 +179,7 @@ TEST(SetParameter, OfFactorsMakesTheRulesAnew) {
   ASSERT_TRUE(set_parameter(scheme, "i=2").ok());  // no symmetry, no rules
   EXPECT_FALSE(test::refined(scheme, mesh).ok());
   ASSERT_TRUE(set_parameter(scheme, "j=2").ok());  // bilinear
-  const Result<Refined<double>> linear = test::refined(scheme, mesh);
+  const Result<refine::Refined<double>> linear = test::refined(scheme, mesh);
   ASSERT_TRUE(linear.ok());
   const std::vector<double> old = test::random_values(mesh);
   for (Index v = 0; v < mesh.vertex_count(); ++v) EXPECT_NEAR(linear->values[v], old[v], 1e-15);
@@ -187,7 +187,7 @@ TEST(SetParameter, OfFactorsMakesTheRulesAnew) {
 
 TEST(SetParameter, SeveralAtOnce) {
   Scheme scheme = find_scheme("box-spline-triangle").value();
-  const Mesh mesh = torus(Lattice::triangle, 6, 6);
+  const Mesh mesh = mesh::torus(Lattice::triangle, 6, 6);
   EXPECT_FALSE(set_parameter(scheme, "i=1").ok());  // one by one the centre does not fit
   ASSERT_TRUE(set_parameters(scheme, {"i=1", "j=1", "k3=1"}).ok());
   const std::vector<double> linear = test::refined(scheme, mesh)->values;

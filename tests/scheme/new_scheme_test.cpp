@@ -55,13 +55,13 @@ corner = "1/n"
 TEST(NewScheme, TensorFourPointOnQuads) {
   const Scheme scheme = must_parse(kFourPoint);
   constexpr Index kSide = 7;
-  const Mesh mesh = torus(Lattice::quad, kSide, kSide);
+  const Mesh mesh = mesh::torus(Lattice::quad, kSide, kSide);
   const std::vector<double> old = test::random_values(mesh);
   const auto at = [&](Index i, Index j) {
     return old[(j + 2 * kSide) % kSide * kSide + (i + 2 * kSide) % kSide];
   };
   constexpr std::array<double, 4> kRule{-1.0 / 16, 9.0 / 16, 9.0 / 16, -1.0 / 16};
-  const Result<Refined<double>> result = refined(scheme, mesh);
+  const Result<refine::Refined<double>> result = refined(scheme, mesh);
   ASSERT_TRUE(result.ok()) << result.error().text();
   const std::vector<double>& fresh = result->values;
   for (Index v = 0; v < mesh.vertex_count(); ++v) EXPECT_EQ(fresh[v], old[v]);
@@ -107,21 +107,24 @@ outer  = "-2/81"
 TEST(NewScheme, InterpolatingSqrt3) {
   const Scheme scheme = must_parse(kInterpolatingSqrt3);
   const auto count = [&](const char* walk) {
-    return place(RuleKind::face, Lattice::triangle, parse_walk(walk).value()).value().count * 3;
+    return scheme::place(RuleKind::face, Lattice::triangle, parse_walk(walk).value())
+               .value()
+               .count *
+           3;
   };
   EXPECT_EQ(count(""), 3);
   EXPECT_EQ(count("fev"), 3);
   EXPECT_EQ(count("fefev"), 6);
   // a cubic on the lattice, away from the seam of the torus, is reproduced at the centroids
   constexpr Index kSide = 8;
-  const Mesh mesh = torus(Lattice::triangle, kSide, kSide);
+  const Mesh mesh = mesh::torus(Lattice::triangle, kSide, kSide);
   const auto cubic = [](double a, double b) {
     const double x = a - b / 2, y = b * std::sqrt(3) / 2;
     return 1 + x - 2 * y + x * x - 3 * x * y + x * x * x - 2 * x * y * y + y * y * y;
   };
   std::vector<double> old;
   for (Index v = 0; v < mesh.vertex_count(); ++v) old.push_back(cubic(v % kSide, v / kSide));
-  const Result<Refined<double>> result = refine<double>(scheme, mesh, old, 1);
+  const Result<refine::Refined<double>> result = refine::refine<double>(scheme, mesh, old, 1);
   ASSERT_TRUE(result.ok()) << result.error().text();
   for (Index v = 0; v < mesh.vertex_count(); ++v) EXPECT_EQ(result->values[v], old[v]);
   for (Index f = 0; f < mesh.face_count(); ++f) {
@@ -180,7 +183,7 @@ ring = "fourth"
   const Scheme butterfly = shipped("butterfly-modified");
   expect_same_refinement(scheme, butterfly, test::tetrahedron(), 3);
   expect_same_refinement(scheme, butterfly, test::icosahedron(), 2);
-  expect_same_refinement(scheme, butterfly, torus(Lattice::triangle, 5, 4), 2);
+  expect_same_refinement(scheme, butterfly, mesh::torus(Lattice::triangle, 5, 4), 2);
   for (unsigned seed = 0; seed < 20; ++seed) {
     const Mesh mesh = test::RandomMesh(seed).triangles();
     if (!mesh.has_boundary()) expect_same_refinement(scheme, butterfly, mesh, 2);
@@ -214,7 +217,7 @@ struct Given {
 
 class GivenByMask : public testing::TestWithParam<Given> {};
 
-Mesh regular(const Scheme& scheme) { return torus(scheme.split->lattice, 9, 8); }
+Mesh regular(const Scheme& scheme) { return mesh::torus(scheme.split->lattice, 9, 8); }
 
 TEST_P(GivenByMask, HasTheRulesOfTheShippedScheme) {
   const Scheme scheme = must_parse(GetParam().text);
@@ -225,8 +228,8 @@ TEST_P(GivenByMask, HasTheRulesOfTheShippedScheme) {
 TEST_P(GivenByMask, SaysWhichRuleAnIrregularMeshLacks) {
   const Scheme scheme = must_parse(GetParam().text);
   const bool dual = scheme.split->is_dual();
-  const Mesh mesh = dual ? face_star(5, 2) : star(scheme.split->lattice, 5, 3);
-  const Result<Refined<double>> result = refined(scheme, mesh);
+  const Mesh mesh = dual ? mesh::face_star(5, 2) : mesh::star(scheme.split->lattice, 5, 3);
+  const Result<refine::Refined<double>> result = refined(scheme, mesh);
   ASSERT_FALSE(result.ok());
   const std::string missing = dual ? "no corner rule at n = 5, needed at face 0"
                                    : "no vertex rule at n = 5, needed at vertex 0";
@@ -272,7 +275,8 @@ INSTANTIATE_TEST_SUITE_P(All, GivenByMask, testing::ValuesIn(kGiven));
 /// In a row of a boundary there is no rule, and the error says so.
 TEST(NewScheme, GivenByMaskHasNoBoundary) {
   const Scheme scheme = must_parse("split = \"triangle-dyadic\"\n[factors]\nstages = 2");
-  const Result<Refined<double>> result = refined(scheme, star(Lattice::triangle, 6, 2));
+  const Result<refine::Refined<double>> result =
+      refined(scheme, mesh::star(Lattice::triangle, 6, 2));
   ASSERT_FALSE(result.ok());
   EXPECT_NE(result.error().message.find("no boundary.vertex rule"), std::string::npos);
 }
@@ -281,7 +285,8 @@ TEST(NewScheme, MaskWithoutSymmetryHasNoRules) {
   const Scheme scheme = must_parse(
       "split = \"triangle-dyadic\"\n[factors]\ndirections = [ { step = [1, 0], count = 3 }, "
       "{ step = [0, 1], count = 1 }, { step = [1, 1], count = 1 } ]");
-  const Result<Refined<double>> result = refined(scheme, torus(Lattice::triangle, 6, 6));
+  const Result<refine::Refined<double>> result =
+      refined(scheme, mesh::torus(Lattice::triangle, 6, 6));
   ASSERT_FALSE(result.ok());
   EXPECT_NE(result.error().message.find("has no vertex rule at n = 6"), std::string::npos)
       << result.error().text();
@@ -293,7 +298,7 @@ TEST(NewScheme, LargeBoxSplines) {
     const Status status = set_parameter(scheme, parameter);
     ASSERT_TRUE(status.ok()) << status.error().text();
   }
-  const Mesh mesh = torus(Lattice::triangle, 12, 12);
+  const Mesh mesh = mesh::torus(Lattice::triangle, 12, 12);
   EXPECT_TRUE(refined(scheme, mesh).ok());
 }
 

@@ -15,7 +15,8 @@ using test::must_parse;
 constexpr const char* kHead = "extends = \"loop\"\nsplit = \"triangle-dyadic\"\n";
 
 /// Both answer alike: with the same values, or with the same error.
-void expect_as_set_parameters(ParameterSetter& setter, const std::vector<std::string>& how) {
+void expect_as_set_parameters(scheme::ParameterSetter& setter,
+                              const std::vector<std::string>& how) {
   Scheme plain = setter.scheme();
   const Status status = set_parameters(plain, how);
   const Result<Scheme> found = setter.with(how);
@@ -34,7 +35,7 @@ TEST(ParameterSetter, AnswersAsSetParameters) {
   for (const std::string& name : shipped_schemes()) {
     const Scheme scheme = find_scheme(name).value();
     if (scheme.parameters.empty()) continue;
-    ParameterSetter setter(scheme);
+    scheme::ParameterSetter setter(scheme);
     for (int round = 0; round < 8; ++round) {
       std::vector<std::string> how;
       for (const Parameter& parameter : scheme.parameters)
@@ -55,7 +56,7 @@ TEST(ParameterSetter, AnswersAsSetParameters) {
 
 TEST(ParameterSetter, KnowsTheDegreeOfWeights) {
   const auto degree = [](const std::string& weights, const char* name = "a") {
-    return detail::degree_of_weights(
+    return scheme::detail::degree_of_weights(
         must_parse(std::string(kHead) + weights + "\n[parameter.a]\ndefault = \"1\"\n"), name);
   };
   EXPECT_EQ(degree("edge = { end = \"3/8\", wing = \"1/8\" }"), 0);
@@ -71,7 +72,7 @@ TEST(ParameterSetter, KnowsTheDegreeOfWeights) {
 
 // The sum of the weights is 1 at two values of a, and nowhere else.
 TEST(ParameterSetter, TakesNoTwoValuesForAProofOfAParabola) {
-  ParameterSetter setter(
+  scheme::ParameterSetter setter(
       must_parse(std::string(kHead) +
                  "vertex = { self = \"1 - n*beta + (a - 1)*(2*a - 1)\", ring = \"beta\" }\n"
                  "[parameter.a]\ndefault = \"1\"\n"));
@@ -84,7 +85,7 @@ TEST(ParameterSetter, TakesNoTwoValuesForAProofOfAParabola) {
 
 // What is known of one parameter is so for the others' values alone.
 TEST(ParameterSetter, KeepsApartWhatIsKnownAtOtherValuesOfTheRest) {
-  ParameterSetter setter(must_parse(
+  scheme::ParameterSetter setter(must_parse(
       std::string(kHead) + "vertex = { self = \"1 - n*beta + a*(b - 1)\", ring = \"beta\" }\n" +
       "[parameter.a]\ndefault = \"1\"\n[parameter.b]\ndefault = \"1\"\n"));
   for (const char* value : {"a=2", "a=3", "a=4"}) EXPECT_TRUE(setter.with({value}).ok());
@@ -96,7 +97,7 @@ TEST(ParameterSetter, KeepsApartWhatIsKnownAtOtherValuesOfTheRest) {
 }
 
 TEST(ParameterSetter, ChecksRangesAtEveryValue) {
-  ParameterSetter setter(find_scheme("laplacian-loop-low").value());
+  scheme::ParameterSetter setter(find_scheme("laplacian-loop-low").value());
   for (const char* value : {"a=1/3", "a=1/4", "a=1/5"}) EXPECT_TRUE(setter.with({value}).ok());
   for (const char* value : {"a=-1/9", "a=11/10"}) expect_as_set_parameters(setter, {value});
   EXPECT_FALSE(setter.with({"a=11/10"}).ok());

@@ -24,14 +24,14 @@ Stencil stencil(const Mesh& mesh, Lattice lattice, RuleKind kind, const Walk& wa
                 Index n) {
   RuleCase rule_case;
   rule_case.weights.push_back({"role", walk, {Expression::constant(1), {}}});
-  Row<double> row;
-  row.program = std::make_shared<Program>(compile(rule_case, kind, lattice));
+  refine::Row<double> row;
+  row.program = std::make_shared<refine::Program>(refine::compile(rule_case, kind, lattice));
   const bool first_k = kind == RuleKind::edge_end || kind == RuleKind::corner;
-  for (const Step& step : *row.program)
+  for (const refine::Step& step : *row.program)
     for (Index k = 0; k < (walk.repeated ? n : 1); ++k)
       row.weights.push_back(to_double(step.share) * (walk.repeated && first_k && k == 0 ? 2 : 1));
   Stencil result;
-  visit_stencil(mesh, kind, h, false, row, [&](Source source, double weight) {
+  refine::visit_stencil(mesh, kind, h, false, row, [&](refine::Source source, double weight) {
     result[{source.index, source.is_face}] += weight;
   });
   std::erase_if(result, [](const auto& entry) { return std::abs(entry.second) < 1e-12; });
@@ -148,8 +148,8 @@ TEST(Placement, CountsOfAllNamedRoles) {
       named += named_roles(static_cast<RuleKind>(i), lattice).size();
   EXPECT_EQ(named, expected.size()) << "a named role without its count here";
   for (const Count& e : expected) {
-    const Placement placement =
-        place(e.kind, e.lattice, walk_of(e.kind, e.lattice, e.role)).value();
+    const scheme::Placement placement =
+        scheme::place(e.kind, e.lattice, walk_of(e.kind, e.lattice, e.role)).value();
     EXPECT_EQ(placement.count, e.count) << rule_name(e.kind) << " " << e.role;
     EXPECT_EQ(placement.times_n, e.times_n) << rule_name(e.kind) << " " << e.role;
   }
@@ -160,7 +160,7 @@ using Offsets = std::set<std::pair<int, int>>;
 constexpr Index kSide = 9;
 
 Offsets offsets(Lattice lattice, RuleKind kind, const Walk& walk) {
-  const Mesh mesh = torus(lattice, kSide, kSide);
+  const Mesh mesh = mesh::torus(lattice, kSide, kSide);
   Index h = 0;  // from the middle along (1, 0)
   while (mesh.origin(h) != 4 * kSide + 4 || mesh.target(h) != 4 * kSide + 5) ++h;
   Offsets result;
@@ -216,14 +216,16 @@ TEST(Placement, PlacesOfAnOwnWalk) {
 
 TEST(Placement, ExtensionIsTheReflection) {
   const auto starts = [](Lattice lattice, std::string_view role) {
-    return place(RuleKind::edge, lattice, walk_of(RuleKind::edge, lattice, role)).value().starts;
+    return scheme::place(RuleKind::edge, lattice, walk_of(RuleKind::edge, lattice, role))
+        .value()
+        .starts;
   };
-  for (const Start& start : starts(Lattice::triangle, "outer")) {  // v + w - v'
+  for (const scheme::Start& start : starts(Lattice::triangle, "outer")) {  // v + w - v'
     EXPECT_EQ(start.extension.along, -1);
     EXPECT_EQ(start.extension.aside, 1);
   }
   for (const Lattice lattice : {Lattice::triangle, Lattice::quad}) {
-    for (const Start& start : starts(lattice, "opposite")) {  // v - (v' - v)
+    for (const scheme::Start& start : starts(lattice, "opposite")) {  // v - (v' - v)
       EXPECT_EQ(start.extension.along, -1);
       EXPECT_EQ(start.extension.aside, 0);
     }
@@ -344,7 +346,7 @@ RC_GTEST_PROP(PlacementLaws, AnyWalkInTheMirror, ()) {
     const RuleKind kind = *rc::gen::element(RuleKind::vertex, RuleKind::edge, RuleKind::edge_end,
                                             RuleKind::face, RuleKind::corner);
     const Walk walk = any_walk();
-    const Result<Placement> placement = place(kind, lattice, walk);
+    const Result<scheme::Placement> placement = scheme::place(kind, lattice, walk);
     if (!placement) continue;
     const auto all = stencils(mesh, lattice, kind, walk);
     expect_same(all, stencils(other, lattice, kind, walk),
@@ -368,9 +370,9 @@ RC_GTEST_PROP(PlacementLaws, PositionsShareOneWeight, ()) {
   Walk walk;
   walk.before = *rc::gen::resize(
       6, rc::gen::container<Moves>(rc::gen::element(Move::vertex, Move::edge, Move::face)));
-  const Result<Placement> placement = place(kind, lattice, walk);
+  const Result<scheme::Placement> placement = scheme::place(kind, lattice, walk);
   RC_PRE(placement.ok());
-  const Mesh mesh = torus(lattice, 24, 24);
+  const Mesh mesh = mesh::torus(lattice, 24, 24);
   const Index n = regular_valence(kind, lattice);
   const Stencil weights = stencil(mesh, lattice, kind, walk, 6 * 24, n);
   RC_ASSERT(static_cast<double>(weights.size()) ==

@@ -27,14 +27,15 @@ inline std::vector<double> random_values(const Mesh& mesh, unsigned seed = 1) {
   return values;
 }
 
-inline Result<Refined<double>> refined(const Scheme& scheme, const Mesh& mesh, int levels = 1) {
-  return refine<double>(scheme, mesh, random_values(mesh), levels);
+inline Result<refine::Refined<double>> refined(const Scheme& scheme, const Mesh& mesh,
+                                               int levels = 1) {
+  return refine::refine<double>(scheme, mesh, random_values(mesh), levels);
 }
 
 inline void expect_same_refinement(const Scheme& a, const Scheme& b, const Mesh& mesh,
                                    int levels = 1) {
-  const Result<Refined<double>> left = refined(a, mesh, levels);
-  const Result<Refined<double>> right = refined(b, mesh, levels);
+  const Result<refine::Refined<double>> left = refined(a, mesh, levels);
+  const Result<refine::Refined<double>> right = refined(b, mesh, levels);
   ASSERT_TRUE(left.ok()) << left.error().text();
   ASSERT_TRUE(right.ok()) << right.error().text();
   ASSERT_EQ(left->values.size(), right->values.size());

@@ -97,7 +97,8 @@ TEST(Role, NamedRolesAreWalksWithPlaces) {
         EXPECT_FALSE(role.meaning.empty());
         const Result<Walk> walk = parse_walk(role.walk);
         ASSERT_TRUE(walk.ok()) << role.name;
-        EXPECT_TRUE(place(kind, lattice, *walk).ok()) << rule_name(kind) << " " << role.name;
+        EXPECT_TRUE(scheme::place(kind, lattice, *walk).ok())
+            << rule_name(kind) << " " << role.name;
       }
     }
   }

@@ -104,7 +104,7 @@ class SchemeFolder : public testing::Test {
   [[nodiscard]] std::string path(const std::string& name) const { return folder_ + ("/" + name); }
   std::string write(const std::string& name, const std::string& text) {
     std::filesystem::create_directories(std::filesystem::path(path(name)).parent_path());
-    EXPECT_TRUE(write_file(path(name), text).ok());
+    EXPECT_TRUE(base::write_file(path(name), text).ok());
     return path(name);
   }
   [[nodiscard]] std::string fault(const std::string& file) const {

@@ -91,7 +91,7 @@ TEST(Loop, HasTheEigenvaluesOfItsClosedForms) {
 TEST(LoopWarren, HasItsWeights) {
   const Scheme& scheme = shipped("loop-warren");
   for (int n = 3; n <= 12; ++n) {
-    const auto matrix = subdivision_matrix<Exact>(scheme, n, 1).value();
+    const auto matrix = refine::subdivision_matrix<number::Exact>(scheme, n, 1).value();
     const Rational beta = n == 3 ? Rational(3, 16) : Rational(3, 8 * n);
     EXPECT_EQ(matrix(0, 0).rational(), 1 - n * beta);
     for (int k = 1; k <= n; ++k) EXPECT_EQ(matrix(0, k).rational(), beta);
@@ -154,12 +154,12 @@ double not_halved(const std::string& name, Index faces, bool across) {
         values.push_back(x * spoke(s) + std::min(i, ring) * spoke(s + 1));
       }
     }
-  const Mesh mesh = fan(lattice, faces, 2);
+  const Mesh mesh = mesh::fan(lattice, faces, 2);
   EXPECT_EQ(values.size(), static_cast<std::size_t>(mesh.vertex_count()));
   const Births births = scheme.split->apply(mesh, 0).births;
-  RuleTables<double> tables(scheme);
+  refine::RuleTables<double> tables(scheme);
   EXPECT_TRUE(tables.prepare(mesh, births).ok());
-  const std::vector<double> fine = refine_values(scheme, mesh, births, tables, values);
+  const std::vector<double> fine = refine::refine_values(scheme, mesh, births, tables, values);
   double worst = 0;
   for (Index e = 0; e < mesh.edge_count(); ++e) {
     const Index h = mesh.halfedge_of_edge(e), v = mesh.origin(h), w = mesh.target(h);
@@ -215,8 +215,8 @@ TEST(LaplacianLoop, LowPassIsHighPassWithAnotherParameter) {
     const Scheme low = with("laplacian-loop-low", std::string("a=") + blend);
     const Scheme high = with("laplacian-loop", std::string("a=") + blend + "*(n*beta - 1/2)");
     for (int n = 3; n <= 12; ++n) {
-      const auto one = subdivision_matrix<double>(low, n, 2).value();
-      const auto other = subdivision_matrix<double>(high, n, 2).value();
+      const auto one = refine::subdivision_matrix<double>(low, n, 2).value();
+      const auto other = refine::subdivision_matrix<double>(high, n, 2).value();
       EXPECT_LT((dense(one) - dense(other)).norm(), 1e-14) << blend << " at " << n;
     }
   }

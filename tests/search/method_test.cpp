@@ -10,8 +10,8 @@
 namespace limn::test {
 namespace {
 
-SearchSpace space_of(std::size_t dimension, std::size_t objectives = 1) {
-  SearchSpace space;
+search::SearchSpace space_of(std::size_t dimension, std::size_t objectives = 1) {
+  search::SearchSpace space;
   space.dimension = dimension;
   space.objectives = objectives;
   space.start.assign(dimension, Rational(Integer(1), Integer(2)));
@@ -19,9 +19,9 @@ SearchSpace space_of(std::size_t dimension, std::size_t objectives = 1) {
   return space;
 }
 
-std::unique_ptr<Method> made(MethodKind kind, const SearchSpace& space, long long points, int batch,
-                             std::uint64_t seed = 1) {
-  return *make_method({kind, seed, points, batch}, space);
+std::unique_ptr<search::Method> made(search::MethodKind kind, const search::SearchSpace& space,
+                                     long long points, int batch, std::uint64_t seed = 1) {
+  return *search::make_method({kind, seed, points, batch}, space);
 }
 
 /// Least at (0.2, 0.7, 0.2, …), 0 there.
@@ -32,8 +32,8 @@ double valley(const std::vector<double>& x) {
 }
 
 TEST(Method, GridHasEveryCombinationOnce) {
-  const auto grid = made(MethodKind::grid, space_of(3), 27, 10);
-  std::set<UnitPoint> met;
+  const auto grid = made(search::MethodKind::grid, space_of(3), 27, 10);
+  std::set<search::UnitPoint> met;
   std::vector<std::size_t> sizes;
   for (auto batch = grid->next(); !batch.empty(); batch = grid->next()) {
     sizes.push_back(batch.size());
@@ -42,31 +42,32 @@ TEST(Method, GridHasEveryCombinationOnce) {
   }
   EXPECT_EQ(sizes, (std::vector<std::size_t>{10, 10, 7}));
   EXPECT_EQ(met.size(), 27U);
-  for (const UnitPoint& point : met)
+  for (const search::UnitPoint& point : met)
     for (const Rational& u : point) EXPECT_TRUE(u * 2 == 0 || u * 2 == 1 || u * 2 == 2);
 }
 
 TEST(Method, SobolFillsEachIntervalEvenly) {
   // of a net in base 2 each dyadic interval of length 1/64 has one of the first 64 points; the
   // corner and the centre are left out
-  const std::vector<UnitPoint> points = sobol_points(5, 62);
+  const std::vector<search::UnitPoint> points = search::sobol_points(5, 62);
   for (std::size_t i = 0; i < 5; ++i) {
     std::set<int> cells;
-    for (const UnitPoint& point : points) cells.insert(static_cast<int>(to_double(point[i]) * 64));
+    for (const search::UnitPoint& point : points)
+      cells.insert(static_cast<int>(to_double(point[i]) * 64));
     EXPECT_EQ(cells.size(), 62U) << "coordinate " << i;
   }
 }
 
 TEST(Method, RandomFollowsItsSeed) {
-  const SearchSpace space = space_of(4);
-  const auto one = made(MethodKind::random, space, 20, 20, 7)->next();
-  EXPECT_EQ(one, made(MethodKind::random, space, 20, 20, 7)->next());
-  EXPECT_NE(one, made(MethodKind::random, space, 20, 20, 8)->next());
+  const search::SearchSpace space = space_of(4);
+  const auto one = made(search::MethodKind::random, space, 20, 20, 7)->next();
+  EXPECT_EQ(one, made(search::MethodKind::random, space, 20, 20, 7)->next());
+  EXPECT_NE(one, made(search::MethodKind::random, space, 20, 20, 8)->next());
   EXPECT_EQ(one.size(), 20U);
 }
 
 TEST(Method, LocalGoesDownhill) {
-  const auto local = made(MethodKind::local, space_of(2), 1000, 1);
+  const auto local = made(search::MethodKind::local, space_of(2), 1000, 1);
   const auto [best, asked] = least(*local, valley, 1000);
   EXPECT_LT(best, 1e-9);
   EXPECT_LT(asked, 400);
@@ -77,9 +78,9 @@ TEST(Method, LocalFromSeveralStartsFindsTheDeeperOfTwoValleys) {
   const auto two = [](const std::vector<double>& x) {
     return std::min(0.1 + std::pow(x[0] - 0.6, 2), 4 * std::abs(x[0] - 0.1));
   };
-  const auto alone = made(MethodKind::local, space_of(1), 1000, 1);
+  const auto alone = made(search::MethodKind::local, space_of(1), 1000, 1);
   EXPECT_NEAR(least(*alone, two, 1000).first, 0.1, 1e-6);
-  const auto many = made(MethodKind::local, space_of(1), 1000, 16);
+  const auto many = made(search::MethodKind::local, space_of(1), 1000, 16);
   EXPECT_LT(least(*many, two, 1000).first, 1e-4);
 }
 
@@ -93,18 +94,18 @@ TEST(Method, GlobalFindsTheLeastOfManyValleys) {
     }
     return sum;
   };
-  const auto global = made(MethodKind::global, space_of(3), 4000, 40, 3);
+  const auto global = made(search::MethodKind::global, space_of(3), 4000, 40, 3);
   EXPECT_LT(least(*global, ripples, 6000).first, 1e-3);
 }
 
 /// Schaffer's problem: the front is f1 = z², f2 = (z - 2)² for z in [0, 2].
 TEST(Method, ParetoCoversAKnownFront) {
-  const SearchSpace space = space_of(2, 2);
-  const auto pareto = made(MethodKind::pareto, space, 2000, 40, 5);
+  const search::SearchSpace space = space_of(2, 2);
+  const auto pareto = made(search::MethodKind::pareto, space, 2000, 40, 5);
   std::vector<std::vector<double>> last;
   for (int generation = 0; generation < 40; ++generation) {
     last.clear();
-    for (const UnitPoint& point : pareto->next()) {
+    for (const search::UnitPoint& point : pareto->next()) {
       const double z = 6 * to_double(point[0]) - 2, off = to_double(point[1]);
       last.push_back({z * z + off, (z - 2) * (z - 2) + off});
     }
@@ -124,19 +125,19 @@ TEST(Method, ParetoCoversAKnownFront) {
   EXPECT_GT(high, 3);
 }
 
-class Replayed : public testing::TestWithParam<MethodKind> {};
+class Replayed : public testing::TestWithParam<search::MethodKind> {};
 
 /// What resuming rests on: a method that begins anew and hears the same asks the same.
 TEST_P(Replayed, AsksTheSameAfterTheSameAnswers) {
-  const bool pareto = GetParam() == MethodKind::pareto;
-  const SearchSpace space = space_of(2, pareto ? 2 : 1);
+  const bool pareto = GetParam() == search::MethodKind::pareto;
+  const search::SearchSpace space = space_of(2, pareto ? 2 : 1);
   const auto first = made(GetParam(), space, 200, 8), second = made(GetParam(), space, 200, 8);
   for (int generation = 0; generation < 6; ++generation) {
     const auto batch = first->next();
     ASSERT_EQ(batch, second->next()) << generation;
     if (batch.empty()) break;
     std::vector<std::vector<double>> worth;
-    for (const UnitPoint& point : batch) {
+    for (const search::UnitPoint& point : batch) {
       const std::vector<double> x{to_double(point[0]), to_double(point[1])};
       worth.push_back(pareto ? std::vector<double>{valley(x), x[0]}
                              : std::vector<double>{valley(x)});
@@ -146,9 +147,9 @@ TEST_P(Replayed, AsksTheSameAfterTheSameAnswers) {
   }
 }
 INSTANTIATE_TEST_SUITE_P(Methods, Replayed,
-                         testing::Values(MethodKind::grid, MethodKind::random, MethodKind::sobol,
-                                         MethodKind::local, MethodKind::global,
-                                         MethodKind::pareto));
+                         testing::Values(search::MethodKind::grid, search::MethodKind::random,
+                                         search::MethodKind::sobol, search::MethodKind::local,
+                                         search::MethodKind::global, search::MethodKind::pareto));
 
 }  // namespace
 }  // namespace limn::test

@@ -15,10 +15,10 @@
 namespace limn::test {
 namespace {
 
-Study study_of(const std::string& text) {
-  Result<Study> study = parse_study(text, "toy.toml");
+search::Study study_of(const std::string& text) {
+  Result<search::Study> study = search::parse_study(text, "toy.toml");
   EXPECT_TRUE(study) << study.error().text();
-  return study ? *std::move(study) : Study{};
+  return study ? *std::move(study) : search::Study{};
 }
 
 /// Loop's family with b and, at some valences, beta free; this quantity alone.
@@ -30,10 +30,10 @@ std::string with_beta(const std::string& quantity) {
          quantity + "\"\ngoal = \"min\"\n";
 }
 
-const Point kPoint{Rational("5/16"), Rational("3/32"), Rational("1/16")};
+const search::Point kPoint{Rational("5/16"), Rational("3/32"), Rational("1/16")};
 
-double value_at(const std::string& quantity, const Point& point) {
-  const Outcome outcome = evaluate_point(study_of(with_beta(quantity)), point);
+double value_at(const std::string& quantity, const search::Point& point) {
+  const search::Outcome outcome = search::evaluate_point(study_of(with_beta(quantity)), point);
   EXPECT_TRUE(outcome.feasible) << outcome.reason;
   return outcome.objectives[0].value_or(NAN);
 }
@@ -61,15 +61,15 @@ TEST(Point, HasTheEigenvaluesOfTheLiterature) {
 
 /// The family at Loop's and at the optimal scheme's parameter has the shipped schemes' numbers.
 TEST(Point, IsTheShippedSchemeAtItsParameter) {
-  const Study study = study_of(kLoopStudy);
+  const search::Study study = study_of(kLoopStudy);
   for (const auto& [b, name] : {std::pair{"3/8", "loop"}, std::pair{"1/3", "optimal"}}) {
-    const Outcome point = evaluate_point(study, {Rational(b)});
-    const Outcome shipped = evaluate_scheme(study, *find_scheme(name));
+    const search::Outcome point = search::evaluate_point(study, {Rational(b)});
+    const search::Outcome shipped = search::evaluate_scheme(study, *find_scheme(name));
     ASSERT_TRUE(point.feasible) << point.reason;
     EXPECT_EQ(point.objectives, shipped.objectives) << name;
   }
   // the quartic box spline: second derivatives are Lipschitz and no more
-  EXPECT_NEAR(*evaluate_point(study, {Rational("3/8")}).objectives[1], 3, 1e-2);
+  EXPECT_NEAR(*search::evaluate_point(study, {Rational("3/8")}).objectives[1], 3, 1e-2);
 }
 
 /// A quantity of Loop's surface over an octahedron of this size.
@@ -84,11 +84,11 @@ double energy_at(const std::string& quantity, double size) {
   }
   mesh << "f 1 2 3\nf 2 4 3\nf 4 5 3\nf 5 1 3\nf 2 1 6\nf 4 2 6\nf 5 4 6\nf 1 5 6\n";
   mesh.close();
-  const Result<Study> study = parse_study(with_beta(quantity), folder / "toy.toml");
+  const Result<search::Study> study = search::parse_study(with_beta(quantity), folder / "toy.toml");
   EXPECT_TRUE(study) << study.error().text();
   EXPECT_EQ(study->files().size(), quantity.find("obj") == std::string::npos ? 0U : 1U);
-  const Outcome outcome =
-      evaluate_point(*study, {Rational("3/8"), Rational("3/32"), Rational("1/16")});
+  const search::Outcome outcome =
+      search::evaluate_point(*study, {Rational("3/8"), Rational("3/32"), Rational("1/16")});
   EXPECT_TRUE(outcome.feasible) << outcome.reason;
   return outcome.objectives[0].value_or(NAN);
 }
@@ -115,9 +115,9 @@ TEST(Point, TellsTheDistanceToAnotherScheme) {
 }
 
 TEST(Point, IsInfeasibleWithAReasonWhereThereIsNoScheme) {
-  const Study study = study_of(with_beta("cup(5)"));
-  const Outcome outcome =
-      evaluate_point(study, {Rational("3/4"), Rational("1/16"), Rational("1/16")});  // range of b
+  const search::Study study = study_of(with_beta("cup(5)"));
+  const search::Outcome outcome = search::evaluate_point(
+      study, {Rational("3/4"), Rational("1/16"), Rational("1/16")});  // range of b
   EXPECT_FALSE(outcome.feasible);
   EXPECT_NE(outcome.reason.find("3/4"), std::string::npos) << outcome.reason;
   EXPECT_GT(outcome.violation, 0);
@@ -125,11 +125,11 @@ TEST(Point, IsInfeasibleWithAReasonWhereThereIsNoScheme) {
 }
 
 TEST(Point, IsInfeasibleWhereADemandFails) {
-  const Study study =
+  const search::Study study =
       study_of(with_beta("tangent(5)") +
                "[[require]]\nthat = \"cup = tangent^2\"\n"
                "[[require]]\nvalue = \"cup(5)\"\nat_most = 1\nat_least = \"1/8\"\n");
-  const Outcome outcome = evaluate_point(study, kPoint);
+  const search::Outcome outcome = search::evaluate_point(study, kPoint);
   EXPECT_FALSE(outcome.feasible);
   EXPECT_EQ(outcome.demands[0], Truth::no);
   EXPECT_EQ(outcome.demands[1], Truth::yes);
@@ -137,47 +137,50 @@ TEST(Point, IsInfeasibleWhereADemandFails) {
 }
 
 TEST(Point, IsCertifiedWhereLoopIs) {
-  Study study = study_of(replaced(kLoopStudy, "that = \"c1\"", "that = \"c1\"\ncertified = true"));
-  const Outcome loop = evaluate_point(study, {Rational("3/8")});
+  search::Study study =
+      study_of(replaced(kLoopStudy, "that = \"c1\"", "that = \"c1\"\ncertified = true"));
+  const search::Outcome loop = search::evaluate_point(study, {Rational("3/8")});
   EXPECT_TRUE(loop.feasible) << loop.reason;
   EXPECT_EQ(loop.demands[0], Truth::yes);
   // without work there is no proof, and what is not proved does not count
   study.effort.certificate_parts = 1;
-  const Outcome hasty = evaluate_point(study, {Rational("3/8")});
+  const search::Outcome hasty = search::evaluate_point(study, {Rational("3/8")});
   EXPECT_FALSE(hasty.feasible);
   EXPECT_EQ(hasty.demands[0], Truth::undecided);
 }
 
 TEST(Point, WritesWhatItEvaluates) {
-  const Study study = study_of(with_beta("cup(5)"));
-  const Result<Scheme> back = parse_scheme(point_text(study, kPoint, "loop-type"), "back.toml");
+  const search::Study study = study_of(with_beta("cup(5)"));
+  const Result<Scheme> back =
+      parse_scheme(search::point_text(study, kPoint, "loop-type"), "back.toml");
   ASSERT_TRUE(back) << back.error().text();
-  EXPECT_EQ(evaluate_scheme(study, *back).objectives, evaluate_point(study, kPoint).objectives);
+  EXPECT_EQ(search::evaluate_scheme(study, *back).objectives,
+            search::evaluate_point(study, kPoint).objectives);
 }
 
 TEST(Point, SnapsToShortFractions) {
-  EXPECT_EQ(snapped(0.5), Rational("1/2"));
-  EXPECT_EQ(snapped(-1), 0);
-  EXPECT_EQ(snapped(7), 1);
-  EXPECT_NEAR(to_double(snapped(0.3)), 0.3, 1e-6);
+  EXPECT_EQ(search::snapped(0.5), Rational("1/2"));
+  EXPECT_EQ(search::snapped(-1), 0);
+  EXPECT_EQ(search::snapped(7), 1);
+  EXPECT_NEAR(to_double(search::snapped(0.3)), 0.3, 1e-6);
 }
 
 TEST(Front, IsThatOfBruteForce) {
-  const Study study = study_of(kLoopStudy);  // the first small, the second large
-  std::vector<Evaluated> points;
+  const search::Study study = study_of(kLoopStudy);  // the first small, the second large
+  std::vector<search::Evaluated> points;
   std::uint32_t state = 5;
   const auto draw = [&state] {
     return static_cast<double>((state = state * 1664525U + 1013904223U) >> 28);
   };
   for (int i = 0; i < 200; ++i) {
-    Evaluated one;
+    search::Evaluated one;
     one.place = i;
     one.outcome.feasible = i % 5 != 0;
     one.outcome.objectives = {draw(), draw()};
     points.push_back(one);
   }
-  const auto worth = [&](std::size_t i) { return fitness(study, points[i].outcome); };
-  const std::vector<std::size_t> front = best_points(study, points);
+  const auto worth = [&](std::size_t i) { return search::fitness(study, points[i].outcome); };
+  const std::vector<std::size_t> front = search::best_points(study, points);
   for (std::size_t i = 0; i < points.size(); ++i) {
     if (!points[i].outcome.feasible) continue;
     bool covered = false;
@@ -187,7 +190,7 @@ TEST(Front, IsThatOfBruteForce) {
         covered = true;
     EXPECT_EQ(std::count(front.begin(), front.end(), i), covered ? 0 : 1) << i;
   }
-  const std::vector<std::size_t> some = spread(study, points, front, 3);
+  const std::vector<std::size_t> some = search::spread(study, points, front, 3);
   ASSERT_GE(some.size(), 2U);
   EXPECT_EQ(some.front(), front.front());
   EXPECT_EQ(some.back(), front.back());

@@ -25,11 +25,11 @@ std::string study_by(const std::string& method) {
 }
 
 /// What a run has of its points, times left out.
-std::vector<std::string> told(const StudyRun& run) {
+std::vector<std::string> told(const search::StudyRun& run) {
   std::vector<std::string> lines;
-  for (const Evaluated& one : run.points) {
+  for (const search::Evaluated& one : run.points) {
     std::string line = std::to_string(one.generation) + " " + std::to_string(one.place) + " " +
-                       point_key(one.point) + (one.outcome.feasible ? " yes" : " no ") +
+                       search::point_key(one.point) + (one.outcome.feasible ? " yes" : " no ") +
                        one.outcome.reason;
     for (const auto& value : one.outcome.objectives) {
       char text[64];
@@ -45,31 +45,31 @@ class Interrupted : public testing::TestWithParam<const char*> {};
 
 TEST_P(Interrupted, EndsAsIfItHadNotBeen) {
   const TemporaryFolder folder;
-  const Result<Study> study = parse_study(study_by(GetParam()), "toy.toml");
+  const Result<search::Study> study = search::parse_study(study_by(GetParam()), "toy.toml");
   ASSERT_TRUE(study) << study.error().text();
   const auto run = [&](const std::string& name, int most) {
-    Result<Store> store = Store::open((folder.path() / name).string(), *study);
+    Result<search::Store> store = search::Store::open((folder.path() / name).string(), *study);
     EXPECT_TRUE(store) << store.error().text();
     std::atomic<int> left = most;
-    StudyOptions options;
+    search::StudyOptions options;
     options.stop = [&left] { return left-- <= 0; };
-    Result<StudyRun> done = run_study(*study, *store, options);
+    Result<search::StudyRun> done = search::run_study(*study, *store, options);
     EXPECT_TRUE(done) << done.error().text();
     return *std::move(done);
   };
-  const StudyRun whole = run("whole.sqlite", 1000);
+  const search::StudyRun whole = run("whole.sqlite", 1000);
   EXPECT_TRUE(whole.finished);
   EXPECT_GE(whole.points.size(), 20U);
   long long evaluated = 0;
   for (const int most : {1, 5, 0, 11, 9}) {
     set_thread_limit(most % 2 + 1);
-    const StudyRun part = run("parts.sqlite", most);
+    const search::StudyRun part = run("parts.sqlite", most);
     EXPECT_FALSE(part.finished);
     EXPECT_LE(part.evaluated, most);
     evaluated += part.evaluated;
   }
   set_thread_limit(0);
-  const StudyRun rest = run("parts.sqlite", 1000);
+  const search::StudyRun rest = run("parts.sqlite", 1000);
   EXPECT_EQ(evaluated + rest.evaluated, whole.evaluated) << "no point twice";
   EXPECT_EQ(told(rest), told(whole));
 }
@@ -79,11 +79,11 @@ INSTANTIATE_TEST_SUITE_P(Methods, Interrupted,
 TEST(Search, BeginsAtTheSchemesOwnNumbersExactly) {
   // 3/8 of 1/8 … 1/2 lies at 2/3, which no multiple of a power of 1/2 is.
   for (const char* method : {"local", "global", "pareto"}) {
-    const Result<Study> study = parse_study(study_by(method), "toy.toml");
+    const Result<search::Study> study = search::parse_study(study_by(method), "toy.toml");
     ASSERT_TRUE(study) << study.error().text();
-    Result<Search> search = Search::begin(*study);
+    Result<search::Search> search = search::Search::begin(*study);
     ASSERT_TRUE(search) << search.error().text();
-    const Generation first = search->next();
+    const search::Generation first = search->next();
     ASSERT_FALSE(first.points.empty());
     EXPECT_EQ(first.points[0][0], Rational("3/8")) << method;
     EXPECT_EQ(first.points[0][1], Rational("3/16")) << method;
@@ -93,22 +93,22 @@ TEST(Search, BeginsAtTheSchemesOwnNumbersExactly) {
 TEST(Store, RefusesAnotherStudyUnlessItMayRestart) {
   const TemporaryFolder folder;
   const std::string path = (folder.path() / "study.sqlite").string();
-  const Result<Study> one = parse_study(study_by("grid"), "toy.toml");
-  const Result<Study> other = parse_study(study_by("sobol"), "toy.toml");
+  const Result<search::Study> one = search::parse_study(study_by("grid"), "toy.toml");
+  const Result<search::Study> other = search::parse_study(study_by("sobol"), "toy.toml");
   {
-    Result<Store> store = Store::open(path, *one);
+    Result<search::Store> store = search::Store::open(path, *one);
     ASSERT_TRUE(store);
-    ASSERT_TRUE(run_study(*one, *store));
-    const Result<Store> second = Store::open(path, *one);
+    ASSERT_TRUE(search::run_study(*one, *store));
+    const Result<search::Store> second = search::Store::open(path, *one);
     ASSERT_FALSE(second);
     EXPECT_NE(second.error().message.find("another limn study is at work"), std::string::npos)
         << second.error().text();
   }
-  EXPECT_EQ(Store::open(path, *one)->size(), 45U);
-  const Result<Store> refused = Store::open(path, *other);
+  EXPECT_EQ(search::Store::open(path, *one)->size(), 45U);
+  const Result<search::Store> refused = search::Store::open(path, *other);
   ASSERT_FALSE(refused);
   EXPECT_NE(refused.error().text().find("--restart"), std::string::npos);
-  EXPECT_EQ(Store::open(path, *other, true)->size(), 0U);
+  EXPECT_EQ(search::Store::open(path, *other, true)->size(), 0U);
 }
 
 TEST(Store, RefusesWhatIsNone) {
@@ -119,16 +119,16 @@ TEST(Store, RefusesWhatIsNone) {
     std::fputs("this is a text of some length, and no data base at all, as one sees at once", file);
     std::fclose(file);
   }
-  const Result<Study> study = parse_study(study_by("grid"), "toy.toml");
-  const Result<Store> store = Store::open(path, *study);
+  const Result<search::Study> study = search::parse_study(study_by("grid"), "toy.toml");
+  const Result<search::Store> store = search::Store::open(path, *study);
   ASSERT_FALSE(store);
   EXPECT_NE(store.error().text().find("no store of a study"), std::string::npos)
       << store.error().text();
 }
 
 TEST(Forecast, MeasuresAFew) {
-  const Result<Study> study = parse_study(study_by("grid"), "toy.toml");
-  const Result<StudyForecast> forecast = forecast_study(*study, 3);
+  const Result<search::Study> study = search::parse_study(study_by("grid"), "toy.toml");
+  const Result<search::StudyForecast> forecast = search::forecast_study(*study, 3);
   ASSERT_TRUE(forecast);
   EXPECT_EQ(forecast->points, 45);
   EXPECT_EQ(forecast->measured, 3);

@@ -8,7 +8,7 @@ namespace limn::test {
 namespace {
 
 TEST(Study, ReadsWhatTheFileSays) {
-  const Result<Study> study = parse_study(kLoopStudy, "toy.toml");
+  const Result<search::Study> study = search::parse_study(kLoopStudy, "toy.toml");
   ASSERT_TRUE(study) << study.error().text();
   EXPECT_EQ(study->valences, (std::vector<int>{4, 5, 6, 9}));
   ASSERT_EQ(study->coordinates.size(), 1U);
@@ -22,7 +22,7 @@ TEST(Study, FreesALetAtEachValence) {
   const std::string text = replaced(kLoopStudy, "[[objective]]",
                                     "[[free]]\nname = \"beta\"\nvalences = \"3..5, 7\"\nlow = 0\n"
                                     "high = \"1/n\"\nsteps = 2\n[[objective]]");
-  const Result<Study> study = parse_study(text, "toy.toml");
+  const Result<search::Study> study = search::parse_study(text, "toy.toml");
   ASSERT_TRUE(study) << study.error().text();
   ASSERT_EQ(study->coordinates.size(), 5U);
   EXPECT_EQ(study->coordinates[4].label(), "beta@7");
@@ -39,8 +39,8 @@ struct Bad {
 class BadStudy : public testing::TestWithParam<Bad> {};
 
 TEST_P(BadStudy, IsRefusedWithItsPlace) {
-  const Result<Study> study =
-      parse_study(replaced(kLoopStudy, GetParam().from, GetParam().to), "toy.toml");
+  const Result<search::Study> study =
+      search::parse_study(replaced(kLoopStudy, GetParam().from, GetParam().to), "toy.toml");
   ASSERT_FALSE(study);
   const std::string text = study.error().text();
   EXPECT_NE(text.find(GetParam().message), std::string::npos) << text;
@@ -84,7 +84,7 @@ INSTANTIATE_TEST_SUITE_P(
 TEST(Study, TellsAllFaultsAtOnce) {
   std::string text = replaced(kLoopStudy, "\"min\"", "\"least\"");
   text = replaced(text, "\"grid\"", "\"gird\"");
-  const Result<Study> study = parse_study(text, "toy.toml");
+  const Result<search::Study> study = search::parse_study(text, "toy.toml");
   ASSERT_FALSE(study);
   EXPECT_NE(study.error().text().find("unknown goal"), std::string::npos);
   EXPECT_NE(study.error().text().find("unknown method"), std::string::npos);
@@ -93,13 +93,14 @@ TEST(Study, TellsAllFaultsAtOnce) {
 TEST(Study, SurvivesEveryBeginningOfAFile) {
   const std::string all = kLoopStudy;
   for (std::size_t length = 0; length < all.size(); length += 3)
-    (void)parse_study(all.substr(0, length), "toy.toml");
+    (void)search::parse_study(all.substr(0, length), "toy.toml");
 }
 
 TEST(Study, IsAnotherWhereItsResultsWouldBe) {
-  const std::string own = parse_study(kLoopStudy, "toy.toml")->identity();
+  const std::string own = search::parse_study(kLoopStudy, "toy.toml")->identity();
   const auto changed = [&](const char* from, const char* to) {
-    const Result<Study> study = parse_study(replaced(kLoopStudy, from, to), "toy.toml");
+    const Result<search::Study> study =
+        search::parse_study(replaced(kLoopStudy, from, to), "toy.toml");
     EXPECT_TRUE(study) << study.error().text();
     return study->identity();
   };

@@ -44,12 +44,12 @@ inline std::string replaced(std::string text, const std::string& from, const std
 
 /// The best value of `function` that a method finds, and how often it asked.
 template <class Function>
-std::pair<double, int> least(Method& method, Function function, int most) {
+std::pair<double, int> least(search::Method& method, Function function, int most) {
   double best = 1e300;
   int asked = 0;
   for (auto batch = method.next(); !batch.empty() && asked < most; batch = method.next()) {
     std::vector<std::vector<double>> worth;
-    for (const UnitPoint& point : batch) {
+    for (const search::UnitPoint& point : batch) {
       std::vector<double> x;
       for (const Rational& u : point) x.push_back(to_double(u));
       worth.push_back({function(x)});

@@ -83,13 +83,13 @@ TEST(ConnectedParts, AreThoseOfThePowersOfThePattern) {
   std::mt19937 random(7);
   for (int round = 0; round < 200; ++round) {
     const int size = 1 + static_cast<int>(random() % 9);
-    BoolMatrix entries(size, size);
+    spectrum::BoolMatrix entries(size, size);
     for (int i = 0; i < size * size; ++i) entries(i / size, i % size) = random() % 5 == 0;
     const Eigen::MatrixXd step =
         entries.matrix().cast<double>() + Eigen::MatrixXd::Identity(size, size);
     Eigen::MatrixXd paths = step;
     for (int i = 0; i < size; ++i) paths *= step;
-    const ConnectedParts connected = connected_parts(entries);
+    const spectrum::ConnectedParts connected = spectrum::connected_parts(entries);
     std::size_t rows = 0;
     for (const auto& part : connected.parts) rows += part.size();
     EXPECT_EQ(rows, static_cast<std::size_t>(size));
@@ -100,7 +100,7 @@ TEST(ConnectedParts, AreThoseOfThePowersOfThePattern) {
                       connected.part_of[static_cast<std::size_t>(j)],
                   paths(i, j) > 0 && paths(j, i) > 0);
       }
-    const std::vector<Eigen::Index> between = rows_between(connected, {0, size - 1});
+    const std::vector<Eigen::Index> between = spectrum::rows_between(connected, {0, size - 1});
     for (int i = 0; i < size; ++i) {
       const bool on_path = (paths(0, i) > 0 || paths(size - 1, i) > 0) &&
                            (paths(i, 0) > 0 || paths(i, size - 1) > 0);

@@ -20,6 +20,7 @@ namespace limn {
 
 using Complex = std::complex<double>;
 
+namespace number {
 /// So that the square root of a negative number is a number.
 template <>
 struct Arithmetic<Complex> {
@@ -35,6 +36,7 @@ struct Arithmetic<Complex> {
   static Result<int> sign(Complex a) { return Arithmetic<double>::sign(a.real()); }
   static Result<long long> integer(Complex a) { return Arithmetic<double>::integer(a.real()); }
 };
+}  // namespace number
 
 namespace test {
 namespace {
@@ -42,14 +44,15 @@ namespace {
 /// A formula's value where the scheme's parameters have their present values.
 Complex value(const Scheme& scheme, const EigenFormulas& formulas, const std::string& text, int n,
               int omega, Complex lambda = 0) {
-  Scope<Complex> scope(scheme, n, std::nullopt);
+  scheme::Scope<Complex> scope(scheme, n, std::nullopt);
   scope.give(formulas.frequency, omega);
   scope.give(formulas.unknown, lambda);
   for (const RegularName& regular : formulas.regular_names)
     for (const Parameter& parameter : scheme.parameters)
       if (parameter.name == regular.parameter)
-        scope.give(regular.name,
-                   Scope<Complex>(scheme, regular.n, std::nullopt)(parameter.value).value());
+        scope.give(
+            regular.name,
+            scheme::Scope<Complex>(scheme, regular.n, std::nullopt)(parameter.value).value());
   const Result<Expression> expression = Expression::parse(text);
   EXPECT_TRUE(expression.ok()) << text;
   const Result<Complex> result = scope(Formula{expression.value(), {}});
@@ -158,7 +161,7 @@ Scheme with_random_parameters(const Scheme& scheme, std::mt19937& random) {
 class WithFlint : public ::testing::Test {
  protected:
   void SetUp() override {
-    if (!factor(Polynomial(2))) GTEST_SKIP() << "built without FLINT";
+    if (!number::factor(number::Polynomial(2))) GTEST_SKIP() << "built without FLINT";
   }
 };
 class EigenFormulaOf : public WithFlint, public ::testing::WithParamInterface<std::string> {};
@@ -325,7 +328,7 @@ TEST_F(ClosedEigenvalues, SayWhyThereIsNone) {
 }
 
 TEST(EigenFormulas, NeedFlint) {
-  if (factor(Polynomial(2))) GTEST_SKIP() << "built with FLINT";
+  if (number::factor(number::Polynomial(2))) GTEST_SKIP() << "built with FLINT";
   const Result<EigenFormulas> formulas = eigen_formulas(shipped("loop"));
   ASSERT_FALSE(formulas.ok());
   EXPECT_NE(formulas.error().message.find("without FLINT"), std::string::npos);

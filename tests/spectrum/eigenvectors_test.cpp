@@ -72,7 +72,7 @@ TEST(Eigenvectors, InSpaceAreThoseOfTheDenseMatrix) {
     for (const int n : {3, 4, 5, 6, 8}) {
       const FrequencyBlocks blocks = analysis.blocks(n).value();
       const Eigen::MatrixXd matrix =
-          dense(subdivision_matrix<double>(shipped(name), n, blocks.rings).value());
+          dense(refine::subdivision_matrix<double>(shipped(name), n, blocks.rings).value());
       for (const BlockSpectrum& spectrum : approx_eigencomponents(blocks).spectra) {
         const Eigenvalue& leader = spectrum.eigenvalues.front();
         if (leader.jordan > 1 || std::abs(leader.value.imag()) > 0) continue;

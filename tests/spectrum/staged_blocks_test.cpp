@@ -31,7 +31,7 @@ TEST(StagedBlocks, AreThoseOfTheSpatialMatrix) {
     for (const int n : {3, 4, 5, 7, 13, 14}) {
       const Result<FrequencyBlocks> blocks = analysis.blocks(n);
       ASSERT_TRUE(blocks.ok()) << degree << ' ' << n << ": " << blocks.error().text();
-      const auto matrix = subdivision_matrix<double>(scheme, n, blocks->rings);
+      const auto matrix = refine::subdivision_matrix<double>(scheme, n, blocks->rings);
       ASSERT_TRUE(matrix.ok()) << degree << ' ' << n << ": " << matrix.error().text();
       for (int omega = 0; omega <= n / 2; ++omega) {
         const Eigen::MatrixXcd spatial =

@@ -42,15 +42,16 @@ std::vector<int> rotation(const Split& split, int n, int rings) {
   return image;
 }
 
-Eigen::MatrixXd dense(const SubdivisionMatrix<double>& matrix) {
+Eigen::MatrixXd dense(const refine::SubdivisionMatrix<double>& matrix) {
   Eigen::MatrixXd result(matrix.size, matrix.size);
   for (int i = 0; i < matrix.size; ++i)
     for (int j = 0; j < matrix.size; ++j) result(i, j) = matrix(i, j);
   return result;
 }
 
-Eigen::MatrixXcd frequency_block(const Split& split, const SubdivisionMatrix<double>& matrix, int n,
-                                 int rings, int omega) {
+Eigen::MatrixXcd frequency_block(const Split& split,
+                                 const refine::SubdivisionMatrix<double>& matrix, int n, int rings,
+                                 int omega) {
   const std::vector<int> image = rotation(split, n, rings);
   std::vector<Eigen::VectorXcd> basis;
   std::vector<bool> seen(image.size(), false);
@@ -75,14 +76,14 @@ Eigen::MatrixXcd frequency_block(const Split& split, const SubdivisionMatrix<dou
 }
 
 Eigen::MatrixXcd frequency_block(const Scheme& scheme, int n, int rings, int omega) {
-  return frequency_block(*scheme.split, must(subdivision_matrix<double>(scheme, n, rings)), n,
-                         rings, omega);
+  return frequency_block(*scheme.split, must(refine::subdivision_matrix<double>(scheme, n, rings)),
+                         n, rings, omega);
 }
 
 int analysis_rings(const Scheme& scheme, int n) {
   // one ring may be invariant by itself, and two not
-  int rings = std::max(2, must(invariant_rings(scheme, n)));
-  while (rings < 6 && !subdivision_matrix<double>(scheme, n, rings)) ++rings;
+  int rings = std::max(2, must(refine::invariant_rings(scheme, n)));
+  while (rings < 6 && !refine::subdivision_matrix<double>(scheme, n, rings)) ++rings;
   return rings;
 }
 

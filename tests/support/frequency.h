@@ -16,14 +16,14 @@ namespace limn::test {
 /// image[i] = the vertex to which rotation by one sector carries vertex i.
 [[nodiscard]] std::vector<int> rotation(const Split& split, int n, int rings);
 
-[[nodiscard]] Eigen::MatrixXd dense(const SubdivisionMatrix<double>& matrix);
+[[nodiscard]] Eigen::MatrixXd dense(const refine::SubdivisionMatrix<double>& matrix);
 
 /// The matrix on frequency ω, one row and column per orbit (the centre first, where ω = 0), the
 /// rings outwards. Under sqrt3 the new vertices have their phases at their own angles, half a
 /// sector on, which makes the blocks' eigenvalues real [BGSK §3].
 [[nodiscard]] Eigen::MatrixXcd frequency_block(const Split& split,
-                                               const SubdivisionMatrix<double>& matrix, int n,
-                                               int rings, int omega);
+                                               const refine::SubdivisionMatrix<double>& matrix,
+                                               int n, int rings, int omega);
 
 /// frequency_block of a scheme on `rings` rings; throws where there is no such matrix.
 [[nodiscard]] Eigen::MatrixXcd frequency_block(const Scheme& scheme, int n, int rings, int omega);

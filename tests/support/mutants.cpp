@@ -118,7 +118,7 @@ constexpr const char* kAmount = "1/64";
 
 /// Positions of a role, as an expression: "4", "2*n", "n".
 std::optional<std::string> positions(RuleKind kind, Lattice lattice, const Walk& walk) {
-  const Result<Placement> placement = place(kind, lattice, walk);
+  const Result<scheme::Placement> placement = scheme::place(kind, lattice, walk);
   if (!placement) return std::nullopt;
   return "(" + to_string(placement->count) + (placement->times_n ? "*n)" : ")");
 }
@@ -186,7 +186,7 @@ class RuleMutants {
   }
 
   [[nodiscard]] bool applies(const RuleCase& rule_case, int n) const {
-    const Result<const RuleCase*> taken = applicable_case(scheme_, kind_, n);
+    const Result<const RuleCase*> taken = scheme::applicable_case(scheme_, kind_, n);
     return taken.ok() && *taken == &rule_case;
   }
 
@@ -213,7 +213,7 @@ class RuleMutants {
   [[nodiscard]] bool applies_where(const RuleCase& rule_case, Holds holds) const {
     for (int n = 3; n <= 7; ++n)
       for (int q = 0; q <= n; ++q) {
-        const Result<const RuleCase*> taken = applicable_case(scheme_, kind_, n, q);
+        const Result<const RuleCase*> taken = scheme::applicable_case(scheme_, kind_, n, q);
         if (holds(n, q) && taken.ok() && *taken == &rule_case) return true;
       }
     return false;

@@ -66,10 +66,10 @@ using Deck = std::vector<std::pair<std::string, Mesh>>;
 
 /// Where triangles meet quads, and triangles alone.
 void add_mixed(Deck& meshes) {
-  meshes.emplace_back("a torus of triangles", torus(Lattice::triangle, 5, 6));
+  meshes.emplace_back("a torus of triangles", mesh::torus(Lattice::triangle, 5, 6));
   for (Index n = 3; n <= 12; ++n)
     meshes.emplace_back("a star of triangles of valence " + std::to_string(n),
-                        star(Lattice::triangle, n, 2));
+                        mesh::star(Lattice::triangle, n, 2));
   for (unsigned seed = 0; seed < kRandomMeshes; ++seed)
     meshes.emplace_back("mixed random mesh " + std::to_string(seed), RandomMesh(seed).mixed());
 }
@@ -78,17 +78,18 @@ Deck deck(const Scheme& scheme) {
   const Split& split = *scheme.split;
   const bool triangles = split.lattice == Lattice::triangle;
   Deck meshes;
-  meshes.emplace_back("a torus", torus(split.lattice, 5, 6));
+  meshes.emplace_back("a torus", mesh::torus(split.lattice, 5, 6));
   if (is_mask_only(scheme.name)) return meshes;
   for (Index n = 3; n <= 12; ++n) {
-    meshes.emplace_back("a star of valence " + std::to_string(n), star(split.lattice, n, 2));
-    if (!triangles) meshes.emplace_back("a face of degree " + std::to_string(n), face_star(n, 2));
+    meshes.emplace_back("a star of valence " + std::to_string(n), mesh::star(split.lattice, n, 2));
+    if (!triangles)
+      meshes.emplace_back("a face of degree " + std::to_string(n), mesh::face_star(n, 2));
   }
   if (scheme.rule(RuleKind::boundary_spoke))  // others look at a boundary vertex's curve alone
     for (Index faces = 1; faces <= 8; ++faces)
       meshes.emplace_back("a fan of " + std::to_string(faces) + " faces",
-                          fan(split.lattice, faces, 2));
-  meshes.emplace_back("a large star", star(split.lattice, 5, 4));
+                          mesh::fan(split.lattice, faces, 2));
+  meshes.emplace_back("a large star", mesh::star(split.lattice, 5, 4));
   if (split.mixed) add_mixed(meshes);
   for (const Mesh& solid : {tetrahedron(), octahedron(), icosahedron()})
     meshes.emplace_back("a platonic solid", solid);
@@ -136,13 +137,13 @@ const std::vector<Trial>& trials_of(const Scheme& scheme, std::optional<double> 
 }
 
 std::optional<std::string> failed_trial(const Scheme& scheme, std::optional<double> parameter) {
-  RuleTables<double> tables(scheme);
+  refine::RuleTables<double> tables(scheme);
   for (const Trial& trial : trials_of(scheme, parameter)) {
     const Births& births = trial.refined.births;
     if (const Status status = tables.prepare(trial.mesh, births); !status)
       return trial.what + ": " + status.error().text();
     const std::vector<double> values =
-        refine_values(scheme, trial.mesh, births, tables, trial.values);
+        refine::refine_values(scheme, trial.mesh, births, tables, trial.values);
     if (values.size() != trial.expected.size()) return trial.what + ": another number of vertices";
     for (std::size_t i = 0; i < values.size(); ++i)
       if (!(std::abs(values[i] - trial.expected[i]) < kExact))
@@ -190,7 +191,7 @@ std::optional<std::string> failed_box_splines(const Scheme& scheme) {
       what += names[d] + "=" + std::to_string(counts[d]) + " ";
     }
     if (!other.factors) return "no factors";
-    const Result<Mask> mask = mask_from_factors(other, *other.factors);
+    const Result<Mask> mask = scheme::mask_from_factors(other, *other.factors);
     if (!mask) return what + mask.error().text();
     if (mask->coefficients != box_spline(directions)) return what + "make another mask";
   }
@@ -202,7 +203,7 @@ std::optional<std::string> failed_box_splines(const Scheme& scheme) {
 /// bring larger ones.
 std::complex<double> leading_eigenvalue(const Scheme& scheme, int n, int omega) {
   const std::size_t skip = omega == 0 ? 1 : 0;
-  for (int rings = invariant_rings(scheme, n).value();; ++rings) {
+  for (int rings = refine::invariant_rings(scheme, n).value();; ++rings) {
     const auto all = eigenvalues(frequency_block(scheme, n, rings, omega));
     if (all.size() > skip) return all[skip];
   }
@@ -212,7 +213,7 @@ std::optional<std::string> failed_value(const Scheme& scheme, const Fact& fact, 
                                         const std::string& key, const Formula& formula) {
   const std::string what = key + " at valence " + std::to_string(n);
   if (key != "tangent" && key != "cup" && key != "saddle") return "an unknown fact: " + key;
-  const Result<double> stated = Scope<double>(scheme, n, std::nullopt)(formula);
+  const Result<double> stated = scheme::Scope<double>(scheme, n, std::nullopt)(formula);
   if (!stated) return what + ": " + stated.error().text();
   const int omega = key == "tangent" ? 1 : key == "saddle" ? 2 : 0;
   if (omega == 2 && n < 5) return what + ": frequency 2 is no pair of its own";
@@ -233,7 +234,7 @@ std::optional<Scheme> set_as_stated(const Scheme& scheme, const Equivalence& sam
   if (!other) return std::nullopt;
   std::vector<std::string> assignments;
   for (const auto& [name, formula] : same.with) {
-    const Result<double> value = Scope<double>(scheme, n, std::nullopt)(formula);
+    const Result<double> value = scheme::Scope<double>(scheme, n, std::nullopt)(formula);
     if (!value) return std::nullopt;
     assignments.push_back(name + "=" + to_string(Rational(*value)));  // a double is a fraction
   }
@@ -248,9 +249,9 @@ std::optional<std::string> failed_equivalence(const Scheme& scheme, const Equiva
     if (!other) return what + "that scheme or its parameter is refused";
     // no more, so that no row belongs to a vertex of another valence: the numbers set are those at
     // n
-    const int rings = invariant_rings(scheme, n).value();
-    const auto one = subdivision_matrix<double>(scheme, n, rings);
-    const auto two = subdivision_matrix<double>(*other, n, rings);
+    const int rings = refine::invariant_rings(scheme, n).value();
+    const auto one = refine::subdivision_matrix<double>(scheme, n, rings);
+    const auto two = refine::subdivision_matrix<double>(*other, n, rings);
     if (!one || !two) return what + "no matrix";
     if (!((dense(*one) - dense(*two)).norm() < kExact)) return what + "they differ";
   }
@@ -291,7 +292,7 @@ std::optional<std::string> failed_reference(const Scheme& scheme) {
 
 std::optional<std::string> failed_mask(const Scheme& scheme) {
   if (!scheme.stated_mask) return std::nullopt;
-  const Result<Mask> stated = mask_from_rows(scheme, *scheme.stated_mask);
+  const Result<Mask> stated = scheme::mask_from_rows(scheme, *scheme.stated_mask);
   if (!stated) return "stated mask: " + stated.error().text();
   const Result<Mask> refined = refined_mask(scheme);
   if (!refined) return "refined mask: " + refined.error().text();
@@ -302,9 +303,9 @@ std::optional<std::string> failed_mask(const Scheme& scheme) {
 
 std::optional<std::string> failed_facts(const Scheme& scheme) {
   if (scheme.split->mixed) {
-    for (const Scheme& half : lattice_schemes(scheme))
+    for (const Scheme& half : scheme::lattice_schemes(scheme))
       if (auto failure = failed_facts(half))
-        return std::string(lattice_name(half.split->lattice)) + "s: " + *failure;
+        return std::string(scheme::lattice_name(half.split->lattice)) + "s: " + *failure;
     return std::nullopt;
   }
   if (scheme.facts.empty() && !scheme.stated_mask) return "no facts at all";

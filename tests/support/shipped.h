@@ -21,7 +21,8 @@ inline const Scheme& shipped(const std::string& name) {
   for (const std::string_view end : {kOnTriangles, kOnQuads})
     if (name.ends_with(end)) {
       const Scheme& both = shipped(name.substr(0, name.size() - end.size()));
-      return known.emplace(name, lattice_schemes(both)[end == kOnQuads ? 1 : 0]).first->second;
+      return known.emplace(name, scheme::lattice_schemes(both)[end == kOnQuads ? 1 : 0])
+          .first->second;
     }
   return known.emplace(name, find_scheme(name).value()).first->second;
 }

@@ -81,12 +81,12 @@ Offset doubled_offset(const Split& split, Offset twelfths) {
 }  // namespace
 
 Result<Mask> refined_mask(const Scheme& scheme) {
-  const Mesh mesh = torus(scheme.split->lattice, kSide, kSide);
+  const Mesh mesh = mesh::torus(scheme.split->lattice, kSide, kSide);
   const SplitResult split = scheme.split->apply(mesh, 0);
-  RuleTables<Exact> tables(scheme);
+  refine::RuleTables<number::Exact> tables(scheme);
   if (Status status = tables.prepare(mesh, split.births); !status) return status.error();
-  const std::vector<LinearForm<Exact>> forms =
-      refine_values(scheme, mesh, split.births, tables, unit_forms<Exact>(mesh.vertex_count()));
+  const std::vector<refine::LinearForm<number::Exact>> forms = refine::refine_values(
+      scheme, mesh, split.births, tables, refine::unit_forms<number::Exact>(mesh.vertex_count()));
   const std::vector<Offset> places = birth_places(mesh, split.births);
   Mask mask{scheme.split->lattice, scheme.split->dilation, {}};
   std::map<Offset, int> met;

@@ -6,12 +6,12 @@ namespace limn {
 namespace {
 
 std::string fault(const std::string& text) {
-  const Result<SharpnessTags> tags = parse_tags(text, "t.toml", 1);
+  const Result<SharpnessTags> tags = surface::parse_tags(text, "t.toml", 1);
   return tags ? "" : tags.error().text();
 }
 
 TEST(TagsFile, IsReadByTheNumbersOfTheMeshFile) {
-  const SharpnessTags tags = parse_tags(
+  const SharpnessTags tags = surface::parse_tags(
                                  "boundary = \"edgeAndCorner\"\ncreases = \"chaikin\"\n"
                                  "[[crease]]\nvertices = [1, 2, 3]\nsharpness = 2.5\n"
                                  "[[crease]]\nvertices = [4, 5, 6]\nsharpness = [1, \"infinite\"]\n"

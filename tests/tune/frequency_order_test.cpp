@@ -21,27 +21,27 @@ TEST(FrequencyOrder, BoundsEveryMatrixOfSuchModuli) {
     for (auto& value : matrix.reshaped())
       value = entry(random) < 0 ? 0 : std::complex<double>(entry(random), entry(random));
     const double radius = matrix.eigenvalues().cwiseAbs().maxCoeff();
-    EXPECT_GE(radius_bound(matrix.cwiseAbs()), radius * (1 - 1e-9) - 1e-6);
+    EXPECT_GE(tune::radius_bound(matrix.cwiseAbs()), radius * (1 - 1e-9) - 1e-6);
   }
 }
 
 TEST(FrequencyOrder, IsCloseWhereABlockIsTriangular) {
   Eigen::MatrixXd moduli(2, 2);
   moduli << 0.6, 0, 0.5, 0.125;
-  EXPECT_NEAR(radius_bound(moduli), 0.6, 1e-3);
+  EXPECT_NEAR(tune::radius_bound(moduli), 0.6, 1e-3);
 }
 
 TEST(FrequencyOrder, BoundsAllOfAPartOfTheInterval) {
   const Scheme scheme = shipped("laplacian-butterfly");
   FreedScheme freed = FreedScheme::make(scheme, "b").value();
   const Interval interval = freed.search_range(9, nullptr).value();
-  const BlockCurve curve(freed, 9, interval);
+  const tune::BlockCurve curve(freed, 9, interval);
   ASSERT_TRUE(curve.interpolated());
-  FrequencyOrder order(curve, interval);
+  tune::FrequencyOrder order(curve, interval);
   for (int k = 0; k <= 100; ++k) {
     const double x = interval.low + (interval.high - interval.low) * k / 100;
     const FrequencyBlocks blocks = curve(x).value();
-    const std::vector<BoundedFrequency>& bounds = order.at(x);
+    const std::vector<tune::BoundedFrequency>& bounds = order.at(x);
     EXPECT_EQ(bounds.size(), 2U);  // 3 and 4
     for (const auto& [omega, bound] : bounds)
       EXPECT_GE(bound + 1e-9, approx_spectrum(blocks, omega).eigenvalues.front().modulus());

@@ -19,12 +19,13 @@ TEST(Prescribe, GivesEachFrequencyItsEigenvalue) {
   std::mt19937 random(7);
   for (int n = 3; n <= 12; ++n) {
     if (n == 6) continue;  // the regular valence
-    Prescription wanted{n, "", {}};
+    tune::Prescription wanted{n, "", {}};
     const auto draw = [&] { return fmt::format("{}/100", 20 + random() % 60); };
     wanted.cup = draw();
     for (int i = 0; i < n / 2; ++i) wanted.eigenvalues.push_back(draw());
     for (const std::string base : {"loop", "optimal"}) {
-      const Result<std::string> text = prescribed_scheme(shipped(base), base, "drawn", wanted);
+      const Result<std::string> text =
+          tune::prescribed_scheme(shipped(base), base, "drawn", wanted);
       ASSERT_TRUE(text.ok()) << text.error().text();
       const Scheme scheme = parse_scheme(*text, "drawn.toml").value();
       const Eigencomponents found =
@@ -41,7 +42,7 @@ TEST(Prescribe, GivesEachFrequencyItsEigenvalue) {
 
 TEST(Prescribe, LeavesOtherValencesAlone) {
   const auto text =
-      prescribed_scheme(shipped("loop"), "loop", "drawn", {7, "1/4", {"1/2", "1/4", "1/8"}});
+      tune::prescribed_scheme(shipped("loop"), "loop", "drawn", {7, "1/4", {"1/2", "1/4", "1/8"}});
   const Scheme scheme = parse_scheme(text.value(), "drawn.toml").value();
   for (const int n : {3, 6, 8}) {
     const auto ours = FrequencyAnalysis(scheme).blocks(n).value();
@@ -56,7 +57,7 @@ TEST(Prescribe, MakesTheShippedVariants) {
        {std::pair<std::string, std::vector<std::string>>{"loop-7-bounded", {"1/2", "1/4", "1/8"}},
         {"loop-7-shrinking", {"1/4", "1/2", "1/8"}},
         {"loop-7-flat", {"1/2", "1/8", "1/4"}}}) {
-    const auto text = prescribed_scheme(shipped("loop"), "loop", "made", {7, "1/4", values});
+    const auto text = tune::prescribed_scheme(shipped("loop"), "loop", "made", {7, "1/4", values});
     const Scheme scheme = parse_scheme(text.value(), "made.toml").value();
     const auto made = FrequencyAnalysis(scheme).blocks(7).value();
     const auto shipped_blocks = FrequencyAnalysis(shipped(name)).blocks(7).value();
@@ -66,8 +67,9 @@ TEST(Prescribe, MakesTheShippedVariants) {
 }
 
 TEST(Prescribe, SaysWhatIsWrong) {
-  const auto message = [](const std::string& base, const std::string& name, const Prescription& p) {
-    const Result<std::string> text = prescribed_scheme(shipped(base), base, name, p);
+  const auto message = [](const std::string& base, const std::string& name,
+                          const tune::Prescription& p) {
+    const Result<std::string> text = tune::prescribed_scheme(shipped(base), base, name, p);
     EXPECT_FALSE(text.ok());
     return text.ok() ? "" : text.error().text();
   };

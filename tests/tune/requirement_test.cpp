@@ -29,7 +29,7 @@ TEST(Requirement, IsReadInAllItsForms) {
 
 TEST(Requirement, SeeksTheComponentThatStandsAlone) {
   const auto sought = [&](const char* text) -> std::string {
-    const auto i = sought_component(Requirement::parse(text, shipped("loop")).value());
+    const auto i = tune::sought_component(Requirement::parse(text, shipped("loop")).value());
     return i ? std::string(kComponents[*i].name) : "";
   };
   EXPECT_EQ(sought("cup = tangent^2"), "cup");
@@ -61,8 +61,9 @@ TEST(Requirement, SaysWhatIsMissing) {
   const Scheme& loop = shipped("loop");
   FreedScheme freed = FreedScheme::make(loop, "beta").value();
   const Requirement requirement = Requirement::parse("saddle = n*beta", loop).value();
-  EXPECT_NEAR(difference(requirement, freed, 5, 0.125, {{1., {}, {}, 0.5}}).value(), -0.125, 1e-16);
-  const Result<double> none = difference(requirement, freed, 3, 0.125, {{1., .25, .5, {}}});
+  EXPECT_NEAR(tune::difference(requirement, freed, 5, 0.125, {{1., {}, {}, 0.5}}).value(), -0.125,
+              1e-16);
+  const Result<double> none = tune::difference(requirement, freed, 3, 0.125, {{1., .25, .5, {}}});
   ASSERT_FALSE(none.ok());
   EXPECT_NE(none.error().text().find("no saddle at valence 3"), std::string::npos);
 }
@@ -78,7 +79,7 @@ void expect_margins_agree(FreedScheme& freed, const Scheme& scheme, int n, doubl
        {"bounded-curvature", found.verdict.curvature_necessary}}};
   for (const auto& [name, verdict] : verdicts) {
     const Requirement requirement = Requirement::parse(name, scheme).value();
-    const double distance = margin(requirement, freed, x, found).value();
+    const double distance = tune::margin(requirement, freed, x, found).value();
     if (std::abs(distance) < 1e-7) continue;
     RC_ASSERT(verdict == (distance > 0 ? Truth::yes : Truth::no));
   }
@@ -96,7 +97,7 @@ TEST(Requirement, MarginOfC1SeesThatTheTangentIsLessThan1) {
     const Eigencomponents found = approx_eigencomponents(freed.blocks(3, g).value());
     EXPECT_NEAR(*found.tangent, 2 * g - 0.5, 1e-14);
     EXPECT_EQ(found.verdict.c1_necessary, g < 0.75 ? Truth::yes : Truth::no) << g;
-    return margin(c1, freed, g, found).value();
+    return tune::margin(c1, freed, g, found).value();
   };
   EXPECT_GT(margin_at(0.5), 0);
   EXPECT_NEAR(margin_at(0.8), -0.1, 1e-14);

@@ -16,10 +16,10 @@ namespace {
 
 double cosine(int n) { return std::cos(2 * M_PI / n); }
 
-SystemSolutions solved_system(const Scheme& scheme, const std::vector<std::string>& names, int n,
-                              const std::vector<std::string>& texts,
-                              const std::vector<std::string>& between = {}) {
-  FreedNames freed = FreedNames::make(scheme, names).value();
+tune::SystemSolutions solved_system(const Scheme& scheme, const std::vector<std::string>& names,
+                                    int n, const std::vector<std::string>& texts,
+                                    const std::vector<std::string>& between = {}) {
+  tune::FreedNames freed = tune::FreedNames::make(scheme, names).value();
   std::vector<Requirement> requirements;
   for (const std::string& text : texts)
     requirements.push_back(Requirement::parse(text, scheme).value());
@@ -27,7 +27,7 @@ SystemSolutions solved_system(const Scheme& scheme, const std::vector<std::strin
   for (const std::string& text : between) ranges.push_back(SearchRange::parse(text).value());
   std::vector<const SearchRange*> searched(names.size(), nullptr);
   for (std::size_t j = 0; j < ranges.size(); ++j) searched[j] = &ranges[j];
-  return solve_system_at(freed, requirements, n, searched).value();
+  return tune::solve_system_at(freed, requirements, n, searched).value();
 }
 
 std::vector<int> all_frequencies(int n) {
@@ -44,13 +44,13 @@ TEST(FreedNames, BlocksAndSlopesOfEveryScheme) {
     std::vector<std::string> names = freeable_names(scheme);
     if (names.empty()) continue;
     names.resize(std::min<std::size_t>(names.size(), 3));
-    FreedNames freed = FreedNames::make(scheme, names).value();
+    tune::FreedNames freed = tune::FreedNames::make(scheme, names).value();
     for (const int n : {3, 5, 6, 9}) {
       std::vector<double> x;
       for (std::size_t j = 0; j < names.size(); ++j) x.push_back(freed.own_value(j, n).value());
       const Result<FrequencyBlocks> plain = freed.blocks(n, x);
       if (!plain) continue;
-      const BlockSlopes slopes = freed.slopes(n, x, all_frequencies(n)).value();
+      const spectrum::BlockSlopes slopes = freed.slopes(n, x, all_frequencies(n)).value();
       ++tried;
       for (int omega = 0; omega <= n / 2; ++omega) {
         const auto at = static_cast<std::size_t>(omega);
@@ -63,8 +63,8 @@ TEST(FreedNames, BlocksAndSlopesOfEveryScheme) {
         std::vector<double> above = x, below = x;
         above[j] += h;
         below[j] -= h;
-        const BlockSlopes up = freed.slopes(n, above, all_frequencies(n)).value();
-        const BlockSlopes down = freed.slopes(n, below, all_frequencies(n)).value();
+        const spectrum::BlockSlopes up = freed.slopes(n, above, all_frequencies(n)).value();
+        const spectrum::BlockSlopes down = freed.slopes(n, below, all_frequencies(n)).value();
         for (std::size_t at = 0; at < slopes.slopes.size(); ++at)
           EXPECT_LT(
               (slopes.slopes[at][j] - (up.blocks.blocks[at] - down.blocks.blocks[at]) / (2 * h))
@@ -80,12 +80,13 @@ TEST(FreedNames, BlocksAndSlopesOfEveryScheme) {
 
 TEST(EigenvalueJet, HasTheSlopesOfClosedForms) {
   // of the Loop type: tangent b + 2c cos, cup b + 2c - n beta, c = 1/2 - b
-  FreedNames freed = FreedNames::make(shipped("loop-type"), {"b", "beta"}).value();
+  tune::FreedNames freed = tune::FreedNames::make(shipped("loop-type"), {"b", "beta"}).value();
   for (int n = 4; n <= 9; ++n) {
-    const BlockSlopes slopes = freed.slopes(n, {0.36, 0.25 / n}, {0, 1}).value();
+    const spectrum::BlockSlopes slopes = freed.slopes(n, {0.36, 0.25 / n}, {0, 1}).value();
     for (const int omega : {0, 1}) {
       const BlockSpectrum spectrum = approx_spectrum(slopes.blocks, omega);
-      const Jet jet = eigenvalue_jet(slopes, spectrum.eigenvalues[omega == 0 ? 1 : 0]).value();
+      const number::Jet jet =
+          spectrum::eigenvalue_jet(slopes, spectrum.eigenvalues[omega == 0 ? 1 : 0]).value();
       if (omega == 1) {
         EXPECT_NEAR(jet.value, 0.36 + 0.28 * cosine(n), 1e-14);
         EXPECT_NEAR(jet.slope(0), 1 - 2 * cosine(n), 1e-12);
@@ -101,12 +102,12 @@ TEST(EigenvalueJet, HasTheSlopesOfClosedForms) {
 
 TEST(SolveSystem, FindsTheLoopTypeOfATangentAndACup) {
   for (const int n : {4, 5, 7, 8, 9}) {  // at 6 the tangent is 1/2 for every b
-    const SystemSolutions found =
+    const tune::SystemSolutions found =
         solved_system(shipped("loop-type"), {"b", "beta"}, n,
                       {"tangent = 2/5 + cos(2*pi/n)/5", "cup = 1/5"}, {"1/4,1/2", "0,1/n"});
     ASSERT_EQ(found.solutions.size(), 1U) << n << ": " << found.reason;
     // b + (1 - 2b) cos = 2/5 + cos/5 for b = 2/5; beta = (1 - b - 1/5)/n
-    const SystemSolution& one = found.solutions.front();
+    const tune::SystemSolution& one = found.solutions.front();
     EXPECT_NEAR(one.values[0], 2. / 5, 1e-13);
     EXPECT_NEAR(one.values[1], 2. / 5 / n, 1e-13);
     EXPECT_EQ(one.rationals[0], Rational(2, 5));
@@ -120,10 +121,10 @@ TEST(SolveSystem, AgreesWithOneNameAlone) {
   for (int n = 4; n <= 8; ++n) {
     const std::vector<double> alone =
         holding(solved(shipped("sqrt3"), "alpha", "cup = tangent^2", n));
-    const SystemSolutions found =
+    const tune::SystemSolutions found =
         solved_system(shipped("sqrt3"), {"alpha"}, n, {"cup = tangent^2", "c1"});
     std::vector<double> values;
-    for (const SystemSolution& one : found.solutions)
+    for (const tune::SystemSolution& one : found.solutions)
       if (one.holds == Truth::yes) values.push_back(one.values[0]);
     ASSERT_FALSE(alone.empty());
     EXPECT_TRUE(std::any_of(values.begin(), values.end(), [&](double value) {
@@ -133,7 +134,7 @@ TEST(SolveSystem, AgreesWithOneNameAlone) {
 }
 
 TEST(SolveSystem, AsksTheRegularLatticeAboutFractions) {
-  const SystemSolutions found = solved_system(
+  const tune::SystemSolutions found = solved_system(
       shipped("sqrt3"), {"alpha"}, 6, {"cup = tangent^2", "bounded-curvature"}, {"1/4,1/2"});
   ASSERT_EQ(found.solutions.size(), 1U) << found.reason;
   EXPECT_EQ(found.solutions[0].rationals[0], Rational(1, 3));
@@ -142,7 +143,7 @@ TEST(SolveSystem, AsksTheRegularLatticeAboutFractions) {
 
 TEST(SolveSystem, TakesTheNearestOfManySolutions) {
   const int n = 7;
-  const SystemSolutions found =
+  const tune::SystemSolutions found =
       solved_system(shipped("loop-type"), {"b", "beta"}, n, {"cup = 1/5"}, {"0,1/2", "0,1/n"});
   ASSERT_EQ(found.solutions.size(), 1U) << found.reason;
   EXPECT_EQ(found.starts, 1);
@@ -154,7 +155,7 @@ TEST(SolveSystem, TakesTheNearestOfManySolutions) {
 }
 
 TEST(SolveSystem, AsksTheOthersOfEachSolution) {
-  const SystemSolutions no =
+  const tune::SystemSolutions no =
       solved_system(shipped("loop-type"), {"b", "beta"}, 7,
                     {"tangent = 11/20", "cup = 1/4", "cup > tangent^2"}, {"1/4,1/2", "0,1/n"});
   ASSERT_EQ(no.solutions.size(), 1U);
@@ -164,11 +165,11 @@ TEST(SolveSystem, AsksTheOthersOfEachSolution) {
 }
 
 TEST(SolveSystem, LeavesOutWhatAValenceDoesNotHave) {
-  const SystemSolutions three = solved_system(shipped("loop-type"), {"beta"}, 3,
-                                              {"cup = 1/5", "saddle < tangent"}, {"0,1/n"});
+  const tune::SystemSolutions three = solved_system(shipped("loop-type"), {"beta"}, 3,
+                                                    {"cup = 1/5", "saddle < tangent"}, {"0,1/n"});
   ASSERT_EQ(three.solutions.size(), 1U);
   EXPECT_EQ(three.solutions[0].holds, Truth::yes);
-  const SystemSolutions none =
+  const tune::SystemSolutions none =
       solved_system(shipped("loop-type"), {"beta"}, 3, {"saddle = 1/5"}, {"0,1/n"});
   EXPECT_TRUE(none.solutions.empty());
   EXPECT_FALSE(none.reason.empty());
@@ -176,14 +177,14 @@ TEST(SolveSystem, LeavesOutWhatAValenceDoesNotHave) {
 
 TEST(SolveSystem, RefusesWhatCannotBeSolved) {
   const Scheme scheme = shipped("loop-type");
-  EXPECT_FALSE(FreedNames::make(scheme, {"b", "b"}));
-  EXPECT_FALSE(FreedNames::make(scheme, {}));
-  FreedNames freed = FreedNames::make(scheme, {"beta"}).value();
+  EXPECT_FALSE(tune::FreedNames::make(scheme, {"b", "b"}));
+  EXPECT_FALSE(tune::FreedNames::make(scheme, {}));
+  tune::FreedNames freed = tune::FreedNames::make(scheme, {"beta"}).value();
   const auto refused = [&](const std::vector<std::string>& texts) {
     std::vector<Requirement> requirements;
     for (const std::string& text : texts)
       requirements.push_back(Requirement::parse(text, scheme).value());
-    return solve_system_at(freed, requirements, 5, {nullptr}).error().message;
+    return tune::solve_system_at(freed, requirements, 5, {nullptr}).error().message;
   };
   EXPECT_NE(refused({"c1"}).find("no requirement is an equation"), std::string::npos);
   EXPECT_NE(refused({"cup = 1/4", "tangent = 1/2"}).find("2 equations"), std::string::npos);
@@ -194,7 +195,7 @@ TEST(ClosedForm, OfManyValences) {
   const auto form = [&](auto value) {
     std::vector<double> values;
     for (const int n : valences) values.push_back(value(n));
-    return closed_form(valences, values).value_or("none");
+    return tune::closed_form(valences, values).value_or("none");
   };
   EXPECT_EQ(form([](int n) { return 3. / 8 / n; }), "(3/8)/n");
   EXPECT_EQ(form([](int) { return 5. / 9; }), "5/9");
@@ -203,14 +204,15 @@ TEST(ClosedForm, OfManyValences) {
             "(31/64 - 3/16*cos(2*pi/n) - 1/16*cos(2*pi/n)^2)/n");
   EXPECT_EQ(form([](int n) { return 1 / (3. + n); }), "none");
   EXPECT_EQ(form([](int n) { return std::sqrt(2.) * cosine(n); }), "none");
-  EXPECT_FALSE(closed_form({3, 4, 5, 6}, {1, 1, 1, 1}));
+  EXPECT_FALSE(tune::closed_form({3, 4, 5, 6}, {1, 1, 1, 1}));
 }
 
 TEST(ClosedForm, OfOneValence) {
-  EXPECT_EQ(closed_form_at(5, (4 - 2 * cosine(5)) / 8).value_or("none"), "1/2 - 1/4*cos(2*pi/n)");
-  EXPECT_EQ(closed_form_at(7, (3 / 8. + cosine(7) / 4) / 7).value_or("none"),
+  EXPECT_EQ(tune::closed_form_at(5, (4 - 2 * cosine(5)) / 8).value_or("none"),
+            "1/2 - 1/4*cos(2*pi/n)");
+  EXPECT_EQ(tune::closed_form_at(7, (3 / 8. + cosine(7) / 4) / 7).value_or("none"),
             "(3/8 + 1/4*cos(2*pi/n))/n");
-  EXPECT_FALSE(closed_form_at(7, std::sqrt(2.) / 3));
+  EXPECT_FALSE(tune::closed_form_at(7, std::sqrt(2.) / 3));
 }
 
 }  // namespace

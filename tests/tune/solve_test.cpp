@@ -230,14 +230,14 @@ RC_GTEST_PROP(Solve, InvertsAffineFamilies, ()) {
 }
 
 TEST(NearRational, KnowsSmallDenominators) {
-  EXPECT_EQ(near_rational(0), Rational(0));
-  EXPECT_EQ(near_rational(-7 / 24.), Rational(-7, 24));
-  EXPECT_EQ(near_rational(999 / 1000.), Rational(999, 1000));
-  EXPECT_EQ(near_rational(1 / 3. + 1e-9), std::nullopt);
-  EXPECT_EQ(near_rational(1 / 3. + 1e-9, 1e-8), Rational(1, 3));
+  EXPECT_EQ(number::near_rational(0), Rational(0));
+  EXPECT_EQ(number::near_rational(-7 / 24.), Rational(-7, 24));
+  EXPECT_EQ(number::near_rational(999 / 1000.), Rational(999, 1000));
+  EXPECT_EQ(number::near_rational(1 / 3. + 1e-9), std::nullopt);
+  EXPECT_EQ(number::near_rational(1 / 3. + 1e-9, 1e-8), Rational(1, 3));
   for (const double x : {std::sqrt(2), M_PI, 1 / 1001., 1e9, 1e300, -M_E})
-    EXPECT_EQ(near_rational(x), std::nullopt) << x;
-  EXPECT_EQ(near_rational(std::nan("")), std::nullopt);
+    EXPECT_EQ(number::near_rational(x), std::nullopt) << x;
+  EXPECT_EQ(number::near_rational(std::nan("")), std::nullopt);
 }
 
 }  // namespace

@@ -61,14 +61,14 @@ std::string PageCore::eigen(int scheme, int valence, bool quick) {
     const auto loaded = state_->schemes.find(scheme);
     if (!loaded) return loaded.error();
     const Scheme& of = (*loaded)->scheme;
-    if (Status status = check_valence(of, valence, least_valence(*of.split)); !status)
+    if (Status status = check_valence(of, valence, spectrum::least_valence(*of.split)); !status)
       return status.error();
     if (!(*loaded)->frequencies) (*loaded)->frequencies.emplace(of);
     const Result<FrequencyBlocks> blocks = (*loaded)->frequencies->blocks(valence);
     if (!blocks) return blocks.error();
     const RegularPart regular = quick ? RegularPart{} : find_regular_part(of);
-    Json json{{"regular_part", regular_part_json(regular)}};
-    json.update(eigen_json(*blocks, approx_eigencomponents(*blocks, regular)));
+    Json json{{"regular_part", report::regular_part_json(regular)}};
+    json.update(report::eigen_json(*blocks, approx_eigencomponents(*blocks, regular)));
     return json;
   });
 }
@@ -109,7 +109,7 @@ std::string PageCore::regularity(int scheme, double seconds) {
     options.seconds = seconds;
     const Result<Regularity> found = enclose_regularity(*mask, options);
     if (!found) return found.error();
-    return regularity_json((*loaded)->scheme.name, *found);
+    return report::regularity_json((*loaded)->scheme.name, *found);
   });
 }
 

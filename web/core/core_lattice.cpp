@@ -34,7 +34,7 @@ bool is_within(const std::vector<Frequency>& corners, Frequency f) {
 }
 
 /// Artifacts in percent of the signal at each frequency of a grid.
-std::vector<double> percents(const ArtifactAnalysis& analysis, const FrequencyGrid& grid,
+std::vector<double> percents(const ArtifactAnalysis& analysis, const regular::FrequencyGrid& grid,
                              bool by_energy) {
   const auto nx = static_cast<std::size_t>(grid.nx), ny = static_cast<std::size_t>(grid.ny);
   std::vector<double> values(nx * ny);
@@ -44,7 +44,7 @@ std::vector<double> percents(const ArtifactAnalysis& analysis, const FrequencyGr
                                            grid.y0 + static_cast<double>(i / nx) * grid.dy});
     return values;
   }
-  const std::vector<std::vector<double>> map = limit_map(analysis, grid);
+  const std::vector<std::vector<double>> map = regular::limit_map(analysis, grid);
   Components components;
   components.artifacts.resize(map.size() - 1);
   for (std::size_t i = 0; i < values.size(); ++i) {
@@ -144,9 +144,9 @@ std::string PageCore::artifacts(int scheme, double fx, double fy) {
     const auto loaded = state_->schemes.find(scheme);
     if (!loaded) return loaded.error();
     if (Status status = check_frequency(fx, fy); !status) return status.error();
-    const Result<const NamedAnalysis*> lattice = lattice_of(**loaded);
+    const Result<const study::NamedAnalysis*> lattice = lattice_of(**loaded);
     if (!lattice) return lattice.error();
-    return artifacts_json(**lattice, {fx, fy}, Stage{});
+    return report::artifacts_json(**lattice, {fx, fy}, study::Stage{});
   });
 }
 
@@ -156,9 +156,9 @@ std::string PageCore::sampling(int scheme, double percent) {
     if (!loaded) return loaded.error();
     if (!(percent >= kLeastTolerance && percent <= 100))
       return Error{fmt::format("the tolerance is not between {} and 100 percent", kLeastTolerance)};
-    const Result<const NamedAnalysis*> lattice = lattice_of(**loaded);
+    const Result<const study::NamedAnalysis*> lattice = lattice_of(**loaded);
     if (!lattice) return lattice.error();
-    return sampling_json(**lattice, percent, (*loaded)->densities);
+    return report::sampling_json(**lattice, percent, (*loaded)->densities);
   });
 }
 
@@ -172,13 +172,13 @@ FieldAnswer PageCore::artifact_map(int scheme, int size, const std::string& meas
       return Error{"the measure is neither mean_energy nor total_energy"};
     if (size < 2 || size > kMostSize)
       return Error{fmt::format("the size {} is not between 2 and {}", size, kMostSize)};
-    const Result<const NamedAnalysis*> lattice = lattice_of(**loaded);
+    const Result<const study::NamedAnalysis*> lattice = lattice_of(**loaded);
     if (!lattice) return lattice.error();
     const ArtifactAnalysis& analysis = (*lattice)->analysis;
     const Status& known = by_energy ? analysis.energy_status() : analysis.limit_status();
     if (!known) return known.error();
     const Lattice kind = (*loaded)->scheme.split->lattice;
-    const FrequencyGrid grid = nyquist_grid(kind, size, size);
+    const regular::FrequencyGrid grid = regular::nyquist_grid(kind, size, size);
     const std::vector<Frequency> cell = nyquist_region(kind);
     const std::vector<double> values = percents(analysis, grid, by_energy);
     double largest = 0;
@@ -197,7 +197,7 @@ FieldAnswer PageCore::artifact_map(int scheme, int size, const std::string& meas
                 {"lattice", kind == Lattice::triangle ? "triangles" : "quads"},
                 {"cell", pairs_json(cell)},
                 {"measure", measure},
-                {"largest", finite(largest)}};
+                {"largest", report::finite(largest)}};
   });
   return made;
 }
@@ -210,7 +210,7 @@ WaveAnswer PageCore::wave(int scheme, double fx, double fy, int levels) {
     if (Status status = check_frequency(fx, fy); !status) return status.error();
     if (levels < 0 || levels > kMostWaveLevels)
       return Error{fmt::format("{} levels are not between 0 and {}", levels, kMostWaveLevels)};
-    const Result<const NamedAnalysis*> lattice = lattice_of(**loaded);
+    const Result<const study::NamedAnalysis*> lattice = lattice_of(**loaded);
     if (!lattice) return lattice.error();
     const ArtifactAnalysis& analysis = (*lattice)->analysis;
     if (!analysis.limit_status()) return analysis.limit_status().error();

@@ -21,7 +21,7 @@ constexpr double kLargestCoordinate = 1e30;
 
 /// What is asked for in words.
 struct Wanted {
-  RepairOptions repair;
+  mesh::RepairOptions repair;
   bool triangulate = false;
 };
 
@@ -40,9 +40,9 @@ Result<Wanted> wanted_of(const std::string& words) {
     else if (word == "triangulate")
       wanted.triangulate = true;
     else if (word == "repair")
-      wanted.repair = RepairOptions::everything();
+      wanted.repair = mesh::RepairOptions::everything();
     else
-      return Error{fmt::format("'{}' is no way to repair a mesh", printable(word)),
+      return Error{fmt::format("'{}' is no way to repair a mesh", base::printable(word)),
                    "repair, weld, cut, orient or triangulate"};
   }
   return wanted;
@@ -51,28 +51,29 @@ Result<Wanted> wanted_of(const std::string& words) {
 /// A mesh file with what was done to it.
 struct Prepared {
   MeshFile file;
-  std::vector<RepairStep> done;
-  Cuts cuts;
+  std::vector<mesh::RepairStep> done;
+  mesh::Cuts cuts;
 };
 
 Result<Prepared> prepare(MeshFile file, const Wanted& wanted) {
   Prepared prepared{std::move(file), {}, {}};
   MeshFile& now = prepared.file;
   if (wanted.repair.any()) {
-    Result<Repaired> repaired = repair(now.polygons, wanted.repair);
+    Result<mesh::Repaired> repaired = mesh::repair(now.polygons, wanted.repair);
     if (!repaired) return repaired.error();
-    now.source = source_of(*repaired, now.source);
-    now.attributes = carried(now.attributes, *repaired);
-    prepared.cuts = cuts_of(*repaired);
+    now.source = mesh::source_of(*repaired, now.source);
+    now.attributes = mesh::carried(now.attributes, *repaired);
+    prepared.cuts = mesh::cuts_of(*repaired);
     now.polygons = std::move(repaired->polygons);
     prepared.done = std::move(repaired->done);
   }
   if (wanted.triangulate) {
-    Result<Triangulation> cut = limn::triangulate(now.polygons);
+    Result<mesh::Triangulation> cut = limn::mesh::triangulate(now.polygons);
     if (!cut) return cut.error();
-    for (Error& warning : warnings_of(*cut, now.source)) now.warnings.push_back(std::move(warning));
-    now.source = source_of(*cut, now.source);
-    now.attributes = carried(now.attributes, *cut);
+    for (Error& warning : mesh::warnings_of(*cut, now.source))
+      now.warnings.push_back(std::move(warning));
+    now.source = mesh::source_of(*cut, now.source);
+    now.attributes = mesh::carried(now.attributes, *cut);
     now.polygons = std::move(cut->polygons);
   }
   return prepared;
@@ -105,9 +106,9 @@ const char* faces_stated(const std::string& text) {
   return triangles ? "triangles" : quads ? "quads" : "mixed";
 }
 
-Json repaired_json(const std::vector<RepairStep>& done) {
+Json repaired_json(const std::vector<mesh::RepairStep>& done) {
   Json list = Json::array();
-  for (const RepairStep& step : done)
+  for (const mesh::RepairStep& step : done)
     list.push_back({{"what", step.what}, {"count", step.count}, {"text", step.text}});
   return list;
 }
@@ -119,8 +120,9 @@ Result<MeshFile> parse(const std::string& name, std::string_view content) {
   Result<MeshFile> file =
       parse_mesh_file(content, extension_of(name), name, {.keep_faults = true, .attributes = true});
   if (!file) return file;
-  if (const auto fault = too_many(file->polygons.positions.size(), file->polygons.face_begin.size(),
-                                  file->polygons.corners.size()))
+  if (const auto fault =
+          mesh::too_many(file->polygons.positions.size(), file->polygons.face_begin.size(),
+                         file->polygons.corners.size()))
     return *fault;
   return file;
 }
@@ -135,15 +137,16 @@ Result<Json> load_file(const std::string& name, std::string_view content, const 
   Result<Prepared> prepared = prepare(std::move(*file), *wanted);
   if (!prepared) return prepared.error();
   MeshFile& now = prepared->file;
-  const MeshCheck check{name, now.polygons, now.source, survey_mesh(now.polygons), now.dropped};
-  Result<Mesh> mesh = build_mesh(now.polygons, now.source, &now.warnings);
+  const report::MeshCheck check{name, now.polygons, now.source, mesh::survey_mesh(now.polygons),
+                                now.dropped};
+  Result<Mesh> mesh = mesh::build_mesh(now.polygons, now.source, &now.warnings);
   if (mesh && !check.survey.not_finite.empty())
     mesh = Error{"a coordinate is not a finite number", "correct the file", name,
                  now.source.vertex_line(check.survey.not_finite.front())};
   Json json = mesh ? Json::object() : refused(mesh.error());
   json["faces"] = faces_word(now.polygons);
   json["closed"] = mesh && !mesh->has_boundary();
-  json["check"] = mesh_check_json(check);
+  json["check"] = report::mesh_check_json(check);
   json["repaired"] = repaired_json(prepared->done);
   if (mesh) {
     loaded = std::make_shared<LoadedMesh>();
@@ -151,7 +154,7 @@ Result<Json> load_file(const std::string& name, std::string_view content, const 
     if (Status status = apply_tags(*mesh, now.source, now.tags, loaded->sharpness); !status)
       return status.error();
     if (now.tags.boundary)
-      apply_boundary_mode(*mesh, *now.tags.boundary, loaded->cuts, loaded->sharpness);
+      mesh::apply_boundary_mode(*mesh, *now.tags.boundary, loaded->cuts, loaded->sharpness);
     loaded->mesh = std::move(*mesh);
     if (attributes_fit(now.attributes, now.polygons))
       loaded->texture = std::move(now.attributes.texture);

@@ -38,7 +38,7 @@ std::string stated(std::string_view text, std::string_view key) {
 
 /// The split of a shipped file: as it states it, or, where it follows from other things (from the
 /// parity of a staged scheme's averagings), as the scheme's reader finds it.
-const Split* split_of(const ShippedFile& file) {
+const Split* split_of(const scheme::ShippedFile& file) {
   if (const Split* const split = find_split(stated(file.text, "split"))) return split;
   const Result<Scheme> scheme = find_scheme(std::string(file.name));
   return scheme ? scheme->split : nullptr;
@@ -75,7 +75,7 @@ Result<std::vector<std::string>> assignments_of(const std::string& text) {
 }
 
 std::optional<double> number_of(const Scheme& scheme, const Formula& formula) {
-  Scope<double> scope(scheme, std::nullopt, std::nullopt);
+  scheme::Scope<double> scope(scheme, std::nullopt, std::nullopt);
   const Result<double> value = scope(formula);
   if (!value || !std::isfinite(*value)) return std::nullopt;
   return *value;
@@ -84,7 +84,7 @@ std::optional<double> number_of(const Scheme& scheme, const Formula& formula) {
 Json number_json(const std::optional<double>& value) { return value ? Json(*value) : Json(); }
 
 /// Whether a value between whole numbers is refused.
-bool takes_integers_alone(ParameterSetter& setter, const Parameter& parameter) {
+bool takes_integers_alone(scheme::ParameterSetter& setter, const Parameter& parameter) {
   const Scheme& scheme = setter.scheme();
   const std::optional<double> value = number_of(scheme, parameter.value);
   if (!value || *value != std::floor(*value) || !parameter.low) return false;
@@ -112,7 +112,7 @@ void find_features(ReadText& read) {
   };
   const std::string none = "the scheme has no rules for meshes, only a mask";
   const bool by_rules = has_rules && !scheme.mask && !scheme.factors;
-  const Status one_lattice = check_one_lattice(scheme);
+  const Status one_lattice = scheme::check_one_lattice(scheme);
   add("eigen", (by_rules || staged) && one_lattice.ok(),
       one_lattice ? none : one_lattice.error().message);
   add("refine", has_rules || staged, none);
@@ -124,8 +124,8 @@ void find_features(ReadText& read) {
 }
 
 Result<Scheme> read_text(const std::string& text) {
-  for (const ShippedFile& file : shipped_files())
-    if (file.text == text) return shipped_scheme(std::string(file.name));
+  for (const scheme::ShippedFile& file : scheme::shipped_files())
+    if (file.text == text) return scheme::shipped_scheme(std::string(file.name));
   return parse_scheme(text, "scheme.toml");
 }
 
@@ -137,11 +137,11 @@ Result<std::shared_ptr<ReadText>> read_kept(const std::string& text,
     std::rotate(kept.begin(), same, same + 1);
     return kept.front();
   }
-  if (text.size() > kMostSchemeBytes)
-    return Error{fmt::format("the text has more than {} bytes", kMostSchemeBytes)};
+  if (text.size() > scheme::kMostSchemeBytes)
+    return Error{fmt::format("the text has more than {} bytes", scheme::kMostSchemeBytes)};
   Result<Scheme> scheme = read_text(text);
   if (!scheme) return scheme.error();
-  ReadText read{text, ParameterSetter(std::move(*scheme)), {}, {}, {}};
+  ReadText read{text, scheme::ParameterSetter(std::move(*scheme)), {}, {}, {}};
   for (const Parameter& parameter : read.setter.scheme().parameters)
     read.integers.push_back(takes_integers_alone(read.setter, parameter));
   find_features(read);
@@ -173,13 +173,13 @@ Json parameters_json(const ReadText& read, const Scheme& scheme) {
 
 }  // namespace
 
-Result<const NamedAnalysis*> lattice_of(LoadedScheme& loaded) {
+Result<const study::NamedAnalysis*> lattice_of(LoadedScheme& loaded) {
   if (!loaded.lattice) {
     const Result<Mask> mask = regular_mask(loaded.scheme);
     if (!mask) return mask.error();
     Result<ArtifactAnalysis> analysis = ArtifactAnalysis::of(*mask);
     if (!analysis) return analysis.error();
-    loaded.lattice.emplace(NamedAnalysis{loaded.scheme.name, *std::move(analysis)});
+    loaded.lattice.emplace(study::NamedAnalysis{loaded.scheme.name, *std::move(analysis)});
   }
   return &*loaded.lattice;
 }
@@ -196,7 +196,7 @@ std::string PageCore::version() const {
 std::string PageCore::schemes() const {
   return answer([]() -> Result<Json> {
     Json list = Json::array();
-    for (const ShippedFile& file : shipped_files()) {
+    for (const scheme::ShippedFile& file : scheme::shipped_files()) {
       const Split* const split = split_of(file);
       list.push_back({{"name", file.name},
                       {"title", stated(file.text, "title")},
@@ -236,7 +236,7 @@ std::string PageCore::load(const std::string& text, const std::string& parameter
               {"parameters", parameters_json(**read, scheme)},
               {"valences",
                {{"regular", scheme.split->lattice == Lattice::triangle ? 6 : 4},
-                {"least", least_valence(*scheme.split)},
+                {"least", spectrum::least_valence(*scheme.split)},
                 {"most", kMostValence}}}};
     json["features"] = (*read)->features;
     json["reasons"] = (*read)->reasons;
@@ -250,7 +250,7 @@ std::string PageCore::show(int scheme) {
   return answer([&]() -> Result<Json> {
     const auto loaded = state_->schemes.find(scheme);
     if (!loaded) return loaded.error();
-    return describe_json((*loaded)->scheme);
+    return report::describe_json((*loaded)->scheme);
   });
 }
 

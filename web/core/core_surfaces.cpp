@@ -54,8 +54,8 @@ Status check_size(const Scheme& scheme, const Mesh& mesh, int levels) {
 /// The mesh's sharpness, and what holds copies together that repair has made, where the scheme can.
 Sharpness sharpness_of(const LoadedMesh& mesh, const Scheme& scheme) {
   Sharpness held = mesh.sharpness;
-  hold_cuts(mesh.mesh, mesh.cuts, held);
-  return check_takes_sharpness(scheme, held) ? held : mesh.sharpness;
+  mesh::hold_cuts(mesh.mesh, mesh.cuts, held);
+  return refine::check_takes_sharpness(scheme, held) ? held : mesh.sharpness;
 }
 
 SurfaceOptions surface_options(const LoadedPlan& plan) {
@@ -327,7 +327,7 @@ CurvatureAnswer PageCore::curvature(int plan) {
       made.mean.push_back(static_cast<float>((one.largest + one.smallest) / 2));
       missing += std::isnan(one.largest) ? 1 : 0;
     }
-    return Json{{"missing", missing}, {"reasons", gaps_json(surface->gaps)["curvatures"]}};
+    return Json{{"missing", missing}, {"reasons", report::gaps_json(surface->gaps)["curvatures"]}};
   });
   return made;
 }
@@ -341,7 +341,8 @@ FieldAnswer PageCore::distance(int plan, int other) {
     if (!b) return b.error();
     for (const auto& one : {*a, *b})
       if (Status status = update(*one); !status) return status.error();
-    const Result<SurfaceDistance> apart = approx_surface_distance(in_doubles(**a), in_doubles(**b));
+    const Result<mesh::SurfaceDistance> apart =
+        mesh::approx_surface_distance(in_doubles(**a), in_doubles(**b));
     if (!apart) return apart.error();
     for (const double distance : apart->from_a) made.values.push_back(static_cast<float>(distance));
     return Json{{"largest", apart->largest}, {"mean", apart->mean}, {"diagonal", apart->diagonal}};

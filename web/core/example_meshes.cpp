@@ -45,7 +45,7 @@ std::vector<Point3> hill_points(Index valence, Lattice lattice) {
 }
 
 Result<std::string> hill(Index valence, Lattice lattice) {
-  const Mesh mesh = star(lattice, valence, kRings);
+  const Mesh mesh = mesh::star(lattice, valence, kRings);
   return format_mesh("obj", mesh.polygons(hill_points(valence, lattice)));
 }
 
@@ -60,9 +60,9 @@ std::string summary_of(const EmbeddedMesh& mesh) {
     return line;
   };
   const std::string_view first = take_line();
-  if (!first.starts_with(std::string(mesh.name) + ":")) return printable(first);
+  if (!first.starts_with(std::string(mesh.name) + ":")) return base::printable(first);
   const std::string_view second = take_line();
-  return printable(second.substr(0, second.find(':')));
+  return base::printable(second.substr(0, second.find(':')));
 }
 
 }  // namespace
@@ -86,7 +86,8 @@ Result<std::string> example_mesh(const std::string& name) {
       if (hill_name(valence, lattice) == name) return hill(valence, lattice);
   std::string known;
   for (const ExampleMesh& mesh : example_meshes()) known += (known.empty() ? "" : ", ") + mesh.name;
-  return Error{fmt::format("there is no example mesh '{}'", printable(name)), "there are " + known};
+  return Error{fmt::format("there is no example mesh '{}'", base::printable(name)),
+               "there are " + known};
 }
 
 }  // namespace limn::page

@@ -32,7 +32,7 @@ inline constexpr double kMostBytes = 1.2e9;   // of the 2 GiB that WebAssembly m
 /// A text that was read, before any parameter is set.
 struct ReadText {
   std::string text;
-  ParameterSetter setter;
+  scheme::ParameterSetter setter;
   std::vector<bool> integers;  ///< of each parameter whether whole numbers alone are taken
   Json features, reasons;      ///< what can be asked of it, and why the rest cannot
 };
@@ -40,15 +40,15 @@ struct ReadText {
 struct LoadedScheme {
   Scheme scheme;
   std::optional<FrequencyAnalysis> frequencies;  // made when asked for; refer to `scheme`
-  std::optional<NamedAnalysis> lattice;
-  SamplingDensities densities;
+  std::optional<study::NamedAnalysis> lattice;
+  study::SamplingDensities densities;
 };
 
 struct LoadedMesh {
   Mesh mesh;
   std::vector<Point3> points;
   Sharpness sharpness;
-  Cuts cuts;  ///< what repair has cut
+  mesh::Cuts cuts;  ///< what repair has cut
   TextureCoordinates texture;
   int moves = 0;  ///< how often a vertex was moved
 };
@@ -73,7 +73,7 @@ struct LoadedPlan {
   std::vector<float> positions, normals_there;
   bool has_limit = false, has_normals = false;  ///< what these are
   int moves = -1;                               ///< of the mesh, when they were made
-  std::optional<EdgePaths> lines;
+  std::optional<mesh::EdgePaths> lines;
 };
 
 /// Things by number, from 1.
@@ -109,7 +109,7 @@ struct PageCore::State {
 [[nodiscard]] std::vector<float> floats_of(const std::vector<Point3>& points);
 
 /// The scheme's analysis on the lattice, made once. Fails as regular_mask and ArtifactAnalysis::of.
-[[nodiscard]] Result<const NamedAnalysis*> lattice_of(LoadedScheme& scheme);
+[[nodiscard]] Result<const study::NamedAnalysis*> lattice_of(LoadedScheme& scheme);
 
 /// [[x, y], …]
 template <class Points>
@@ -123,7 +123,7 @@ template <class Points>
 [[nodiscard]] Status update(LoadedPlan& plan);
 
 /// The control mesh's edges on the refined mesh, by the plan's numbers of vertices.
-[[nodiscard]] EdgePaths lines_of(LoadedPlan& plan);
+[[nodiscard]] mesh::EdgePaths lines_of(LoadedPlan& plan);
 
 /// Calls visit(a, b, c) for the corners (places in polygons.corners) of the triangles that faces
 /// are cut into, without faces at a vertex that has no limit.

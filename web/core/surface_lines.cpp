@@ -60,15 +60,15 @@ std::vector<Point3> refined_points(LoadedPlan& plan, const std::vector<Point3>& 
 
 // The engines number vertices in orders of their own; which edges lie on the control mesh's is
 // known in the plain one's. So vertices are matched by where they lie.
-EdgePaths lines_of(LoadedPlan& plan) {
+mesh::EdgePaths lines_of(LoadedPlan& plan) {
   const Scheme& scheme = plan.scheme->scheme;
   const std::vector<Point3> control = random_points(plan.mesh->points.size());
-  const Result<Refined<Point3>> plain =
-      refine(scheme, plan.mesh->mesh, control, plan.levels, {}, plan.sharpness);
+  const Result<refine::Refined<Point3>> plain =
+      refine::refine(scheme, plan.mesh->mesh, control, plan.levels, {}, plan.sharpness);
   if (!plain) return {};
   const std::vector<std::uint32_t> match = matched(plain->values, refined_points(plan, control));
   if (match.empty()) return {};
-  EdgePaths lines = edge_paths(*scheme.split, plan.mesh->mesh, plan.levels);
+  mesh::EdgePaths lines = mesh::edge_paths(*scheme.split, plan.mesh->mesh, plan.levels);
   for (Index& vertex : lines.vertices) vertex = static_cast<Index>(match[vertex]);
   return lines;
 }
@@ -78,11 +78,11 @@ LinesAnswer PageCore::lines(int plan) {
   made.json = answer([&]() -> Result<Json> {
     const auto found = state_->plans.find(plan);
     if (!found) return found.error();
-    std::optional<EdgePaths>& lines = (*found)->lines;
+    std::optional<mesh::EdgePaths>& lines = (*found)->lines;
     if (!lines) lines = lines_of(**found);
     made.vertices.assign(lines->vertices.begin(), lines->vertices.end());
     made.begin.assign(lines->begin.begin(), lines->begin.end());
-    for (const EdgePaths::Segment& segment : lines->segments)
+    for (const mesh::EdgePaths::Segment& segment : lines->segments)
       for (const Index point : {segment.from, segment.to})
         made.segments.push_back(static_cast<std::uint32_t>(point));
     return Json::object();

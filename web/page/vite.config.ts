@@ -6,6 +6,8 @@ import { build, defineConfig, type Plugin, type Rollup } from 'vite';
 import type { Core } from './src/core/api';
 import { toBase85 } from './src/core/base85';
 import { catalogueOf } from './src/core/catalogue';
+import { packOpening } from './src/core/opening';
+import { Session } from './src/core/session';
 
 // The folder with limn_core.mjs and limn_core.wasm (web/core builds them).
 const coreFolder = resolve(__dirname, process.env.LIMN_CORE_DIR ?? '../../build/page/core');
@@ -36,6 +38,15 @@ async function bundled(entry: string, format: 'es' | 'iife'): Promise<string> {
   return made.output[0].code;
 }
 
+let running: Promise<Core> | undefined;
+/** The core, at work in this program: what the page is to know before its own core is there, it says. */
+function core(): Promise<Core> {
+  // Emscripten's script asks for it under Node.
+  Object.assign(globalThis, { __dirname: coreFolder });
+  return (running ??= (import(pathToFileURL(coreScript).href) as Promise<typeof import('limn-core')>)
+    .then(async ({ default: make }) => (await make({ wasmBinary: coreBytes() })) as unknown as Core));
+}
+
 /** What the core says that it ships, as a module. */
 function catalogue(): Plugin {
   const name = 'limn-catalogue';
@@ -43,12 +54,7 @@ function catalogue(): Plugin {
     name,
     resolveId: (id) => (id === name ? `\0${name}` : undefined),
     async load(id) {
-      if (id !== `\0${name}`) return undefined;
-      // Emscripten's script asks for it under Node.
-      Object.assign(globalThis, { __dirname: coreFolder });
-      const { default: make } = (await import(pathToFileURL(coreScript).href)) as typeof import('limn-core');
-      const core = (await make({ wasmBinary: coreBytes() })) as unknown as Core;
-      return `export default JSON.parse(${JSON.stringify(JSON.stringify(catalogueOf(core)))});`;
+      return id === `\0${name}` ? `export default JSON.parse(${JSON.stringify(JSON.stringify(catalogueOf(await core())))});` : undefined;
     },
   };
 }
@@ -79,7 +85,8 @@ function oneFile(): Plugin {
         this.info(`${id}: ${bytes.length} bytes, packed ${text.length}`);
         return `<script type="text/plain" id="${id}">${text}</script>\n`;
       };
-      const parts = [element('worker', code(await bundled('src/core/worker.ts', 'iife'))), element('core', coreBytes()),
+      const opening = packOpening(new Session(await core()), catalogueOf(await core()));
+      const parts = [element('opening', opening), element('worker', code(await bundled('src/core/worker.ts', 'iife'))), element('core', coreBytes()),
         `<script>${await bundled('src/loader.ts', 'iife')}</script>\n`,
         element('program', code(program)), element('painter', code(await bundled('src/space/gl_painter.ts', 'es'))), element('later', code(await bundled('src/later.ts', 'es')))];
       page = page.replace('</body>', () => `${parts.join('')}</body>`);

@@ -19,7 +19,7 @@ namespace {
 
 /// That the mesh looks unwelded.
 void warn_of_open_seams(const Mesh& mesh, MeshFile& file) {
-  const OpenSeams seams = open_seams(mesh, file.polygons.positions);
+  const mesh::OpenSeams seams = mesh::open_seams(mesh, file.polygons.positions);
   if (seams.edges == 0) return;
   file.warnings.push_back(
       {fmt::format("the mesh looks unwelded: {} lie where others do, and joining them would close "
@@ -38,13 +38,13 @@ void report_notes(const Warnings& notes) {
 }  // namespace
 
 Status check_mesh_path(const std::string& path) {
-  if (path == kStandardStream) return Done{};
+  if (path == base::kStandardStream) return Done{};
   return check_readable(path);
 }
 
 Result<MeshFile> MeshInput::read(const ReadOptions& options) {
   set_step("reading " + path_);
-  if (path_ != kStandardStream) return read_mesh_file(path_, options);
+  if (path_ != base::kStandardStream) return read_mesh_file(path_, options);
   if (!content_) {
     Result<std::string> content = take_standard_input();
     if (!content) return content.error();
@@ -55,32 +55,32 @@ Result<MeshFile> MeshInput::read(const ReadOptions& options) {
 
 Result<Prepared> prepare(MeshFile& file, const MeshPreparation& preparation) {
   Prepared prepared;
-  if (const RepairOptions asked = preparation.repair(); asked.any()) {
-    Result<Repaired> repaired = repair(file.polygons, asked);
+  if (const mesh::RepairOptions asked = preparation.repair(); asked.any()) {
+    Result<mesh::Repaired> repaired = mesh::repair(file.polygons, asked);
     if (!repaired) {
       repaired.error().file = file.source.file;
       return repaired.error();
     }
-    file.source = source_of(*repaired, file.source);
-    file.attributes = carried(file.attributes, *repaired);
-    prepared.cuts = cuts_of(*repaired);
+    file.source = mesh::source_of(*repaired, file.source);
+    file.attributes = mesh::carried(file.attributes, *repaired);
+    prepared.cuts = mesh::cuts_of(*repaired);
     file.polygons = std::move(repaired->polygons);
     prepared.done = std::move(repaired->done);
   }
   if (preparation.triangulate) {
-    Result<Triangulation> cut = limn::triangulate(file.polygons);
+    Result<mesh::Triangulation> cut = limn::mesh::triangulate(file.polygons);
     if (!cut) {
       cut.error().file = file.source.file;
       return cut.error();
     }
-    for (Error& warning : warnings_of(*cut, file.source))
+    for (Error& warning : mesh::warnings_of(*cut, file.source))
       file.warnings.push_back(std::move(warning));
-    file.source = source_of(*cut, file.source);
-    file.attributes = carried(file.attributes, *cut);
+    file.source = mesh::source_of(*cut, file.source);
+    file.attributes = mesh::carried(file.attributes, *cut);
     file.polygons = std::move(cut->polygons);
   }
   Warnings notes;
-  for (const RepairStep& step : prepared.done)
+  for (const mesh::RepairStep& step : prepared.done)
     notes.push_back({"repaired: " + step.text, "", file.source.file, 0, 0});
   report_notes(notes);
   return prepared;
@@ -101,14 +101,14 @@ Result<ControlMesh> load_control_mesh(const std::string& path, const MeshPrepara
   if (preparation.triangulate) uncut = *file;
   Result<Prepared> prepared = prepare(*file, preparation);
   if (!prepared) return prepared.error();
-  Result<Mesh> mesh = build_mesh(file->polygons, file->source, &file->warnings);
+  Result<Mesh> mesh = mesh::build_mesh(file->polygons, file->source, &file->warnings);
   // A fault of the polygons is named once, not for each triangle of them.
   if (!mesh && preparation.triangulate && !preparation.repair().any()) {
-    if (Result<Mesh> polygons = build_mesh(uncut.polygons, uncut.source); !polygons)
+    if (Result<Mesh> polygons = mesh::build_mesh(uncut.polygons, uncut.source); !polygons)
       mesh = std::move(polygons);
   }
   // a cut makes such seams
-  const RepairOptions asked = preparation.repair();
+  const mesh::RepairOptions asked = preparation.repair();
   if (mesh && !asked.weld && !asked.cut) warn_of_open_seams(*mesh, *file);
   report_remarks(*file);
   if (!mesh) return mesh.error();
@@ -140,7 +140,7 @@ void add_remarks(nlohmann::ordered_json& json, const MeshRemarks& remarks) {
         {{"what", kind.what}, {"count", kind.count}, {"unit", kind.unit}, {"line", kind.line}});
   }
   json["repaired"] = nlohmann::ordered_json::array();
-  for (const RepairStep& step : remarks.repaired)
+  for (const mesh::RepairStep& step : remarks.repaired)
     json["repaired"].push_back({{"what", step.what}, {"count", step.count}, {"text", step.text}});
 }
 

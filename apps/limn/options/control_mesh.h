@@ -18,9 +18,9 @@ namespace limn::app {
 
 /// What a mesh file gives reason to say.
 struct MeshRemarks {
-  Warnings warnings;                      ///< of the file, of the mesh, and of what is made of it
-  std::vector<LeftOut> left_out;          ///< content of the file that limn does not keep
-  std::vector<RepairStep> repaired = {};  ///< what was done to the mesh, as asked
+  Warnings warnings;              ///< of the file, of the mesh, and of what is made of it
+  std::vector<LeftOut> left_out;  ///< content of the file that limn does not keep
+  std::vector<mesh::RepairStep> repaired = {};  ///< what was done to the mesh, as asked
 };
 
 struct ControlMesh {
@@ -29,7 +29,7 @@ struct ControlMesh {
   MeshRemarks remarks;
   MeshSource source;
   SharpnessTags tags;              ///< of the file, where the caller has asked for them
-  Cuts cuts;                       ///< see Prepared
+  mesh::Cuts cuts;                 ///< see Prepared
   MeshAttributes attributes = {};  ///< where the caller has asked for them
 };
 
@@ -69,8 +69,8 @@ class MeshInput {
 
 /// What was done to a mesh before it is used.
 struct Prepared {
-  std::vector<RepairStep> done;  ///< by repair
-  Cuts cuts;                     ///< what it cut
+  std::vector<mesh::RepairStep> done;  ///< by repair
+  mesh::Cuts cuts;                     ///< what it cut
 };
 
 /// Repairs a mesh and cuts its polygons into triangles, as asked, with what it carries, and says so

@@ -24,9 +24,9 @@ std::vector<CLI::Option*> MeshPreparation::declare(CLI::App& command) {
   };
 }
 
-RepairOptions MeshPreparation::repair() const {
-  RepairOptions options;
-  if (repair_) options = RepairOptions::everything();
+mesh::RepairOptions MeshPreparation::repair() const {
+  mesh::RepairOptions options;
+  if (repair_) options = mesh::RepairOptions::everything();
   options.cut = options.cut || cut_;
   options.orient = options.orient || orient_;
   double distance = 0;

@@ -17,7 +17,7 @@ struct MeshPreparation {
   std::vector<CLI::Option*> declare(CLI::App& command);
 
   /// What of repair is asked for.
-  [[nodiscard]] RepairOptions repair() const;
+  [[nodiscard]] mesh::RepairOptions repair() const;
 
  private:
   std::string weld_;  // empty: no; else the distance in parts of the diagonal

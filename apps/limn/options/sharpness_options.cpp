@@ -62,8 +62,8 @@ namespace {
 /// Whether the scheme takes what keeps a cut mesh's copies together [DeRoseKassTruong1998].
 bool takes_cuts(ControlMesh& control, const Scheme& scheme) {
   Sharpness held;
-  hold_cuts(control.mesh, control.cuts, held);
-  const Status takes = check_takes_sharpness(scheme, held);
+  mesh::hold_cuts(control.mesh, control.cuts, held);
+  const Status takes = refine::check_takes_sharpness(scheme, held);
   if (takes.ok()) return true;
   add_warnings(
       control.remarks,
@@ -93,10 +93,12 @@ Result<Sharpness> SharpnessOptions::of(ControlMesh& control, Scheme& scheme) con
   };
   if (Status status = add(control.tags); !status) return status.error();
   if (!tags_file.empty()) {
-    LabelTags labels;
-    const Result<SharpnessTags> tags = read_tags_file(tags_file, control.source.first, &labels);
+    surface::LabelTags labels;
+    const Result<SharpnessTags> tags =
+        surface::read_tags_file(tags_file, control.source.first, &labels);
     if (!tags) return tags.error();
-    if (Status named = apply_label_tags(control.mesh, control.attributes, labels, sharpness);
+    if (Status named =
+            surface::apply_label_tags(control.mesh, control.attributes, labels, sharpness);
         !named)
       return named.error();
     if (Status status = add(*tags); !status) return status.error();
@@ -105,8 +107,8 @@ Result<Sharpness> SharpnessOptions::of(ControlMesh& control, Scheme& scheme) con
     (void)sharpen_by_angle(control.mesh, control.points, crease_angle, sharpness);
   if (!creases.empty()) sharpness.method = value_of(creases, crease_methods());
   if (!boundary.empty()) mode = value_of(boundary, boundary_modes());
-  if (holds) hold_cuts(control.mesh, control.cuts, sharpness);
-  apply_boundary_mode(control.mesh, mode, control.cuts, sharpness);
+  if (holds) mesh::hold_cuts(control.mesh, control.cuts, sharpness);
+  mesh::apply_boundary_mode(control.mesh, mode, control.cuts, sharpness);
   if (!triangles.empty()) smooth = triangles == "smooth";
   if (smooth && !use_smooth_triangles(scheme) && !triangles.empty())
     return Error{fmt::format("{} has no rule for smooth triangles", scheme.name),

@@ -41,7 +41,7 @@ template <class TextOf>
   if (!text) return text.error();
   if (const Result<Scheme> back = parse_scheme(*text, options.output); !back)
     return unwritten(back.error(), options.output);
-  return write_file(options.output, *text);
+  return base::write_file(options.output, *text);
 }
 
 /// The valences one after the other, with progress, until the time ends.
@@ -75,7 +75,7 @@ class Walk {
   Valences valences_;
   TimeBudget budget_;
   Stop stop_;
-  ProgressLine line_;
+  base::ProgressLine line_;
   int last_ = 0;  // valence that was done
 };
 

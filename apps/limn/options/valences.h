@@ -13,6 +13,7 @@ struct Valences {
 };
 
 /// "7" or "3..12": `least` … kLargestValence, not empty.
-[[nodiscard]] Result<Valences> read_valences(const std::string& text, int least = kSmallestValence);
+[[nodiscard]] Result<Valences> read_valences(const std::string& text,
+                                             int least = scheme::kSmallestValence);
 
 }  // namespace limn::app

@@ -26,12 +26,12 @@ CLI::Option* FigureOutput::declare(CLI::App& command, const std::string& drawn) 
   return output;
 }
 
-bool FigureOutput::is_printed() const { return is_standard_output(path); }
+bool FigureOutput::is_printed() const { return base::is_standard_output(path); }
 
-Result<FigureFormat> FigureOutput::chosen() const {
-  if (!format.empty()) return figure_format("figure." + format);
-  Result<FigureFormat> by_name = figure_format(path);
-  if (!by_name && is_printed()) return FigureFormat::pdf;
+Result<figure::FigureFormat> FigureOutput::chosen() const {
+  if (!format.empty()) return figure::figure_format("figure." + format);
+  Result<figure::FigureFormat> by_name = figure::figure_format(path);
+  if (!by_name && is_printed()) return figure::FigureFormat::pdf;
   return by_name;
 }
 
@@ -39,17 +39,19 @@ Status FigureOutput::check(bool json) const {
   if (is_printed() && json)
     return Error{"the figure and the JSON object cannot both go to standard output",
                  "leave out --json, or name a file after -o"};
-  const Result<FigureFormat> known = chosen();
+  const Result<figure::FigureFormat> known = chosen();
   return known ? Status(Done{}) : known.error();
 }
 
-Status FigureOutput::write(const Figure& figure) const { return figure.write(path, *chosen()); }
+Status FigureOutput::write(const figure::Figure& figure) const {
+  return figure.write(path, *chosen());
+}
 
 void FigureOutput::print_report(const std::string& text) const {
   if (!is_printed())
     print_text(text);
   else if (!is_quiet())
-    fmt::print(stderr, "{}", printable_lines(text));
+    fmt::print(stderr, "{}", base::printable_lines(text));
 }
 
 }  // namespace limn::app

@@ -23,13 +23,13 @@ struct FigureOutput {
   [[nodiscard]] Status check(bool json) const;
 
   /// Precondition: `check` has passed.
-  [[nodiscard]] Status write(const Figure& figure) const;
+  [[nodiscard]] Status write(const figure::Figure& figure) const;
 
   /// Prints on standard output, or on standard error where the figure has that.
   void print_report(const std::string& text) const;
 
  private:
-  [[nodiscard]] Result<FigureFormat> chosen() const;
+  [[nodiscard]] Result<figure::FigureFormat> chosen() const;
 };
 
 }  // namespace limn::app

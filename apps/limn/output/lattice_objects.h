@@ -21,7 +21,7 @@ class LatticeObjects {
   void add(const Scheme& scheme, nlohmann::ordered_json found) {
     found.erase("scheme");
     if (!several_) return object_.update(found);
-    nlohmann::ordered_json one{{"lattice", lattice_name(scheme.split->lattice)}};
+    nlohmann::ordered_json one{{"lattice", scheme::lattice_name(scheme.split->lattice)}};
     one.update(found);
     object_["lattices"].push_back(std::move(one));
   }

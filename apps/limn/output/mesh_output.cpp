@@ -28,14 +28,14 @@ CLI::Option* MeshOutput::declare(CLI::App& command, const std::string& written) 
 }
 
 Status MeshOutput::check_keeps(const std::string& mesh, bool overwrite) const {
-  if (overwrite || mesh == kStandardStream || is_standard_output(path) ||
-      !is_same_output(mesh, path))
+  if (overwrite || mesh == base::kStandardStream || base::is_standard_output(path) ||
+      !base::is_same_output(mesh, path))
     return Done{};
-  return Error{fmt::format("the output {} is the control mesh itself", printable(path)),
+  return Error{fmt::format("the output {} is the control mesh itself", base::printable(path)),
                "give it another name, or replace the control mesh by --overwrite"};
 }
 
-bool MeshOutput::is_printed() const { return is_standard_output(path); }
+bool MeshOutput::is_printed() const { return base::is_standard_output(path); }
 
 std::string MeshOutput::extension() const {
   if (!format.empty()) return format;

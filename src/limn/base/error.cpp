@@ -20,7 +20,7 @@ bool is_list(const std::string& message, int line) {
 std::string Error::text() const {
   std::string place;
   if (!file.empty()) {
-    place = printable(file);
+    place = base::printable(file);
     if (line > 0) {
       place += ":" + std::to_string(line);
       if (column > 0) place += ":" + std::to_string(column);
@@ -28,8 +28,8 @@ std::string Error::text() const {
     place += ": ";
   }
   std::string text =
-      place + (is_list(message, line) ? printable_lines(message) : printable(message));
-  if (!hint.empty()) text += " (" + printable(hint) + ")";
+      place + (is_list(message, line) ? base::printable_lines(message) : base::printable(message));
+  if (!hint.empty()) text += " (" + base::printable(hint) + ")";
   return text;
 }
 

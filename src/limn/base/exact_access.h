@@ -6,7 +6,7 @@
 
 #include "limn/base/rational.h"
 
-namespace limn {
+namespace limn::base {
 
 using Digits = boost::multiprecision::number<boost::multiprecision::cpp_int_backend<>,
                                              boost::multiprecision::et_off>;
@@ -32,10 +32,18 @@ struct ExactAccess {
   }
 };
 
+/// @{
+/// What lives in it.
+inline Digits& in(Integer& a) { return ExactAccess::of(a); }
+inline const Digits& in(const Integer& a) { return ExactAccess::of(a); }
+inline Fraction& in(Rational& q) { return ExactAccess::of(q); }
+inline const Fraction& in(const Rational& q) { return ExactAccess::of(q); }
+/// @}
+
 inline Integer integer(Digits digits) {
   Integer result;
   ExactAccess::of(result) = std::move(digits);
   return result;
 }
 
-}  // namespace limn
+}  // namespace limn::base

@@ -5,9 +5,9 @@
 
 #include "limn/base/error.h"
 
-namespace limn {
+namespace limn::base {
 
 /// By line and column; those of one place as they were found.
 [[nodiscard]] std::vector<Error> by_place(std::vector<Error> faults);
 
-}  // namespace limn
+}  // namespace limn::base

@@ -6,7 +6,7 @@
 #include "limn/base/fault_order.h"
 #include "limn/base/printable.h"
 
-namespace limn {
+namespace limn::base {
 namespace {
 
 constexpr std::size_t kMostKept = 2000;
@@ -46,4 +46,4 @@ Error Faults::joined() const {
   return first;
 }
 
-}  // namespace limn
+}  // namespace limn::base

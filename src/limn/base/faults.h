@@ -6,7 +6,7 @@
 
 #include "limn/base/error.h"
 
-namespace limn {
+namespace limn::base {
 
 /// Gathers faults as they are found. A fault with the place and message of an earlier one is that
 /// one again. Beyond some thousands they are only counted.
@@ -30,4 +30,4 @@ class Faults {
   std::size_t uncounted_ = 0;
 };
 
-}  // namespace limn
+}  // namespace limn::base

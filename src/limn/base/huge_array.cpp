@@ -10,7 +10,7 @@
 #include <sys/mman.h>
 #endif
 
-namespace limn::detail {
+namespace limn::base::detail {
 namespace {
 
 constexpr std::size_t kHugePage = std::size_t{2} << 20U;
@@ -43,4 +43,4 @@ void advise_huge(void* memory, std::size_t bytes) noexcept {
   advise(static_cast<char*>(memory) + skipped, (bytes - skipped) / kHugePage * kHugePage);
 }
 
-}  // namespace limn::detail
+}  // namespace limn::base::detail

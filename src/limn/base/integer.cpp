@@ -6,22 +6,18 @@
 #include "limn/base/exact_access.h"
 
 namespace limn {
-namespace {
 
-Digits& in(Integer& a) { return ExactAccess::of(a); }
-const Digits& in(const Integer& a) { return ExactAccess::of(a); }
+using base::in;
 
-}  // namespace
+Integer::Integer() noexcept { new (digits_) base::Digits(); }
+Integer::Integer(double value) { new (digits_) base::Digits(value); }
+Integer::Integer(const std::string& digits) { new (digits_) base::Digits(digits); }
+Integer::Integer(const Integer& other) { new (digits_) base::Digits(in(other)); }
+Integer::Integer(Integer&& other) noexcept { new (digits_) base::Digits(std::move(in(other))); }
+Integer::~Integer() { std::destroy_at(&in(*this)); }
 
-Integer::Integer() noexcept { new (digits_) Digits(); }
-Integer::Integer(double value) { new (digits_) Digits(value); }
-Integer::Integer(const std::string& digits) { new (digits_) Digits(digits); }
-Integer::Integer(const Integer& other) { new (digits_) Digits(in(other)); }
-Integer::Integer(Integer&& other) noexcept { new (digits_) Digits(std::move(in(other))); }
-Integer::~Integer() { in(*this).~Digits(); }
-
-void Integer::set(long long value) noexcept { new (digits_) Digits(value); }
-void Integer::set(unsigned long long value) noexcept { new (digits_) Digits(value); }
+void Integer::set(long long value) noexcept { new (digits_) base::Digits(value); }
+void Integer::set(unsigned long long value) noexcept { new (digits_) base::Digits(value); }
 
 Integer& Integer::operator=(const Integer& other) {
   if (this != &other) in(*this) = in(other);
@@ -77,15 +73,15 @@ template unsigned long long Integer::convert_to() const;
 template double Integer::convert_to() const;
 
 Integer gcd(const Integer& a, const Integer& b) {
-  return integer(boost::multiprecision::gcd(in(a), in(b)));
+  return base::integer(boost::multiprecision::gcd(in(a), in(b)));
 }
 Integer lcm(const Integer& a, const Integer& b) {
-  return integer(boost::multiprecision::lcm(in(a), in(b)));
+  return base::integer(boost::multiprecision::lcm(in(a), in(b)));
 }
 Integer pow(const Integer& a, unsigned exponent) {
-  return integer(boost::multiprecision::pow(in(a), exponent));
+  return base::integer(boost::multiprecision::pow(in(a), exponent));
 }
-Integer sqrt(const Integer& a) { return integer(boost::multiprecision::sqrt(in(a))); }
+Integer sqrt(const Integer& a) { return base::integer(boost::multiprecision::sqrt(in(a))); }
 std::size_t msb(const Integer& a) { return boost::multiprecision::msb(in(a)); }
 std::ostream& operator<<(std::ostream& out, const Integer& a) { return out << a.str(); }
 

@@ -1,7 +1,7 @@
 #pragma once
 /// How a program that calls the library ends a long call: from inside of it, by an exception.
 
-namespace limn {
+namespace limn::base {
 
 /// Called now and then, by the thread that set it, while that thread is in a loop of the library
 /// (parallel.h). What it throws is thrown on by the function of the library that was called; all
@@ -14,4 +14,4 @@ InterruptCheck set_interrupt_check(InterruptCheck check);
 /// Calls the check of the calling thread, if it has one.
 void check_interrupt();
 
-}  // namespace limn
+}  // namespace limn::base

@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace limn {
+namespace limn::base {
 
 namespace detail {
 /// Asks for huge pages where the range spans some; nothing happens where there are none.
@@ -29,4 +29,4 @@ template <class T>
   return values;
 }
 
-}  // namespace limn
+}  // namespace limn::base

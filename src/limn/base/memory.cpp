@@ -11,7 +11,7 @@
 
 #include <fmt/core.h>
 
-namespace limn {
+namespace limn::base {
 namespace {
 
 constexpr double kNoBound = std::numeric_limits<double>::infinity();
@@ -117,4 +117,4 @@ std::string bytes_text(double bytes) {
   return fmt::format("{:.1f} MiB", bytes / kMiB);
 }
 
-}  // namespace limn
+}  // namespace limn::base

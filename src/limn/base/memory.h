@@ -3,7 +3,7 @@
 
 #include <string>
 
-namespace limn {
+namespace limn::base {
 
 /// Memory that this process can still take, in bytes: the least of what the machine has
 /// (MemAvailable), what its control groups allow (cgroup v1 and v2, each level; what the kernel
@@ -17,4 +17,4 @@ namespace limn {
 /// "1.5 GiB", "12.0 MiB".
 [[nodiscard]] std::string bytes_text(double bytes);
 
-}  // namespace limn
+}  // namespace limn::base

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cctype>
 
-namespace limn {
+namespace limn::base {
 namespace {
 
 constexpr std::size_t kLongestWord = 100;  // what is longer is no slip of the pen
@@ -68,4 +68,4 @@ std::string did_you_mean(std::string_view word, const std::vector<std::string>& 
   return question.empty() ? otherwise : question + " " + otherwise;
 }
 
-}  // namespace limn
+}  // namespace limn::base

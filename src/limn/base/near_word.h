@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-namespace limn {
+namespace limn::base {
 
 /// The known words nearest to `word`, in their order: those that the fewest slips of the pen
 /// (letters left out, put in, changed, or two neighbours exchanged) make of it, at most two, and
@@ -23,4 +23,4 @@ namespace limn {
 [[nodiscard]] std::string did_you_mean(std::string_view word, const std::vector<std::string>& known,
                                        const std::string& otherwise);
 
-}  // namespace limn
+}  // namespace limn::base

@@ -6,7 +6,7 @@
 #include <cstdio>
 #include <string>
 
-namespace limn {
+namespace limn::base {
 
 namespace detail {
 inline constexpr double kMostMillionths = 9e15;  // all whole numbers below are doubles
@@ -44,4 +44,4 @@ inline constexpr double kMostMillionths = 9e15;  // all whole numbers below are 
   return detail::millionths_text(std::ceil(value * 1e6));
 }
 
-}  // namespace limn
+}  // namespace limn::base

@@ -19,12 +19,12 @@
 namespace limn {
 namespace {
 
-std::atomic<int> limit{0};
-thread_local InterruptCheck interrupt_check = nullptr;
+std::atomic<int> most_threads{0};
+thread_local base::InterruptCheck interrupt_check = nullptr;
 
 void run_serially(std::ptrdiff_t count, void (*chunk)(void*, std::ptrdiff_t), void* context) {
   for (std::ptrdiff_t c = 0; c < count; ++c) {
-    check_interrupt();
+    base::check_interrupt();
     chunk(context, c);
   }
 }
@@ -75,23 +75,23 @@ std::shared_ptr<tbb::task_arena> arena(int threads) {
 
 }  // namespace
 
-void set_thread_limit(int threads) { limit = threads > 0 ? threads : 0; }
+void set_thread_limit(int threads) { most_threads = threads > 0 ? threads : 0; }
 
-int thread_limit() { return limit; }
+int thread_limit() { return most_threads; }
 
-InterruptCheck set_interrupt_check(InterruptCheck check) {
+base::InterruptCheck base::set_interrupt_check(base::InterruptCheck check) {
   return std::exchange(interrupt_check, check);
 }
 
-void check_interrupt() {
+void base::check_interrupt() {
   if (interrupt_check != nullptr) interrupt_check();
 }
 
-namespace detail {
+namespace base::detail {
 
 void run_chunks(std::ptrdiff_t count, void (*chunk)(void* context, std::ptrdiff_t c),
                 void* context) {
-  const int most = limit;
+  const int most = most_threads;
 #if defined(LIMN_PLAIN_THREADS)
   check_interrupt();  // as none of the threads is the calling one
   if (count > 1 && most != 1 && !inside_a_loop)
@@ -100,7 +100,7 @@ void run_chunks(std::ptrdiff_t count, void (*chunk)(void* context, std::ptrdiff_
   if (count > 1 && most != 1) {
     const auto loop = [&] {
       tbb::parallel_for(std::ptrdiff_t{0}, count, [&](std::ptrdiff_t c) {
-        check_interrupt();  // of the thread that called; others have none
+        base::check_interrupt();  // of the thread that called; others have none
         chunk(context, c);
       });
     };
@@ -113,5 +113,5 @@ void run_chunks(std::ptrdiff_t count, void (*chunk)(void* context, std::ptrdiff_
   run_serially(count, chunk, context);
 }
 
-}  // namespace detail
+}  // namespace base::detail
 }  // namespace limn

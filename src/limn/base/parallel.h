@@ -10,7 +10,7 @@
 
 #include "limn/base/thread_limit.h"
 
-namespace limn {
+namespace limn::base {
 
 inline constexpr std::ptrdiff_t kDefaultGrain = 4096;
 
@@ -50,4 +50,4 @@ void parallel_for_each(I count, Body&& body) {
   });
 }
 
-}  // namespace limn
+}  // namespace limn::base

@@ -5,7 +5,7 @@
 
 #include "limn/base/utf8.h"
 
-namespace limn {
+namespace limn::base {
 namespace {
 
 std::uint32_t code_point(std::string_view character) {
@@ -87,4 +87,4 @@ std::string latex_text(std::string_view text) {
   return result;
 }
 
-}  // namespace limn
+}  // namespace limn::base

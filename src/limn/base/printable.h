@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-namespace limn {
+namespace limn::base {
 
 /// The text as one line: control characters, those that break a line or turn its direction, and
 /// bytes that are not UTF-8 are written as escapes (\n, \t, \x1b, \u{202e}). Text that has none of
@@ -18,4 +18,4 @@ namespace limn {
 /// As text of a LaTeX document: printable, and with its special characters escaped.
 [[nodiscard]] std::string latex_text(std::string_view text);
 
-}  // namespace limn
+}  // namespace limn::base

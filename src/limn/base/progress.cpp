@@ -7,7 +7,7 @@
 
 #include "limn/base/printable.h"
 
-namespace limn {
+namespace limn::base {
 namespace {
 
 std::atomic<bool> none{false};
@@ -35,4 +35,4 @@ void ProgressLine::show_now(const std::string& text) {
   shown_ = true;
 }
 
-}  // namespace limn
+}  // namespace limn::base

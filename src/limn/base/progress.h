@@ -4,7 +4,7 @@
 #include <chrono>
 #include <string>
 
-namespace limn {
+namespace limn::base {
 
 class ProgressLine {
  public:
@@ -28,4 +28,4 @@ class ProgressLine {
   bool shown_ = false;
 };
 
-}  // namespace limn
+}  // namespace limn::base

@@ -7,29 +7,24 @@
 #include "limn/base/exact_access.h"
 
 namespace limn {
-namespace {
 
-Fraction& in(Rational& q) { return ExactAccess::of(q); }
-const Fraction& in(const Rational& q) { return ExactAccess::of(q); }
-const Digits& in(const Integer& a) { return ExactAccess::of(a); }
+using base::in;
 
-}  // namespace
-
-Rational::Rational() noexcept { new (parts_) Fraction(); }
-Rational::Rational(const Integer& value) { new (parts_) Fraction(in(value)); }
+Rational::Rational() noexcept { new (parts_) base::Fraction(); }
+Rational::Rational(const Integer& value) { new (parts_) base::Fraction(in(value)); }
 Rational::Rational(const Integer& numerator, const Integer& denominator) {
   const int sign = denominator.sign();
   if (sign == 0) throw std::overflow_error("a fraction whose denominator is 0");
   if (sign > 0)
-    new (parts_) Fraction(in(numerator), in(denominator));
+    new (parts_) base::Fraction(in(numerator), in(denominator));
   else  // which Boost refuses
-    new (parts_) Fraction(in(-numerator), in(-denominator));
+    new (parts_) base::Fraction(in(-numerator), in(-denominator));
 }
-Rational::Rational(double value) { new (parts_) Fraction(value); }
-Rational::Rational(const std::string& text) { new (parts_) Fraction(text); }
-Rational::Rational(const Rational& other) { new (parts_) Fraction(in(other)); }
-Rational::Rational(Rational&& other) noexcept { new (parts_) Fraction(std::move(in(other))); }
-Rational::~Rational() { in(*this).~Fraction(); }
+Rational::Rational(double value) { new (parts_) base::Fraction(value); }
+Rational::Rational(const std::string& text) { new (parts_) base::Fraction(text); }
+Rational::Rational(const Rational& other) { new (parts_) base::Fraction(in(other)); }
+Rational::Rational(Rational&& other) noexcept { new (parts_) base::Fraction(std::move(in(other))); }
+Rational::~Rational() { std::destroy_at(&in(*this)); }
 
 Rational& Rational::operator=(const Rational& other) {
   if (this != &other) in(*this) = in(other);
@@ -69,17 +64,19 @@ Rational::operator double() const { return in(*this).convert_to<double>(); }
 int Rational::sign() const { return in(*this).sign(); }
 std::string Rational::str() const { return in(*this).str(); }
 
-Integer numerator(const Rational& q) { return integer(boost::multiprecision::numerator(in(q))); }
+Integer numerator(const Rational& q) {
+  return base::integer(boost::multiprecision::numerator(in(q)));
+}
 Integer denominator(const Rational& q) {
-  return integer(boost::multiprecision::denominator(in(q)));
+  return base::integer(boost::multiprecision::denominator(in(q)));
 }
 std::ostream& operator<<(std::ostream& out, const Rational& q) { return out << q.str(); }
 
 double to_double(const Rational& q) {
-  const Digits above = boost::multiprecision::numerator(in(q));
-  const Digits below = boost::multiprecision::denominator(in(q));
+  const base::Digits above = boost::multiprecision::numerator(in(q));
+  const base::Digits below = boost::multiprecision::denominator(in(q));
   // The general conversion works in long numbers, four times slower.
-  const Digits exact_as_double = 1LL << 53;
+  const base::Digits exact_as_double = 1LL << 53;
   if (abs(above) <= exact_as_double && below <= exact_as_double)
     return above.convert_to<double>() / below.convert_to<double>();
   return in(q).convert_to<double>();

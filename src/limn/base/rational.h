@@ -10,6 +10,10 @@
 
 namespace limn {
 
+namespace base {
+struct ExactAccess;  // exact_access.h
+}
+
 // Exact integers of any size. Their digits are kept by Boost's cpp_int, which integer.cpp and
 // rational.cpp alone see: it costs every source that reads it two seconds to compile.
 
@@ -88,7 +92,7 @@ class Integer {
   friend std::ostream& operator<<(std::ostream& out, const Integer& a);  ///< as `str`
 
  private:
-  friend struct ExactAccess;
+  friend struct base::ExactAccess;
   void set(long long value) noexcept;
   void set(unsigned long long value) noexcept;
   [[nodiscard]] int compare(const Integer& b) const;  // negative, 0, positive
@@ -171,7 +175,7 @@ class Rational {
   friend std::ostream& operator<<(std::ostream& out, const Rational& q);  ///< as `str`
 
  private:
-  friend struct ExactAccess;
+  friend struct base::ExactAccess;
   [[nodiscard]] bool equals(const Rational& b) const;
   [[nodiscard]] int compare(const Rational& b) const;  // negative, 0, positive
   [[nodiscard]] int compare(long long b) const;

@@ -9,7 +9,7 @@
 #include <cstdlib>
 #endif
 
-namespace limn {
+namespace limn::base {
 
 #ifdef __linux__
 
@@ -59,4 +59,4 @@ void SparseArray::drop() noexcept {}
 
 #endif
 
-}  // namespace limn
+}  // namespace limn::base

@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <utility>
 
-namespace limn {
+namespace limn::base {
 
 /// `size` numbers, zero until they are written; the pages of those that never are take no memory,
 /// where the system can do that.
@@ -45,4 +45,4 @@ class SparseArray {
   std::size_t size_ = 0;
 };
 
-}  // namespace limn
+}  // namespace limn::base

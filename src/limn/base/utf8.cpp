@@ -1,6 +1,6 @@
 #include "limn/base/utf8.h"
 
-namespace limn {
+namespace limn::base {
 
 std::size_t utf8_length(std::string_view text) {
   const auto byte = [&](std::size_t i) {
@@ -17,4 +17,4 @@ std::size_t utf8_length(std::string_view text) {
   return detour || surrogate || beyond ? 0 : length;
 }
 
-}  // namespace limn
+}  // namespace limn::base

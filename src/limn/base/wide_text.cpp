@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 
-namespace limn {
+namespace limn::base {
 namespace {
 
 bool is_control(std::uint32_t c) { return c == 0x7f || (c < 0x20 && (c < 0x09 || c > 0x0d)); }
@@ -48,4 +48,4 @@ std::string wide_text_remedy(const std::string& encoding) {
   return "convert it to UTF-8: iconv -f " + encoding + " -t UTF-8";
 }
 
-}  // namespace limn
+}  // namespace limn::base

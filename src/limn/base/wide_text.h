@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-namespace limn {
+namespace limn::base {
 
 /// How `content` is encoded, in the name that iconv has for it: "UTF-16" or "UTF-32" where a byte
 /// order mark says so; "UTF-16LE", "UTF-16BE", "UTF-32LE" or "UTF-32BE" where there is no mark but
@@ -17,4 +17,4 @@ namespace limn {
 /// "convert it to UTF-8: iconv -f UTF-16 -t UTF-8".
 [[nodiscard]] std::string wide_text_remedy(const std::string& encoding);
 
-}  // namespace limn
+}  // namespace limn::base

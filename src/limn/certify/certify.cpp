@@ -250,7 +250,7 @@ std::vector<std::string> set_parameters_of(const Scheme& scheme) {
 
 Result<Certificate> certify(const Scheme& scheme, const std::vector<int>& valences,
                             const CertifyOptions& options) {
-  if (!Ball::is_available()) return without_arb();
+  if (!number::Ball::is_available()) return without_arb();
   if (scheme.texts.empty())
     return Error{"the scheme was not read from a text, which it is to hold"};
   Certificate certificate;
@@ -294,7 +294,7 @@ Result<Certificate> certify(const Scheme& scheme, const std::vector<int>& valenc
 
 Status check_certificate(const Certificate& certificate,
                          const std::function<void(const std::string&)>& progress) {
-  if (!Ball::is_available()) return without_arb();
+  if (!number::Ball::is_available()) return without_arb();
   const Result<Scheme> scheme = scheme_of(certificate);
   if (!scheme) return scheme.error();
   const bool claims = std::any_of(certificate.valences.begin(), certificate.valences.end(),

@@ -84,7 +84,7 @@ void add_triangle(const std::array<Corner, 3>& corners, bool known, SurfaceEnerg
 class FaceSum {
  public:
   FaceSum(const Mesh& mesh, const std::vector<Point3>& positions,
-          const std::vector<SecondForm>& forms)
+          const std::vector<fairness::SecondForm>& forms)
       : mesh_(mesh), positions_(positions), forms_(forms) {}
 
   void add(Index f, SurfaceEnergies& sum) const {
@@ -115,7 +115,7 @@ class FaceSum {
 
   const Mesh& mesh_;
   const std::vector<Point3>& positions_;
-  const std::vector<SecondForm>& forms_;
+  const std::vector<fairness::SecondForm>& forms_;
 };
 
 Status check_finite(const std::vector<Point3>& positions) {
@@ -139,23 +139,23 @@ void add(SurfaceEnergies& total, const SurfaceEnergies& sum) {
 
 /// Noise of unit errors becomes what errors of these positions may change.
 void set_rounding(double size, SurfaceEnergies& energies) {
-  const double error = kPositionUnits * std::numeric_limits<double>::epsilon() * size;
+  const double error = fairness::kPositionUnits * std::numeric_limits<double>::epsilon() * size;
   SurfaceEnergies::Rounding& rounding = energies.rounding;
   rounding.area *= error;
   rounding.thin_plate =
-      rounding_of_squares(energies.thin_plate, error * error * rounding.thin_plate);
-  rounding.curvature_variation = rounding_of_squares(energies.curvature_variation,
-                                                     error * error * rounding.curvature_variation);
+      fairness::rounding_of_squares(energies.thin_plate, error * error * rounding.thin_plate);
+  rounding.curvature_variation = fairness::rounding_of_squares(
+      energies.curvature_variation, error * error * rounding.curvature_variation);
 }
 
 /// Of positions whose products are neither lost nor too large.
 SurfaceEnergies energies_of(const Mesh& mesh, const std::vector<Point3>& positions) {
-  const std::vector<SecondForm> forms = approx_second_forms(mesh, positions);
+  const std::vector<fairness::SecondForm> forms = fairness::approx_second_forms(mesh, positions);
   const FaceSum faces(mesh, positions, forms);
   constexpr std::ptrdiff_t kGrain = 512;
   // one slot a chunk, so that the sums depend on no thread
   std::vector<SurfaceEnergies> sums(static_cast<std::size_t>(mesh.face_count() / kGrain + 1));
-  parallel_for(
+  base::parallel_for(
       Index{0}, mesh.face_count(),
       [&](Index first, Index last) {
         SurfaceEnergies& sum = sums[static_cast<std::size_t>(first / kGrain)];
@@ -169,14 +169,14 @@ SurfaceEnergies energies_of(const Mesh& mesh, const std::vector<Point3>& positio
 
 }  // namespace
 
-double rounding_of_squares(double sum, double noise) {
+double fairness::rounding_of_squares(double sum, double noise) {
   return 2 * std::sqrt(sum) * std::sqrt(noise) + noise;
 }
 
 Result<SurfaceEnergies> approx_energies(const Mesh& mesh, const std::vector<Point3>& positions) {
   if (Status status = check_finite(positions); !status) return status.error();
-  const int exponent = largest_exponent(numbers_of(positions));
-  if (exponent == kNoExponent) return energies_of(mesh, positions);
+  const int exponent = mesh::largest_exponent(numbers_of(positions));
+  if (exponent == mesh::kNoExponent) return energies_of(mesh, positions);
   const double size = std::ldexp(1.0, exponent);
   constexpr int kSafe = 64;  // squares of squares of such numbers are far from the ends
   if (std::abs(exponent) <= kSafe) {
@@ -184,7 +184,7 @@ Result<SurfaceEnergies> approx_energies(const Mesh& mesh, const std::vector<Poin
     set_rounding(size, energies);
     return energies;
   }
-  SurfaceEnergies energies = energies_of(mesh, scaled(positions, -exponent));
+  SurfaceEnergies energies = energies_of(mesh, mesh::scaled(positions, -exponent));
   set_rounding(1, energies);
   energies.area = std::ldexp(energies.area, 2 * exponent);
   energies.rounding.area = std::ldexp(energies.rounding.area, 2 * exponent);

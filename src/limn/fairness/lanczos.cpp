@@ -11,7 +11,7 @@
 #include "limn/base/interrupt.h"
 #endif
 
-namespace limn {
+namespace limn::fairness {
 
 #if LIMN_HAS_SPECTRA
 
@@ -43,7 +43,7 @@ class ShiftedInverse {
   [[nodiscard]] Eigen::Index rows() const { return matrix_.rows(); }
   [[nodiscard]] Eigen::Index cols() const { return matrix_.cols(); }
   void perform_op(const double* in, double* out) const {
-    check_interrupt();
+    base::check_interrupt();
     const VectorXd x = projected(VectorXd::Map(in, rows()));
     VectorXd::Map(out, rows()) = projected(solver_.solve(x));
   }
@@ -66,7 +66,7 @@ class Negative {
   [[nodiscard]] Eigen::Index rows() const { return matrix_.rows(); }
   [[nodiscard]] Eigen::Index cols() const { return matrix_.cols(); }
   void perform_op(const double* in, double* out) const {
-    check_interrupt();
+    base::check_interrupt();
     VectorXd::Map(out, rows()) = -(matrix_ * VectorXd::Map(in, rows()));
   }
 
@@ -164,4 +164,4 @@ Result<LeastEigenpairs> approx_least_eigenpairs(const Eigen::SparseMatrix<double
 
 #endif
 
-}  // namespace limn
+}  // namespace limn::fairness

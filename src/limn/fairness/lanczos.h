@@ -7,7 +7,7 @@
 
 #include "limn/base/error.h"
 
-namespace limn {
+namespace limn::fairness {
 
 struct LeastEigenpairs {
   std::vector<double> values;  ///< rising
@@ -22,4 +22,4 @@ struct LeastEigenpairs {
 [[nodiscard]] Result<LeastEigenpairs> approx_least_eigenpairs(
     const Eigen::SparseMatrix<double>& matrix, int count);
 
-}  // namespace limn
+}  // namespace limn::fairness

@@ -13,7 +13,7 @@
 #include "limn/base/parallel.h"
 #include "limn/mesh/mesh.h"
 
-namespace limn {
+namespace limn::fairness {
 
 /// visit(w) for every neighbour w of v, counterclockwise.
 template <class Visit>
@@ -33,7 +33,7 @@ void visit_neighbours(const Mesh& mesh, Index v, Visit&& visit) {
 template <class Value>
 [[nodiscard]] std::vector<Value> laplacian(const Mesh& mesh, const std::vector<Value>& values) {
   std::vector<Value> result(values.size());
-  parallel_for_each(mesh.vertex_count(), [&](Index v) {
+  base::parallel_for_each(mesh.vertex_count(), [&](Index v) {
     Value sum{};
     int n = 0;
     visit_neighbours(mesh, v, [&](Index w) {
@@ -51,7 +51,7 @@ template <class Value>
 template <class Value>
 [[nodiscard]] std::vector<Value> low_pass(const Mesh& mesh, const std::vector<Value>& values) {
   std::vector<Value> result = laplacian(mesh, values);
-  parallel_for_each(mesh.vertex_count(), [&](Index v) {
+  base::parallel_for_each(mesh.vertex_count(), [&](Index v) {
     Value& value = result[static_cast<std::size_t>(v)];
     value = values[static_cast<std::size_t>(v)] + (-0.5) * value;
   });
@@ -75,4 +75,4 @@ template <class Value>
 /// D^{1/2} L D^{-1/2} = I − H^{1/2} A H^{1/2} with D = H⁻¹: symmetric, with the eigenvalues of L.
 [[nodiscard]] Eigen::SparseMatrix<double> symmetric_laplacian_matrix(const Mesh& mesh);
 
-}  // namespace limn
+}  // namespace limn::fairness

@@ -1,7 +1,7 @@
 #pragma once
 /// What rounding of positions may make of sums of squares.
 
-namespace limn {
+namespace limn::fairness {
 
 /// Units of rounding, of the largest coordinate, that limit points may be wrong by.
 inline constexpr double kPositionUnits = 8;
@@ -10,4 +10,4 @@ inline constexpr double kPositionUnits = 8;
 /// to `noise`: |(x + e)² − x²| summed, by Cauchy and Schwarz.
 [[nodiscard]] double rounding_of_squares(double sum, double noise);
 
-}  // namespace limn
+}  // namespace limn::fairness

@@ -11,7 +11,7 @@
 #include "limn/base/parallel.h"
 #include "limn/mesh/unit_normal.h"
 
-namespace limn {
+namespace limn::fairness {
 namespace {
 
 using Eigen::Matrix;
@@ -76,7 +76,7 @@ Vector3d normal_at(const Mesh& mesh, const std::vector<Point3>& positions, Index
     last = h;
   });
   add(mesh.origin(mesh.prev(last)));  // the first again, or the other end of the boundary
-  const std::array<double, 3> normal = unit_normal<double>(chain, size);
+  const std::array<double, 3> normal = mesh::unit_normal<double>(chain, size);
   return {normal[0], normal[1], normal[2]};
 }
 
@@ -173,7 +173,7 @@ std::vector<SecondForm> approx_second_forms(const Mesh& mesh,
                                             const std::vector<Point3>& positions) {
   std::vector<SecondForm> forms(positions.size());
   constexpr std::ptrdiff_t kGrain = 512;
-  parallel_for(
+  base::parallel_for(
       Index{0}, mesh.vertex_count(),
       [&](Index first, Index last) {
         Fit fit(mesh, positions);
@@ -183,4 +183,4 @@ std::vector<SecondForm> approx_second_forms(const Mesh& mesh,
   return forms;
 }
 
-}  // namespace limn
+}  // namespace limn::fairness

@@ -7,7 +7,7 @@
 
 #include "limn/mesh/mesh.h"
 
-namespace limn {
+namespace limn::fairness {
 
 /// At one point: Σ κ_i e_i e_iᵀ with the principal curvatures κ_i and directions e_i, as a
 /// symmetric tensor of space that vanishes along the normal. Curvatures are positive where the
@@ -32,4 +32,4 @@ struct SecondForm {
 [[nodiscard]] std::vector<SecondForm> approx_second_forms(const Mesh& mesh,
                                                           const std::vector<Point3>& positions);
 
-}  // namespace limn
+}  // namespace limn::fairness

@@ -9,7 +9,7 @@
 #include "limn/fairness/lanczos.h"
 #include "limn/fairness/laplacian.h"
 
-namespace limn {
+namespace limn::fairness {
 namespace {
 
 constexpr Index kDense = 300;  // up to so many vertices the dense solver is as quick
@@ -86,4 +86,4 @@ std::vector<double> approx_amplitudes(const Mesh& mesh, const LaplacianModes& mo
   return {lengths.begin(), lengths.end()};
 }
 
-}  // namespace limn
+}  // namespace limn::fairness

@@ -10,7 +10,7 @@
 #include "limn/base/error.h"
 #include "limn/mesh/mesh.h"
 
-namespace limn {
+namespace limn::fairness {
 
 /// Some of the eigenvalues, rising, each as often as its multiplicity says.
 struct LaplacianModes {
@@ -45,4 +45,4 @@ enum class SpectrumEnd { smallest, largest };
 [[nodiscard]] std::vector<double> approx_amplitudes(const Mesh& mesh, const LaplacianModes& modes,
                                                     const std::vector<Point3>& points);
 
-}  // namespace limn
+}  // namespace limn::fairness

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-namespace limn {
+namespace limn::fairness {
 
 Trend trend_of(const std::vector<double>& values, double negligible) {
   constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
@@ -39,4 +39,4 @@ Trend trend_of(const std::vector<double>& values, double negligible) {
   return trend;
 }
 
-}  // namespace limn
+}  // namespace limn::fairness

@@ -5,7 +5,7 @@
 
 #include "limn/base/truth.h"
 
-namespace limn {
+namespace limn::fairness {
 
 struct Trend {
   /// Whether the values tend to a limit, judged by how the last changes follow each other. Samples
@@ -29,4 +29,4 @@ inline constexpr double kConvergent = 0.75;
 inline constexpr double kDivergent = 0.95;
 [[nodiscard]] Trend trend_of(const std::vector<double>& values, double negligible = 0);
 
-}  // namespace limn
+}  // namespace limn::fairness

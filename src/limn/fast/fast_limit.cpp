@@ -21,9 +21,9 @@ Result<std::optional<FastLimitMesh>> approx_fast_limit_mesh(const Scheme& scheme
   if (!limit) return limit.error();
   if (!*limit) return Found();
   const auto vertices = static_cast<std::size_t>(refiner.vertex_count());
-  std::vector<Point3> fine = large_vector<Point3>(vertices);
-  std::vector<Point3> points = large_vector<Point3>(vertices);
-  std::vector<Point3> normals = large_vector<Point3>(vertices);
+  std::vector<Point3> fine = base::large_vector<Point3>(vertices);
+  std::vector<Point3> points = base::large_vector<Point3>(vertices);
+  std::vector<Point3> normals = base::large_vector<Point3>(vertices);
   FastRefiner::Scratch<double> scratch;
   refiner.evaluate_limit<double>(**limit, numbers_of(positions), numbers_of(points),
                                  numbers_of(normals), scratch);

@@ -14,7 +14,7 @@
 #include "limn/fast/kernel/piece_groups.h"
 #include "limn/fast/refiner_state.h"
 
-namespace limn {
+namespace limn::fast {
 namespace {
 
 constexpr double kPoint = 3 * sizeof(double);
@@ -53,7 +53,7 @@ struct FastPieces::State {
   HugeArray<double> whole = {};  // points of the last level that is in memory as a whole, and a
                                  // number of padding
   std::optional<fast::StepPieces> before = {};  // the next level, of which groups need parts
-  SparseArray level = {};                       // these parts
+  base::SparseArray level = {};                 // these parts
   std::optional<fast::StepPieces> pieces = {};
   std::vector<fast::PieceGroup> groups = {};
   Index blocks_each = 1;  // blocks of faces in a piece
@@ -88,7 +88,7 @@ Result<std::optional<FastPieces>> FastPieces::make(const Scheme& scheme, Mesh co
   if (Status status = prepared->choose(scheme); !status) return status.error();
   if (prepared->is_plain()) return std::optional<FastPieces>();
   const RefineEstimate needed = estimate(*scheme.split, prepared->control, levels, wanted);
-  if (Status status = check_memory(needed, levels, available_memory()); !status)
+  if (Status status = check_memory(needed, levels, base::available_memory()); !status)
     return status.error();
   if (Status status = prepared->work_out(scheme); !status) return status.error();
   auto state = std::make_unique<State>(State{FastRefiner(std::move(prepared)), wanted});
@@ -119,8 +119,9 @@ void FastPieces::State::cut(const double* positions) {
     const fast::ReadyStep& step = all.steps[in_memory];
     before.emplace(step.plan, step.program, vertices, std::max<Index>(1, wanted.most / 16));
     find_groups(vertices);
-    level = SparseArray(3 * static_cast<std::size_t>(vertices) + 1,
-                        groups.size() == 1 ? SparseArray::Pages::huge : SparseArray::Pages::small);
+    level = base::SparseArray(
+        3 * static_cast<std::size_t>(vertices) + 1,
+        groups.size() == 1 ? base::SparseArray::Pages::huge : base::SparseArray::Pages::small);
   } else {
     groups.push_back({0, pieces->count(), {}});
   }
@@ -140,7 +141,7 @@ void FastPieces::State::find_groups(Index vertices) {
     std::size_t made = 0;
     for (const fast::PieceGroup& group : groups) made += group.sources.size();
     if (made <= kMostTimes * static_cast<std::size_t>(before->count()) || wanted.whole_bytes == 0 ||
-        8 * bytes > available_memory())
+        8 * bytes > base::available_memory())
       return;
   }
   std::vector<Index> all(static_cast<std::size_t>(before->count()));
@@ -164,7 +165,7 @@ FastPieces::Range FastPieces::enter(Index index) {
   const fast::PieceGroup& group = state.groups[static_cast<std::size_t>(index)];
   state.level.drop();
   double* const level = state.level.data();
-  parallel_for(
+  base::parallel_for(
       std::size_t{0}, group.sources.size(),
       [&](std::size_t first, std::size_t last) {
         fast::StepPiece piece;
@@ -208,7 +209,7 @@ void FastPieces::make_faces(Index piece, FacePiece& out) const {
   if (blocks == 1) {
     out.first = 0;
     out.count = face_count();
-    out.corners = large_vector<Index>(static_cast<std::size_t>(corner_count()));
+    out.corners = base::large_vector<Index>(static_cast<std::size_t>(corner_count()));
     state_->refiner.write_faces(out.corners);
     out.begin.resize(each == 0 ? static_cast<std::size_t>(out.count) + 1 : 0);
     if (each == 0) state_->refiner.write_face_begin(out.begin);
@@ -225,4 +226,4 @@ void FastPieces::make_faces(Index piece, FacePiece& out) const {
   steps.family->write_face_blocks(steps.levels, first, last, out.corners.data());
 }
 
-}  // namespace limn
+}  // namespace limn::fast

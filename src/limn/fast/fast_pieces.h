@@ -11,7 +11,7 @@
 #include "limn/fast/kernel/step_pieces.h"
 #include "limn/scheme/scheme.h"
 
-namespace limn {
+namespace limn::fast {
 
 /// Some consecutive faces.
 struct FacePiece {
@@ -87,4 +87,4 @@ class FastPieces {
   std::unique_ptr<State> state_;
 };
 
-}  // namespace limn
+}  // namespace limn::fast

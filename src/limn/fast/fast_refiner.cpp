@@ -45,7 +45,7 @@ RefineEstimate FastRefiner::estimate(const Split& split, const Mesh& control, in
 }
 
 Status FastRefiner::State::choose(const Scheme& scheme) {
-  if (Status takes = check_takes_sharpness(scheme, sharpness); !takes) return takes;
+  if (Status takes = refine::check_takes_sharpness(scheme, sharpness); !takes) return takes;
   if (const auto why = fast::why_no_family(scheme, control, sharpness))
     return Error{
         fmt::format("the quick engine cannot refine this mesh by {}: {}", scheme.name, *why),
@@ -109,12 +109,13 @@ Result<FastRefiner> FastRefiner::make(const Scheme& scheme, Mesh control, int le
   if (Status status = state->choose(scheme); !status) return status.error();
   const Mesh& mesh = state->control;
   if (state->is_plain())
-    if (Status status = check_refinable(scheme, mesh, levels, sizeof(Point3), available_memory());
+    if (Status status =
+            check_refinable(scheme, mesh, levels, sizeof(Point3), base::available_memory());
         !status)
       return status.error();
   const double after = state->size.vertices, faces = state->size.faces;
   const RefineEstimate needed{after, faces, needed_bytes(after, faces, state->size.corners)};
-  if (Status status = check_memory(needed, levels, available_memory()); !status)
+  if (Status status = check_memory(needed, levels, base::available_memory()); !status)
     return status.error();
   if (Status status = state->work_out(scheme); !status) return status.error();
   return FastRefiner(std::move(state));
@@ -178,7 +179,7 @@ void FastRefiner::write_face_begin(std::span<Index> begin) const {
   assert(begin.size() == static_cast<std::size_t>(face_count()) + 1);
   const Index each = corners_per_face();
   if (each == 0) return state_->family->write_face_begin(state_->levels, begin);
-  parallel_for(0, face_count() + 1, [&](Index first, Index last) {
+  base::parallel_for(0, face_count() + 1, [&](Index first, Index last) {
     for (Index f = first; f < last; ++f) begin[static_cast<std::size_t>(f)] = each * f;
   });
 }
@@ -198,7 +199,7 @@ void FastRefiner::write_parents(std::span<Index> faces) const {
   const bool whole = mesh.uniform_degree() > 0 || state_->levels == 0;
   const Index parts = whole ? mesh.face_count() : mesh.halfedge_count();
   const Index each = parts > 0 ? face_count() / parts : 0;
-  parallel_for_each(mesh.face_count(), [&](Index f) {
+  base::parallel_for_each(mesh.face_count(), [&](Index f) {
     const Index first = whole ? f : mesh.face_begin(f);
     const Index last = whole ? f + 1 : mesh.face_begin(f + 1);
     for (Index i = first * each; i < last * each; ++i) faces[static_cast<std::size_t>(i)] = f;
@@ -233,9 +234,10 @@ template void FastRefiner::evaluate_limit<double>(const Limit&, std::span<const 
 Polygons refined_polygons(const FastRefiner& refiner, std::vector<Point3> positions) {
   Polygons polygons;
   polygons.positions = std::move(positions);
-  polygons.corners = large_vector<Index>(static_cast<std::size_t>(refiner.corner_count()));
+  polygons.corners = base::large_vector<Index>(static_cast<std::size_t>(refiner.corner_count()));
   refiner.write_faces(polygons.corners);
-  polygons.face_begin = large_vector<Index>(static_cast<std::size_t>(refiner.face_count()) + 1);
+  polygons.face_begin =
+      base::large_vector<Index>(static_cast<std::size_t>(refiner.face_count()) + 1);
   refiner.write_face_begin(polygons.face_begin);
   return polygons;
 }
@@ -245,7 +247,7 @@ Result<Polygons> fast_refine(const Scheme& scheme, Mesh control,
   Result<FastRefiner> refiner = FastRefiner::make(scheme, std::move(control), levels);
   if (!refiner) return refiner.error();
   std::vector<Point3> fine =
-      large_vector<Point3>(static_cast<std::size_t>(refiner->vertex_count()));
+      base::large_vector<Point3>(static_cast<std::size_t>(refiner->vertex_count()));
   refiner->evaluate<double>(numbers_of(positions), numbers_of(fine));
   return refined_polygons(*refiner, std::move(fine));
 }

@@ -25,8 +25,9 @@
 
 namespace limn {
 namespace fast {
+class FastPieces;   // fast_pieces.h
 class LimitReader;  // limit/limit_forms.h
-}
+}  // namespace fast
 
 /// Whether there is a fast engine for the scheme. Not where its step is a sequence of averagings
 /// (Scheme::stages): how far a place must lie from what is irregular is read from rules' walks.
@@ -98,7 +99,7 @@ class FastRefiner {
 
    private:
     friend class FastRefiner;
-    friend class FastPieces;
+    friend class fast::FastPieces;
     struct Plan;
     explicit Limit(std::unique_ptr<const Plan> plan);
     std::unique_ptr<const Plan> plan_;
@@ -131,7 +132,7 @@ class FastRefiner {
   [[nodiscard]] std::size_t bytes() const;
 
  private:
-  friend class FastPieces;
+  friend class fast::FastPieces;
   struct State;
   explicit FastRefiner(std::unique_ptr<State> state);
   std::unique_ptr<const State> state_;

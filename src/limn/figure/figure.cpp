@@ -6,7 +6,7 @@
 
 #include "limn/figure/chart/axes.h"
 
-namespace limn {
+namespace limn::figure {
 namespace {
 
 constexpr double kPageMargin = 6;
@@ -158,4 +158,4 @@ Status Figure::write(const std::string& path, FigureFormat format) const {
   return canvas(format == FigureFormat::png ? kPngDensity : 0).write(path, format);
 }
 
-}  // namespace limn
+}  // namespace limn::figure

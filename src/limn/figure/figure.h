@@ -22,7 +22,7 @@
 #include "limn/figure/space/reflection_line_panel.h"
 #include "limn/figure/space/shaded_panel.h"
 
-namespace limn {
+namespace limn::figure {
 
 /// What can stand in a figure: anything with these two members.
 template <class T>
@@ -86,4 +86,4 @@ class Figure {
 [[nodiscard]] std::vector<std::string> broken_lines(const std::string& text, double width,
                                                     const TextStyle& style);
 
-}  // namespace limn
+}  // namespace limn::figure

@@ -120,7 +120,7 @@ void judge(CharacteristicMap& map) {
 
 }  // namespace
 
-void judge_characteristic_map(CharacteristicMap& map) {
+void limit::judge_characteristic_map(CharacteristicMap& map) {
   orient(map);
   judge(map);
 }
@@ -141,13 +141,13 @@ Result<CharacteristicMap> approx_characteristic_map(const Scheme& scheme, int n,
   CharacteristicMap map;
   map.valence = n;
   map.eigenvalue = *components.tangent;
-  map.net = split_star(*scheme.split, n, near->rings);
+  map.net = refine::split_star(*scheme.split, n, near->rings);
   map.net_points = plane_points(*near, approx_eigenvectors(*near, leader));
   Result<StarSurface> image = approx_star_surface(
       scheme, n, rings, plane_points(*wide, approx_eigenvectors(*wide, leader)), steps);
   if (!image) return image.error();
   map.image = std::move(*image);
-  judge_characteristic_map(map);
+  limit::judge_characteristic_map(map);
   return map;
 }
 

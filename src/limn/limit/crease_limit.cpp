@@ -13,11 +13,12 @@
 #include "limn/limit/limit_ways.h"
 #include "limn/limit/mesh_part.h"
 #include "limn/limit/vertex_sides.h"
+#include "limn/mesh/index.h"
 #include "limn/mesh/sharpness/cut_mesh.h"
 #include "limn/mesh/unit_normal.h"
 #include "limn/refine/refine.h"
 
-namespace limn {
+namespace limn::limit {
 namespace {
 
 constexpr int kMostSteps = 160;
@@ -25,7 +26,7 @@ constexpr int kRestingSteps = 4;  // so many in which a point does not move by m
 constexpr double kNormalRests = 1e-14;
 constexpr std::size_t kTogether = 128;  // vertices whose neighbourhoods fade in one part
 
-std::size_t at(Index i) { return static_cast<std::size_t>(i); }
+using mesh::at;
 
 double distance(Point3 a, Point3 b) {
   return std::max({std::abs(a.x - b.x), std::abs(a.y - b.y), std::abs(a.z - b.z)});
@@ -68,10 +69,10 @@ class CreaseLimit {
   }
 
  private:
-  using Kind = CreaseStep::Rule;
+  using Kind = refine::CreaseStep::Rule;
   /// Smooth vertices and those on creases have the limits of the mesh that is cut there.
   Status find_on_cut() {
-    const CutMesh cut = cut_along(mesh_, found_.sharp);
+    const mesh::CutMesh cut = mesh::cut_along(mesh_, found_.sharp);
     std::vector<Point3> values;
     values.reserve(cut.originals.size());
     LimitOptions some = options_;
@@ -121,7 +122,7 @@ class CreaseLimit {
     result_.no_curvature[to] = found.no_curvature[from];
   }
 
-  void find_sides_on_cut(const CutMesh& cut, const std::vector<Index>& copies,
+  void find_sides_on_cut(const mesh::CutMesh& cut, const std::vector<Index>& copies,
                          const std::vector<Point3>& normals) {
     std::vector<Index> number(cut.originals.size(), kNone);
     for (Index h = 0; h < mesh_.halfedge_count(); ++h) {
@@ -170,7 +171,7 @@ class CreaseLimit {
           done[at(i)] = one.error();
       }
     };
-    parallel_for(Index{0}, static_cast<Index>(vertices.size()), rest_some, 1);
+    base::parallel_for(Index{0}, static_cast<Index>(vertices.size()), rest_some, 1);
     for (std::size_t i = 0; i < vertices.size(); ++i) {
       if (!done[i]) return done[i];
       if (!rested[i].reached) return Error{"the limit at a vertex is not reached"};
@@ -184,7 +185,7 @@ class CreaseLimit {
   /// point is kept at 0, so that nothing is lost of what is round it.
   Result<Rested> rest(Index v) const {
     if (found_.kinds[at(v)] == Kind::corner && !normals_) return Rested{values_[at(v)], {}, true};
-    RuleTables<double> tables(scheme_);
+    refine::RuleTables<double> tables(scheme_);
     PartCutter cutter(mesh_, values_, sharpness_);
     MeshPart part = cutter.run({v}, rings_);
     const VertexSides sides = sides_of(mesh_, sharpness_, v);
@@ -198,12 +199,12 @@ class CreaseLimit {
     const bool cone = found_.kinds[at(v)] == Kind::corner && !sides.open && sides.count() == 1;
     int resting = 0;
     for (int step = 0; step < kMostSteps && resting < kRestingSteps; ++step) {
-      Result<Refined<Point3>> fine = refine_once(scheme_, part.mesh, part.values, part.sharpness,
-                                                 options_.steps_made + step, tables);
+      Result<refine::Refined<Point3>> fine = refine::refine_once(
+          scheme_, part.mesh, part.values, part.sharpness, options_.steps_made + step, tables);
       if (!fine) return fine.error();
       part = cut_out({std::move(fine->mesh), std::move(fine->values), std::move(fine->sharpness)},
                      1, rings_);
-      const Point3 way = scaled({moved_to_origin(part)}, -exponent)[0];
+      const Point3 way = mesh::scaled({moved_to_origin(part)}, -exponent)[0];
       exponent += made_usual(part);
       result.point = result.point + way;
       result.reached = distance(way, {}) <= std::numeric_limits<double>::epsilon() * size;
@@ -222,11 +223,11 @@ class CreaseLimit {
   /// Multiplies by a power of two, so that nothing is lost however small the part becomes; returns
   /// its exponent.
   static int made_usual(MeshPart& part) {
-    int largest = kNoExponent;
+    int largest = mesh::kNoExponent;
     for (const Point3& p : part.values)
-      largest = std::max(largest, largest_exponent(std::array{p.x, p.y, p.z}));
-    if (largest == kNoExponent) return 0;
-    part.values = scaled(std::move(part.values), -largest);
+      largest = std::max(largest, mesh::largest_exponent(std::array{p.x, p.y, p.z}));
+    if (largest == mesh::kNoExponent) return 0;
+    part.values = mesh::scaled(std::move(part.values), -largest);
     return -largest;
   }
 
@@ -255,13 +256,13 @@ class CreaseLimit {
     PartCutter cutter(mesh_, values_, sharpness_);
     MeshPart part = cutter.run(vertices, rings_);
     for (const Index v : vertices) name_edges(mesh_, sharpness_, v, cutter, part);
-    RuleTables<double> tables(scheme_);
+    refine::RuleTables<double> tables(scheme_);
     const auto centres = static_cast<Index>(vertices.size());
     LimitOptions there = options_;
     there.partial = true;
     do {
-      Result<Refined<Point3>> fine =
-          refine_once(scheme_, part.mesh, part.values, part.sharpness, there.steps_made, tables);
+      Result<refine::Refined<Point3>> fine = refine::refine_once(
+          scheme_, part.mesh, part.values, part.sharpness, there.steps_made, tables);
       if (!fine) return fine.error();
       part = cut_out({std::move(fine->mesh), std::move(fine->values), std::move(fine->sharpness)},
                      centres, rings_);
@@ -323,4 +324,4 @@ Result<SharpLimitPoints> approx_limit_points(const Scheme& scheme, const Mesh& m
   return result;
 }
 
-}  // namespace limn
+}  // namespace limn::limit

@@ -4,7 +4,7 @@
 #include "limn/limit/limit_points.h"
 #include "limn/mesh/sharpness/sharpness.h"
 
-namespace limn {
+namespace limn::limit {
 
 /// Limit points, and the normals of vertices with several sides, whose `normals` are zero.
 struct SharpLimitPoints : LimitPoints {
@@ -27,4 +27,4 @@ struct SharpLimitPoints : LimitPoints {
                                                            const LimitOptions& options = {},
                                                            bool normals = true);
 
-}  // namespace limn
+}  // namespace limn::limit

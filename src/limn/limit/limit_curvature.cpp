@@ -6,7 +6,7 @@
 #include "limn/limit/limit_points.h"
 #include "limn/refine/star_step.h"
 
-namespace limn {
+namespace limn::limit {
 namespace {
 
 // rings round those that control the surface: they hold ring 1's limits
@@ -14,7 +14,9 @@ constexpr int kWider = 3;
 
 /// How many rings of limits tell a quadratic's shape: the corners of a square, a dual split's first
 /// ring, lie on its diagonals, where u² − v² is 0; a cropped star's on the axes, where 2uv is.
-int fitted_rings(const Split& split) { return split.is_dual() ? 2 : least_star_rings(split); }
+int fitted_rings(const Split& split) {
+  return split.is_dual() ? 2 : refine::least_star_rings(split);
+}
 
 constexpr int kQuadraticFrequencies = 3;  // 0, 1 and 2
 
@@ -82,11 +84,11 @@ Result<std::vector<Point3>> ring_limits(const Scheme& scheme, const FrequencyBlo
   LimitOptions options;
   options.boundary = false;
   const Index first = blocks.has_center ? 1 : 0;
-  const Index last = split_star_size(split, blocks.valence, last_ring);
+  const Index last = refine::split_star_size(split, blocks.valence, last_ring);
   options.vertices.resize(static_cast<std::size_t>(last - first));
   std::iota(options.vertices.begin(), options.vertices.end(), first);
-  Result<LimitPoints> limit =
-      approx_limit_points(scheme, split_star(split, blocks.valence, blocks.rings), values, options);
+  Result<LimitPoints> limit = approx_limit_points(
+      scheme, refine::split_star(split, blocks.valence, blocks.rings), values, options);
   if (!limit) return limit.error();
   return std::vector<Point3>(limit->positions.begin() + first, limit->positions.begin() + last);
 }
@@ -147,4 +149,4 @@ Result<VertexCurvature> approx_curvature_stencil(const Scheme& scheme, Frequency
   return VertexCurvature{std::move(stencil), NoCurvature::none};
 }
 
-}  // namespace limn
+}  // namespace limn::limit

@@ -7,7 +7,7 @@
 #include "limn/limit/limit_points.h"
 #include "limn/limit/limit_stencil.h"
 
-namespace limn {
+namespace limn::limit {
 
 /// How much of the cup and the two saddles a surface holds, as weights over the star of `rings`
 /// rings. In coordinates (u, v) along the tangents of LimitStencil the surface is position +
@@ -37,4 +37,4 @@ struct VertexCurvature {
 [[nodiscard]] Result<VertexCurvature> approx_curvature_stencil(const Scheme& scheme,
                                                                FrequencyAnalysis& analysis, int n);
 
-}  // namespace limn
+}  // namespace limn::limit

@@ -8,7 +8,7 @@
 #include "limn/scheme/lattice_schemes.h"
 #include "limn/scheme/seen_from.h"
 
-namespace limn {
+namespace limn::limit {
 
 SharedSites::SharedSites(const Mesh& mesh, std::vector<LimitSite>& sites) {
   std::vector<Index> result_at(static_cast<std::size_t>(mesh.face_count()), kNone);
@@ -27,7 +27,7 @@ SharedSites::SharedSites(const Mesh& mesh, std::vector<LimitSite>& sites) {
 
 LimitKinds::LimitKinds(const Scheme& scheme, bool curvatures)
     : scheme_(scheme), curvatures_(curvatures) {
-  for (Scheme& one : lattice_schemes(scheme))
+  for (Scheme& one : scheme::lattice_schemes(scheme))
     lattices_.push_back(std::make_unique<OneLattice>(std::move(one)));
 }
 
@@ -56,9 +56,9 @@ LimitKinds::Located LimitKinds::locate(const Mesh& mesh, Index at) const {
   return {std::move(place), start};
 }
 
-std::optional<Sectors> LimitKinds::seam_of(const PlaceKind& place) {
+std::optional<mesh::Sectors> LimitKinds::seam_of(const PlaceKind& place) {
   if (place.faces.size() < 2) return std::nullopt;
-  return Sectors{place.faces, place.boundary};
+  return mesh::Sectors{place.faces, place.boundary};
 }
 
 LimitKinds::OneLattice& LimitKinds::lattice_of(const PlaceKind& place) const {
@@ -97,17 +97,17 @@ Result<const LimitKind*> LimitKinds::find(const PlaceKind& place) {
 }
 
 Status LimitKinds::check_rules(const PlaceKind& place) const {
-  if (const std::optional<Sectors> seam = seam_of(place)) {
+  if (const std::optional<mesh::Sectors> seam = seam_of(place)) {
     if (seam->open) return Done{};  // stages need no rules there
     const auto quads =
         static_cast<int>(std::count(seam->lattices.begin(), seam->lattices.end(), Lattice::quad));
-    const Result<Row<double>> row =
-        tabulate_row<double>(scheme_, RuleKind::vertex, place.size, quads);
+    const Result<refine::Row<double>> row =
+        refine::tabulate_row<double>(scheme_, RuleKind::vertex, place.size, quads);
     return row ? Status(Done{}) : row.error();
   }
   const Scheme& scheme = lattice_of(place).scheme;
   const auto check = [&](RuleKind kind, int n) -> Status {
-    const Result<Row<double>> row = tabulate_row<double>(scheme, kind, n);
+    const Result<refine::Row<double>> row = refine::tabulate_row<double>(scheme, kind, n);
     if (!row) return row.error();
     return Done{};
   };
@@ -121,20 +121,20 @@ Status LimitKinds::check_rules(const PlaceKind& place) const {
                 : check(RuleKind::boundary_edge, 0);
 }
 
-Pattern LimitKinds::pattern(const PlaceKind& place, int shape) const {
-  if (const std::optional<Sectors> seam = seam_of(place))
-    return {sector_star(*seam, shape), sector_star_size(*seam, shape - 1)};
+mesh::Pattern LimitKinds::pattern(const PlaceKind& place, int shape) const {
+  if (const std::optional<mesh::Sectors> seam = seam_of(place))
+    return {mesh::sector_star(*seam, shape), mesh::sector_star_size(*seam, shape - 1)};
   const Split& split = *lattice_of(place).scheme.split;
   const int size = place.size;
   if (place.boundary)
-    return {fan(split.lattice, size, shape), fan_size(split.lattice, size, shape - 1)};
-  return {split_star(split, size, shape), split_star_size(split, size, shape - 1)};
+    return {mesh::fan(split.lattice, size, shape), mesh::fan_size(split.lattice, size, shape - 1)};
+  return {refine::split_star(split, size, shape), refine::split_star_size(split, size, shape - 1)};
 }
 
 Result<LimitKind> LimitKinds::make(const PlaceKind& place) {
   if (Status status = check_rules(place); !status) return status.error();
   OneLattice& lattice = lattice_of(place);
-  const std::optional<Sectors> seam = seam_of(place);
+  const std::optional<mesh::Sectors> seam = seam_of(place);
   Result<LimitStencil> limit = seam ? approx_sector_limit_stencil(scheme_, *seam)
                                : place.boundary
                                    ? approx_boundary_limit_stencil(lattice.scheme, place.size)
@@ -142,8 +142,8 @@ Result<LimitKind> LimitKinds::make(const PlaceKind& place) {
   if (!limit) return limit.error();
   // What is inside must be regular: rules that are seen from an end or a corner see one ring
   // farther; and of a cropped star the corners, which have rules, count to the ring beyond.
-  const int corners = place.boundary ? 0 : least_star_rings(*lattice.scheme.split) - 1;
-  const int more = (has_rules_seen_from(lattice.scheme) ? 1 : 0) + corners;
+  const int corners = place.boundary ? 0 : refine::least_star_rings(*lattice.scheme.split) - 1;
+  const int more = (scheme::has_rules_seen_from(lattice.scheme) ? 1 : 0) + corners;
   const int shape = limit->rings + more;
   rings_ = std::max(rings_, limit->rings);
   LimitKind kind{std::move(*limit), shape, pattern(place, shape), {}, {}};
@@ -166,4 +166,4 @@ void LimitKinds::add_curvature(OneLattice& lattice, const PlaceKind& place, int 
   kind.curvature = LimitKind::Curved{*std::move(curvature->stencil), pattern(place, rings + more)};
 }
 
-}  // namespace limn
+}  // namespace limn::limit

@@ -23,18 +23,18 @@
 #include "limn/mesh/lattice.h"
 #include "limn/refine/linear_form.h"
 
-namespace limn {
+namespace limn::limit {
 
 /// What is measured at vertices of one kind: their stencils, and where these apply.
 struct LimitKind {
   LimitStencil limit;
   int shape = 0;  ///< rings that must be regular but for the vertex
-  Pattern pattern;
+  mesh::Pattern pattern;
   /// Curvature looks farther, so that its neighbourhood may never become regular where the limit's
   /// does.
   struct Curved {
     CurvatureStencil stencil;
-    Pattern pattern;
+    mesh::Pattern pattern;
   };
   std::optional<Curved> curvature;
   NoCurvature no_curvature = NoCurvature::none;  ///< why there is none, where it was sought
@@ -103,13 +103,13 @@ class LimitKinds {
   };
 
   /// Where faces of both kinds meet; nothing elsewhere.
-  [[nodiscard]] static std::optional<Sectors> seam_of(const PlaceKind& place);
+  [[nodiscard]] static std::optional<mesh::Sectors> seam_of(const PlaceKind& place);
   [[nodiscard]] OneLattice& lattice_of(const PlaceKind& place) const;
   /// That the scheme has the rules of a vertex (dual splits: a face) of this kind.
   [[nodiscard]] Status check_rules(const PlaceKind& place) const;
   [[nodiscard]] Result<LimitKind> make(const PlaceKind& place);
   void add_curvature(OneLattice& lattice, const PlaceKind& place, int more, LimitKind& kind);
-  [[nodiscard]] Pattern pattern(const PlaceKind& place, int shape) const;
+  [[nodiscard]] mesh::Pattern pattern(const PlaceKind& place, int shape) const;
 
   const Scheme& scheme_;
   bool curvatures_;
@@ -119,7 +119,7 @@ class LimitKinds {
 };
 
 [[nodiscard]] inline bool is_known(const Point3& value) { return !std::isnan(value.x); }
-[[nodiscard]] inline bool is_known(const LinearForm<double>& value) {
+[[nodiscard]] inline bool is_known(const refine::LinearForm<double>& value) {
   return std::none_of(value.terms.begin(), value.terms.end(),
                       [](const auto& term) { return std::isnan(term.second); });
 }
@@ -149,6 +149,7 @@ struct LimitPlace {
 
   /// The sum of the neighbourhood's values with these weights, one for each of its vertices.
   [[nodiscard]] Value weighted(const std::vector<double>& weights) const {
+    using refine::add_scaled;
     Value sum{};
     for (std::size_t i = 0; i < weights.size(); ++i)
       if (weights[i] != 0) add_scaled(sum, weights[i], values[neighbourhood[i]]);
@@ -180,7 +181,7 @@ class LimitSearch {
         options_(options),
         limit_(limit),
         curvature_(curvature),
-        rules_(scheme, options.boundary ? Boundary::refined : Boundary::left_out) {}
+        rules_(scheme, options.boundary ? refine::Boundary::refined : refine::Boundary::left_out) {}
 
   [[nodiscard]] Status run(const Mesh& control, const std::vector<Value>& control_values,
                            const std::vector<Index>& vertices,
@@ -224,7 +225,7 @@ class LimitSearch {
   Status visit(const Mesh& mesh, const std::vector<Value>& values, bool boundary_rests,
                std::vector<LimitSite>& sites) {
     std::vector<State> states(sites.size(), waiting);
-    parallel_for(std::size_t{0}, sites.size(), [&](std::size_t first, std::size_t last) {
+    base::parallel_for(std::size_t{0}, sites.size(), [&](std::size_t first, std::size_t last) {
       std::vector<Index> neighbourhood;
       for (std::size_t i = first; i < last; ++i)
         if (!boundary_rests || !beside_boundary_edge(mesh, sites[i].at))
@@ -286,4 +287,4 @@ class LimitSearch {
   SharedSites shared_;
 };
 
-}  // namespace limn
+}  // namespace limn::limit

@@ -28,7 +28,7 @@ double size_of(const std::vector<Index>& vertices, const std::vector<Point3>& va
 }
 
 Point3 normal_of(std::span<const Tangent> tangents, double size) {
-  const Tangent normal = unit_normal<double>(tangents, size);
+  const Tangent normal = mesh::unit_normal<double>(tangents, size);
   return {normal[0], normal[1], normal[2]};
 }
 
@@ -56,8 +56,8 @@ Point3 normal_of_faces(const Mesh& mesh, const std::vector<Point3>& values, Inde
 LimitPoints::Curvatures principal(const Point3& t1, const Point3& t2, const Point3& normal,
                                   const std::array<Point3, 3>& quadratics) {
   const std::array<double, 6> lengths{t1.x, t1.y, t1.z, t2.x, t2.y, t2.z};
-  const int exponent = largest_exponent(lengths);
-  if (exponent == kNoExponent || normal == Point3{}) return {kNaN, kNaN};
+  const int exponent = mesh::largest_exponent(lengths);
+  if (exponent == mesh::kNoExponent || normal == Point3{}) return {kNaN, kNaN};
   // of the surface that is 2^exponent times as small
   const auto scaled = [&](const Point3& p) {
     return Point3{std::ldexp(p.x, -exponent), std::ldexp(p.y, -exponent),
@@ -77,20 +77,20 @@ LimitPoints::Curvatures principal(const Point3& t1, const Point3& t2, const Poin
   return {std::ldexp(values(1), -exponent), std::ldexp(values(0), -exponent)};
 }
 
-using Spot = LimitPlace<Point3>;
+using Spot = limit::LimitPlace<Point3>;
 
 void take_limit(const Spot& at, bool dual, LimitPoints& out) {
   const LimitStencil& limit = at.kind.limit;
-  put(at, at.weighted(limit.position), out.positions);
+  limit::put(at, at.weighted(limit.position), out.positions);
   if (!limit.has_plane) return;
   const double size = size_of(at.neighbourhood, at.values);
   if (limit.first_tangent.empty()) {
-    put(at, normal_of_faces(at.mesh, at.values, at.start, dual, size), out.normals);
+    limit::put(at, normal_of_faces(at.mesh, at.values, at.start, dual, size), out.normals);
     return;
   }
   const std::array<Tangent, 2> tangents{tangent_of(at.weighted(limit.first_tangent)),
                                         tangent_of(at.weighted(limit.second_tangent))};
-  put(at, normal_of(tangents, size), out.normals);
+  limit::put(at, normal_of(tangents, size), out.normals);
 }
 
 /// Whether a sum is what rounding makes of 0.
@@ -104,12 +104,12 @@ bool vanishes(const std::vector<double>& weights, const Point3& sum, double size
 
 /// After the limit.
 void take_curvature(const Spot& at, LimitPoints& out) {
-  const auto none = [&](NoCurvature reason) { put(at, reason, out.no_curvature); };
+  const auto none = [&](NoCurvature reason) { limit::put(at, reason, out.no_curvature); };
   if (!at.kind.curvature) return none(at.kind.no_curvature);
   const Point3& normal = out.normals[at.vertex];
   if (normal == Point3{}) return none(NoCurvature::no_normal);
   const LimitStencil& limit = at.kind.limit;
-  const CurvatureStencil& stencil = at.kind.curvature->stencil;
+  const limit::CurvatureStencil& stencil = at.kind.curvature->stencil;
   const auto sum = [&](const std::vector<double>& weights) { return at.weighted(weights); };
   if (!stencil.jumps.empty()) {
     const double size = size_of(at.neighbourhood, at.values);
@@ -119,7 +119,7 @@ void take_curvature(const Spot& at, LimitPoints& out) {
   const LimitPoints::Curvatures curvatures =
       principal(sum(limit.first_tangent), sum(limit.second_tangent), normal,
                 {sum(stencil.cup), sum(stencil.first_saddle), sum(stencil.second_saddle)});
-  put(at, curvatures, out.curvatures);
+  limit::put(at, curvatures, out.curvatures);
   none(std::isnan(curvatures.largest) ? NoCurvature::too_large : NoCurvature::none);
 }
 
@@ -147,14 +147,14 @@ Result<LimitPoints> approx_limit_points(const Scheme& scheme, const Mesh& mesh,
       out.positions[v] = values[v];
       if (options.curvatures) out.no_curvature[v] = NoCurvature::no_limit;
     }
-  LimitKinds kinds(scheme, options.curvatures && bounded);
+  limit::LimitKinds kinds(scheme, options.curvatures && bounded);
   const bool dual = scheme.split->is_dual();
   const auto limit = [&](const Spot& at) { take_limit(at, dual, out); };
   const auto curvature = [&](const Spot& at) {
     if (options.curvatures && bounded) take_curvature(at, out);
   };
-  LimitSearch<Point3, decltype(limit), decltype(curvature)> search(scheme, kinds, options, limit,
-                                                                   curvature);
+  limit::LimitSearch<Point3, decltype(limit), decltype(curvature)> search(scheme, kinds, options,
+                                                                          limit, curvature);
   const Status status =
       search.run(mesh, values, vertices, options.partial ? &out.refused : nullptr);
   if (!status) return status.error();

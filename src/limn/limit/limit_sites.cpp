@@ -3,14 +3,14 @@
 #include "limn/refine/linear_form.h"
 #include "limn/refine/refine.h"
 
-namespace limn {
+namespace limn::limit {
 namespace {
 
 template <class Value>
 Result<LimitPatch<Value>> refined(const Scheme& scheme, const Mesh& mesh,
                                   const std::vector<Value>& values, int step,
-                                  RuleTables<double>& tables) {
-  Result<Refined<Value>> fine = refine_once(scheme, mesh, values, step, tables);
+                                  refine::RuleTables<double>& tables) {
+  Result<refine::Refined<Value>> fine = refine::refine_once(scheme, mesh, values, step, tables);
   if (!fine) return fine.error();
   return LimitPatch<Value>{std::move(fine->mesh), std::move(fine->values), {}};
 }
@@ -161,7 +161,7 @@ template <class Value>
 Result<LimitPatch<Value>> dual_patch(const Scheme& scheme, const Mesh& mesh,
                                      const std::vector<Value>& values,
                                      const std::vector<Index>& vertices, int step,
-                                     RuleTables<double>& tables) {
+                                     refine::RuleTables<double>& tables) {
   Result<LimitPatch<Value>> patch = refined(scheme, mesh, values, step, tables);
   if (!patch) return patch;
   for (const Index v : vertices)
@@ -174,7 +174,7 @@ template <class Value>
 Result<LimitPatch<Value>> refined_patch(const Scheme& scheme, const Mesh& mesh,
                                         const std::vector<Value>& values,
                                         const std::vector<LimitSite>& sites, int rings, int step,
-                                        RuleTables<double>& tables) {
+                                        refine::RuleTables<double>& tables) {
   const bool dual = scheme.split->is_dual();
   Part part(mesh, surroundings(*scheme.split, mesh, sites, rings));
   std::vector<Value> part_values;
@@ -193,19 +193,21 @@ Result<LimitPatch<Value>> refined_patch(const Scheme& scheme, const Mesh& mesh,
   return patch;
 }
 
-using Form = LinearForm<double>;
+using Form = refine::LinearForm<double>;
 template Result<LimitPatch<Point3>> dual_patch(const Scheme&, const Mesh&,
                                                const std::vector<Point3>&,
-                                               const std::vector<Index>&, int, RuleTables<double>&);
+                                               const std::vector<Index>&, int,
+                                               refine::RuleTables<double>&);
 template Result<LimitPatch<Form>> dual_patch(const Scheme&, const Mesh&, const std::vector<Form>&,
-                                             const std::vector<Index>&, int, RuleTables<double>&);
+                                             const std::vector<Index>&, int,
+                                             refine::RuleTables<double>&);
 template Result<LimitPatch<Point3>> refined_patch(const Scheme&, const Mesh&,
                                                   const std::vector<Point3>&,
                                                   const std::vector<LimitSite>&, int, int,
-                                                  RuleTables<double>&);
+                                                  refine::RuleTables<double>&);
 template Result<LimitPatch<Form>> refined_patch(const Scheme&, const Mesh&,
                                                 const std::vector<Form>&,
                                                 const std::vector<LimitSite>&, int, int,
-                                                RuleTables<double>&);
+                                                refine::RuleTables<double>&);
 
-}  // namespace limn
+}  // namespace limn::limit

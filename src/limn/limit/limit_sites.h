@@ -6,7 +6,7 @@
 #include "limn/mesh/pattern.h"
 #include "limn/refine/rule_tables.h"
 
-namespace limn {
+namespace limn::limit {
 
 /// A vertex whose limit is sought, or (dual splits) a face, named by a half-edge.
 struct LimitSite {
@@ -37,7 +37,7 @@ template <class Value>
 [[nodiscard]] Result<LimitPatch<Value>> dual_patch(const Scheme& scheme, const Mesh& mesh,
                                                    const std::vector<Value>& values,
                                                    const std::vector<Index>& vertices, int step,
-                                                   RuleTables<double>& tables);
+                                                   refine::RuleTables<double>& tables);
 
 /// The faces within `rings` rings of the sites after one step, its number `step`.
 template <class Value>
@@ -45,6 +45,6 @@ template <class Value>
                                                       const std::vector<Value>& values,
                                                       const std::vector<LimitSite>& sites,
                                                       int rings, int step,
-                                                      RuleTables<double>& tables);
+                                                      refine::RuleTables<double>& tables);
 
-}  // namespace limn
+}  // namespace limn::limit

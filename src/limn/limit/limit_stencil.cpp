@@ -36,8 +36,9 @@ std::size_t star_vertices(const FrequencyBlocks& blocks, int ring) {
 }
 
 /// Twice the area that ring 1 sweeps round its centre in coordinates (u, v).
-double swept_area(const Eigen::VectorXd& u, const Eigen::VectorXd& v, const Sectors& sectors) {
-  const Index end = sector_star_size(sectors, 1);
+double swept_area(const Eigen::VectorXd& u, const Eigen::VectorXd& v,
+                  const mesh::Sectors& sectors) {
+  const Index end = mesh::sector_star_size(sectors, 1);
   double area = 0;
   for (Index i = 1; i + (sectors.open ? 1 : 0) < end; ++i) {
     const Index j = i + 1 < end ? i + 1 : 1;
@@ -95,21 +96,22 @@ Result<LimitStencil> approx_limit_stencil(FrequencyAnalysis& analysis, int n) {
   return stencil;
 }
 
-Result<LimitStencil> approx_sector_limit_stencil(const Scheme& scheme, const Sectors& sectors) {
-  const Result<SectorMatrix> matrix = sector_matrix(scheme, sectors);
+Result<LimitStencil> approx_sector_limit_stencil(const Scheme& scheme,
+                                                 const mesh::Sectors& sectors) {
+  const Result<limit::SectorMatrix> matrix = limit::sector_matrix(scheme, sectors);
   if (!matrix) return matrix.error();
-  const auto values = eigenvalues_beside_one(*matrix);
-  const auto position = values ? sector_vectors(*matrix, 1) : std::nullopt;
+  const auto values = limit::eigenvalues_beside_one(*matrix);
+  const auto position = values ? limit::sector_vectors(*matrix, 1) : std::nullopt;
   if (!position)
-    return no_limit(place_text(sectors),
+    return no_limit(limit::place_text(sectors),
                     "the subdivision matrix has no simple dominant eigenvalue 1");
-  const auto tangents = leading_pair(*matrix, *values);
+  const auto tangents = limit::leading_pair(*matrix, *values);
   const Eigen::Index part =
       std::max(position->left.rows(), tangents ? tangents->left.rows() : Eigen::Index{0});
   LimitStencil stencil;
   stencil.rings = 1;
-  while (sector_star_size(sectors, stencil.rings) < part) ++stencil.rings;
-  const Index size = sector_star_size(sectors, stencil.rings);
+  while (mesh::sector_star_size(sectors, stencil.rings) < part) ++stencil.rings;
+  const Index size = mesh::sector_star_size(sectors, stencil.rings);
   stencil.position = padded(position->left.col(0) / position->left.col(0).sum(), size);
   clean(stencil);
   if (!tangents) return stencil;
@@ -122,9 +124,9 @@ Result<LimitStencil> approx_sector_limit_stencil(const Scheme& scheme, const Sec
 }
 
 Result<LimitStencil> approx_boundary_limit_stencil(const Scheme& scheme, int faces) {
-  if (Status status = check_one_lattice(scheme); !status) return status.error();
-  if (faces > kMostStarVertices)
-    return too_large(fmt::format("a boundary vertex of {} faces", faces));
+  if (Status status = scheme::check_one_lattice(scheme); !status) return status.error();
+  if (faces > limit::kMostStarVertices)
+    return limit::too_large(fmt::format("a boundary vertex of {} faces", faces));
   const auto count = static_cast<std::size_t>(faces);
   return approx_sector_limit_stencil(scheme,
                                      {std::vector<Lattice>(count, scheme.split->lattice), true});

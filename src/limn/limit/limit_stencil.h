@@ -11,7 +11,9 @@
 
 namespace limn {
 
-struct Sectors;  // mesh/lattice.h
+namespace mesh {
+struct Sectors;  // lattice.h
+}
 
 /// Weights over the vertices of a star (dual splits: a face star) or, at the boundary, of a fan;
 /// numbered as in mesh/lattice.h.
@@ -40,7 +42,7 @@ struct LimitStencil {
 /// curvature. Fails as `sector_matrix` (sector_matrix.h) does and where the scheme does not
 /// converge there. Cost: the cube of the number of vertices that control the surface.
 [[nodiscard]] Result<LimitStencil> approx_sector_limit_stencil(const Scheme& scheme,
-                                                               const Sectors& sectors);
+                                                               const mesh::Sectors& sectors);
 
 /// The same at a boundary vertex of `faces` ≥ 1 faces of the scheme's lattice. For splits that keep
 /// the old vertices. Fails also where the scheme has two lattices.

@@ -3,12 +3,13 @@
 #include <algorithm>
 #include <utility>
 
+#include "limn/mesh/index.h"
 #include "limn/scheme/seen_from.h"
 
-namespace limn {
+namespace limn::limit {
 namespace {
 
-std::size_t at(Index i) { return static_cast<std::size_t>(i); }
+using mesh::at;
 
 /// How far a scheme's rules read from their anchor, in edges, at most.
 int reach_of(const Scheme& scheme) {
@@ -30,7 +31,7 @@ int reach_of(const Scheme& scheme) {
 /// Whether the limit at a vertex depends on the rules that make its neighbours: because a rule
 /// crosses edges but round its own vertex, or is seen from one.
 bool goes_far(const Scheme& scheme) {
-  if (has_rules_seen_from(scheme)) return true;
+  if (scheme::has_rules_seen_from(scheme)) return true;
   for (const std::optional<Rule>& rule : scheme.rules) {
     if (!rule) continue;
     for (const RuleCase& one : *rule)
@@ -69,7 +70,7 @@ void widen(const Mesh& mesh, int rings, std::vector<bool>& taken) {
 
 /// What sharpness makes of the vertices, each by itself.
 struct Vertices {
-  std::vector<CreaseStep::Rule> kinds;
+  std::vector<refine::CreaseStep::Rule> kinds;
   std::vector<bool> fading;   // the vertex or an edge of it
   std::vector<bool> resting;  // darts and corners
 };
@@ -90,9 +91,9 @@ Vertices vertices_of(const Mesh& mesh, const Sharpness& sharpness, std::vector<b
     }
   }
   for (std::size_t v = 0; v < count; ++v) {
-    using Kind = CreaseStep::Rule;
+    using Kind = refine::CreaseStep::Rule;
     const double own = sharpness.vertices.empty() ? 0 : sharpness.vertices[v];
-    const Kind kind = CreaseStep::rule_of(own, edges[v]);
+    const Kind kind = refine::CreaseStep::rule_of(own, edges[v]);
     found.kinds.push_back(kind);
     if (fades(own)) found.fading[v] = true;
     found.resting[v] = kind == Kind::dart || kind == Kind::corner;
@@ -136,4 +137,4 @@ LimitWays limit_ways(const Scheme& scheme, const Mesh& mesh, const Sharpness& sh
   return result;
 }
 
-}  // namespace limn
+}  // namespace limn::limit

@@ -8,7 +8,7 @@
 #include "limn/mesh/sharpness/sharpness.h"
 #include "limn/refine/crease_step.h"
 
-namespace limn {
+namespace limn::limit {
 
 enum class LimitWay : std::uint8_t {
   none,     ///< it is not asked for
@@ -20,8 +20,8 @@ enum class LimitWay : std::uint8_t {
 /// By vertices, but `sharp`, by edges.
 struct LimitWays {
   std::vector<LimitWay> ways;
-  std::vector<CreaseStep::Rule> kinds;  ///< of the first step
-  std::vector<bool> sharp;              ///< whether the edge is, at all
+  std::vector<refine::CreaseStep::Rule> kinds;  ///< of the first step
+  std::vector<bool> sharp;                      ///< whether the edge is, at all
 
   [[nodiscard]] std::vector<Index> those(LimitWay way) const;  ///< ascending
 };
@@ -33,4 +33,4 @@ struct LimitWays {
 [[nodiscard]] LimitWays limit_ways(const Scheme& scheme, const Mesh& mesh,
                                    const Sharpness& sharpness, const std::vector<Index>& vertices);
 
-}  // namespace limn
+}  // namespace limn::limit

@@ -3,10 +3,12 @@
 #include <numeric>
 #include <utility>
 
-namespace limn {
+#include "limn/mesh/index.h"
+
+namespace limn::limit {
 namespace {
 
-std::size_t at(Index i) { return static_cast<std::size_t>(i); }
+using mesh::at;
 
 }  // namespace
 
@@ -91,4 +93,4 @@ MeshPart cut_out(const MeshPart& part, Index centres, int rings) {
   return PartCutter(part.mesh, part.values, part.sharpness).run(all, rings);
 }
 
-}  // namespace limn
+}  // namespace limn::limit

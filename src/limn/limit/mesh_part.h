@@ -6,7 +6,7 @@
 
 #include "limn/mesh/sharpness/sharpness.h"
 
-namespace limn {
+namespace limn::limit {
 
 /// The faces round some vertices, the *centres*, which are its vertices 0, 1, ….
 struct MeshPart {
@@ -52,4 +52,4 @@ class PartCutter {
 /// The part that is left of a part, round its first `centres` vertices.
 [[nodiscard]] MeshPart cut_out(const MeshPart& part, Index centres, int rings);
 
-}  // namespace limn
+}  // namespace limn::limit

@@ -5,7 +5,7 @@
 
 #include "limn/refine/rule_tables.h"
 
-namespace limn {
+namespace limn::limit {
 
 /// The rules of a mesh that was cut out of another: one that is missing makes a value unknown (not
 /// a number), as whether anything depends on it is not known beforehand. At the rim of the cut
@@ -13,11 +13,11 @@ namespace limn {
 class PartialRules {
  public:
   /// `scheme` must outlive them.
-  PartialRules(const Scheme& scheme, Boundary boundary);
+  PartialRules(const Scheme& scheme, refine::Boundary boundary);
   PartialRules(const PartialRules&) = delete;
   PartialRules& operator=(const PartialRules&) = delete;
 
-  [[nodiscard]] RuleTables<double>& tables() { return tables_; }
+  [[nodiscard]] refine::RuleTables<double>& tables() { return tables_; }
   [[nodiscard]] bool complete() const { return !missing_; }
   /// What is missing: the first, one of the interior before one of the boundary. Precondition: not
   /// complete.
@@ -26,11 +26,12 @@ class PartialRules {
   [[nodiscard]] Error error_at(Index vertex) const;
 
  private:
-  Result<Row<double>> row(const Scheme& scheme, RuleKind kind, int n, std::optional<int> quads);
+  Result<refine::Row<double>> row(const Scheme& scheme, RuleKind kind, int n,
+                                  std::optional<int> quads);
 
   std::optional<Error> missing_;  // the first, one of the interior before one of the boundary
   bool missing_inside_ = false;
-  RuleTables<double> tables_;
+  refine::RuleTables<double> tables_;
 };
 
-}  // namespace limn
+}  // namespace limn::limit

@@ -13,7 +13,7 @@
 #include "limn/refine/star_step.h"
 #include "limn/spectrum/null_space.h"
 
-namespace limn {
+namespace limn::limit {
 namespace {
 
 constexpr int kMostRings = 7;  // one more than may control a surface
@@ -21,15 +21,17 @@ constexpr double kTie = 1e-6;  // rounding splits a defective pair of eigenvalue
 
 /// The forms at the images of the vertices. At the rim, which stands for nothing, rules may be
 /// missing. Fails where one is that an image depends on.
-Result<std::vector<LinearForm<double>>> refined_forms(const Scheme& scheme, const SectorStep& step,
-                                                      Boundary boundary) {
+Result<std::vector<refine::LinearForm<double>>> refined_forms(const Scheme& scheme,
+                                                              const refine::SectorStep& step,
+                                                              refine::Boundary boundary) {
   PartialRules rules(scheme, boundary);
-  RuleTables<double>& tables = rules.tables();
-  std::vector<LinearForm<double>> forms = unit_forms<double>(step.coarse.vertex_count());
+  refine::RuleTables<double>& tables = rules.tables();
+  std::vector<refine::LinearForm<double>> forms =
+      refine::unit_forms<double>(step.coarse.vertex_count());
   const Mesh* mesh = &step.coarse;
   for (const SplitResult& fine : step.fine) {
     if (Status status = tables.prepare(*mesh, fine.births); !status) return status.error();
-    forms = refine_values(scheme, *mesh, fine.births, tables, forms);
+    forms = refine::refine_values(scheme, *mesh, fine.births, tables, forms);
     mesh = &fine.mesh;
   }
   if (rules.complete()) return forms;
@@ -40,18 +42,18 @@ Result<std::vector<LinearForm<double>>> refined_forms(const Scheme& scheme, cons
 }
 
 /// That the rings are not too large for a dense matrix.
-Status check_size(const Sectors& sectors, int rings) {
-  if (sector_star_size(sectors, rings) <= kMostStarVertices) return Done{};
+Status check_size(const mesh::Sectors& sectors, int rings) {
+  if (mesh::sector_star_size(sectors, rings) <= kMostStarVertices) return Done{};
   return too_large(place_text(sectors));
 }
 
 /// Up to each ring, how far the images look: the last vertex that they weigh.
-std::vector<Index> farthest_seen(const Sectors& sectors, const SectorStep& step,
-                                 const std::vector<LinearForm<double>>& forms) {
+std::vector<Index> farthest_seen(const mesh::Sectors& sectors, const refine::SectorStep& step,
+                                 const std::vector<refine::LinearForm<double>>& forms) {
   std::vector<Index> farthest(kMostRings + 1, 0);
   Index v = 0;
   for (int r = 0; r <= kMostRings; ++r)
-    for (; v < sector_star_size(sectors, r); ++v)
+    for (; v < mesh::sector_star_size(sectors, r); ++v)
       for (const auto& [vertex, weight] : forms[static_cast<std::size_t>(step.images[v])].terms)
         if (weight != 0) farthest[r] = std::max(farthest[r], vertex);
   return farthest;
@@ -64,7 +66,7 @@ Error too_large(const std::string& place) {
           fmt::format("up to {} vertices round it are analysed", kMostStarVertices)};
 }
 
-std::string place_text(const Sectors& sectors) {
+std::string place_text(const mesh::Sectors& sectors) {
   const auto alike =
       std::adjacent_find(sectors.lattices.begin(), sectors.lattices.end(), std::not_equal_to<>());
   const std::string vertex = sectors.open ? "a boundary vertex" : "a vertex";
@@ -77,16 +79,16 @@ std::string place_text(const Sectors& sectors) {
   return fmt::format("{} of the faces {}", vertex, fmt::join(corners, ", "));
 }
 
-Result<SectorMatrix> sector_matrix(const Scheme& scheme, const Sectors& sectors) {
+Result<SectorMatrix> sector_matrix(const Scheme& scheme, const mesh::Sectors& sectors) {
   if (Status status = check_size(sectors, 1); !status) return status.error();
-  const SectorStep step = sector_step(*scheme.split, sectors, kMostRings);
-  const Result<std::vector<LinearForm<double>>> forms =
-      refined_forms(scheme, step, sectors.open ? Boundary::refined : Boundary::left_out);
+  const refine::SectorStep step = refine::sector_step(*scheme.split, sectors, kMostRings);
+  const Result<std::vector<refine::LinearForm<double>>> forms = refined_forms(
+      scheme, step, sectors.open ? refine::Boundary::refined : refine::Boundary::left_out);
   if (!forms) return forms.error();
   const std::vector<Index> farthest = farthest_seen(sectors, step, *forms);
   SectorMatrix matrix{sectors, 1, {}, {}};
   for (int r = 1; r <= kMostRings; ++r)
-    if (farthest[r] >= sector_star_size(sectors, r - 1)) matrix.rings = r;
+    if (farthest[r] >= mesh::sector_star_size(sectors, r - 1)) matrix.rings = r;
   if (matrix.rings == kMostRings)
     return Error{fmt::format("scheme '{}' reaches farther than {} rings at {}", scheme.name,
                              kMostRings - 1, place_text(sectors)),
@@ -95,7 +97,7 @@ Result<SectorMatrix> sector_matrix(const Scheme& scheme, const Sectors& sectors)
                  0,
                  0};
   if (Status status = check_size(sectors, matrix.rings); !status) return status.error();
-  const Eigen::Index size = sector_star_size(sectors, matrix.rings);
+  const Eigen::Index size = mesh::sector_star_size(sectors, matrix.rings);
   matrix.entries = Eigen::MatrixXd::Zero(size, size);
   for (Index i = 0; i < size; ++i)
     for (const auto& [vertex, weight] : (*forms)[static_cast<std::size_t>(step.images[i])].terms)
@@ -103,7 +105,7 @@ Result<SectorMatrix> sector_matrix(const Scheme& scheme, const Sectors& sectors)
   Index reached = 0;
   for (int r = 0; r <= matrix.rings; ++r) {
     reached = std::max(reached, farthest[r]);
-    const Index end = sector_star_size(sectors, r);
+    const Index end = mesh::sector_star_size(sectors, r);
     if (reached < end) matrix.invariant.push_back(end);
   }
   return matrix;
@@ -114,9 +116,9 @@ std::optional<SectorVectors> sector_vectors(const SectorMatrix& matrix, double l
   for (const Eigen::Index part : matrix.invariant) {
     const Eigen::MatrixXd shifted =
         matrix.entries.topLeftCorner(part, part) - lambda * Eigen::MatrixXd::Identity(part, part);
-    const Eigen::MatrixXd left = null_space<Eigen::MatrixXd>(shifted.transpose());
+    const Eigen::MatrixXd left = spectrum::null_space<Eigen::MatrixXd>(shifted.transpose());
     if (left.cols() <= found.left.cols()) continue;
-    found = {left, null_space(shifted)};
+    found = {left, spectrum::null_space(shifted)};
   }
   if (found.left.cols() == 0 || found.right.cols() != found.left.cols()) return std::nullopt;
   const Eigen::MatrixXd products = found.left.transpose() * found.right;
@@ -164,4 +166,4 @@ std::optional<SectorVectors> leading_pair(const SectorMatrix& matrix,
   return pair;
 }
 
-}  // namespace limn
+}  // namespace limn::limit

@@ -11,7 +11,7 @@
 #include "limn/mesh/lattice.h"
 #include "limn/scheme/scheme.h"
 
-namespace limn {
+namespace limn::limit {
 
 /// The vertices that may control a surface round one vertex, so that a matrix of them takes
 /// seconds.
@@ -22,7 +22,7 @@ inline constexpr Index kMostStarVertices = 1000;
 
 /// On as many rings as control the surface there.
 struct SectorMatrix {
-  Sectors sectors;
+  mesh::Sectors sectors;
   int rings = 0;
   /// Row i: the weights of the vertex that plays the part of vertex i (`sector_star`) a step later,
   /// or two steps where the boundary moves in every second one only.
@@ -31,14 +31,15 @@ struct SectorMatrix {
 };
 
 /// "a boundary vertex of 3 faces", "a vertex of the faces 3, 3, 4".
-[[nodiscard]] std::string place_text(const Sectors& sectors);
+[[nodiscard]] std::string place_text(const mesh::Sectors& sectors);
 
 /// Of the surroundings of a vertex whose faces begin sectors of their lattices. At the rim, which
 /// stands for nothing, rules may be missing. Fails where one is that the matrix depends on, where
 /// the scheme looks too far, and beyond kMostStarVertices. Lattices are those that the scheme's
 /// split takes; it keeps old vertices and, of a closed star, does not turn. Cost: that of a
 /// refinement.
-[[nodiscard]] Result<SectorMatrix> sector_matrix(const Scheme& scheme, const Sectors& sectors);
+[[nodiscard]] Result<SectorMatrix> sector_matrix(const Scheme& scheme,
+                                                 const mesh::Sectors& sectors);
 
 /// Left and right eigenvectors of a real eigenvalue: biorthonormal columns, on the smallest
 /// invariant part that has all of them.
@@ -62,4 +63,4 @@ struct SectorVectors {
 [[nodiscard]] std::optional<SectorVectors> leading_pair(
     const SectorMatrix& matrix, const std::vector<std::complex<double>>& values);
 
-}  // namespace limn
+}  // namespace limn::limit

@@ -7,7 +7,7 @@
 
 #include "limn/scheme/lattice_schemes.h"
 
-namespace limn {
+namespace limn::limit {
 namespace {
 
 // moduli that are nearer to each other are equal; below the second it is not known, since rounding
@@ -21,7 +21,7 @@ Truth is_larger(double a, double b) {
 }
 
 /// That the split makes of such a star one of the same sectors.
-Status check_takes(const Scheme& scheme, const Sectors& sectors) {
+Status check_takes(const Scheme& scheme, const mesh::Sectors& sectors) {
   const Split& split = *scheme.split;
   if (split.is_dual() || split.dilation.turns())
     return Error{fmt::format("the split {} keeps no faces round a vertex", split.name),
@@ -30,7 +30,7 @@ Status check_takes(const Scheme& scheme, const Sectors& sectors) {
                                   [&](Lattice lattice) { return lattice != split.lattice; });
   if (!others || split.mixed) return Done{};
   return Error{fmt::format("scheme '{}' has {}s alone round a vertex, after a step at most",
-                           scheme.name, lattice_name(split.lattice)),
+                           scheme.name, scheme::lattice_name(split.lattice)),
                "schemes of the split quad-triangle have both kinds of faces"};
 }
 
@@ -70,7 +70,7 @@ void judge_pair(const std::vector<std::complex<double>>& values, SectorSpectrum&
 
 }  // namespace
 
-Result<SectorSpectrum> approx_sector_spectrum(const Scheme& scheme, const Sectors& sectors) {
+Result<SectorSpectrum> approx_sector_spectrum(const Scheme& scheme, const mesh::Sectors& sectors) {
   if (Status status = check_takes(scheme, sectors); !status) return status.error();
   Result<SectorMatrix> matrix = sector_matrix(scheme, sectors);
   if (!matrix) return matrix.error();
@@ -84,4 +84,4 @@ Result<SectorSpectrum> approx_sector_spectrum(const Scheme& scheme, const Sector
   return spectrum;
 }
 
-}  // namespace limn
+}  // namespace limn::limit

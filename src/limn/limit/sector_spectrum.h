@@ -10,7 +10,7 @@
 #include "limn/base/truth.h"
 #include "limn/limit/sector_matrix.h"
 
-namespace limn {
+namespace limn::limit {
 
 /// The spectrum of a star of sectors and what it says. A C1 surface needs more than `c1_necessary`:
 /// a characteristic map that is regular and injective, and C1 surfaces where all is regular and
@@ -29,6 +29,6 @@ struct SectorSpectrum {
 /// Of a closed star. In double precision. Fails as sector_matrix does, and where the scheme's split
 /// does not take such faces, has no old vertices or turns. Cost: the cube of the matrix's size.
 [[nodiscard]] Result<SectorSpectrum> approx_sector_spectrum(const Scheme& scheme,
-                                                            const Sectors& sectors);
+                                                            const mesh::Sectors& sectors);
 
-}  // namespace limn
+}  // namespace limn::limit

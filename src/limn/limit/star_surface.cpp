@@ -77,10 +77,11 @@ Result<StarSurface> approx_star_surface(const Scheme& scheme, int n, int rings,
   const Split& split = *scheme.split;
   const bool dual = split.is_dual();
   const int step_count = steps_made(split, steps);
-  Refined<Point3> fine{split_star(split, n, rings), values};
-  RuleTables<double> tables(scheme, Boundary::left_out);
+  refine::Refined<Point3> fine{refine::split_star(split, n, rings), values};
+  refine::RuleTables<double> tables(scheme, refine::Boundary::left_out);
   for (int step = 0; step < step_count; ++step) {
-    Result<Refined<Point3>> next = refine_once(scheme, fine.mesh, fine.values, step, tables);
+    Result<refine::Refined<Point3>> next =
+        refine::refine_once(scheme, fine.mesh, fine.values, step, tables);
     if (!next) return next.error();
     fine = std::move(*next);
   }

@@ -4,16 +4,17 @@
 #include <array>
 #include <cmath>
 
+#include "limn/mesh/index.h"
 #include "limn/mesh/unit_normal.h"
 
-namespace limn {
+namespace limn::limit {
 namespace {
 
 /// An edge's name is its sharpness, which is infinite and so is inherited as it is: this much and
 /// the number of the edge.
 constexpr double kNamed = 2 * kInfinitelySharp;
 
-std::size_t at(Index i) { return static_cast<std::size_t>(i); }
+using mesh::at;
 
 /// As VertexSides; sides begin at edges that are inside the mesh and of which `is_sharp(e)` holds,
 /// the first at one of which `is_first(e)` holds.
@@ -95,10 +96,10 @@ std::vector<Point3> normals_of_faces(const Mesh& mesh, const std::vector<Point3>
     const std::size_t end = sides.begins[side + 1];
     for (std::size_t i = sides.begins[side]; i < end; ++i) add(mesh.target(sides.halfedges[i]));
     add(end < sides.halfedges.size() ? mesh.target(sides.halfedges[end]) : sides.last);
-    const std::array<double, 3> normal = unit_normal<double>(chain, size);
+    const std::array<double, 3> normal = mesh::unit_normal<double>(chain, size);
     normals.push_back({normal[0], normal[1], normal[2]});
   }
   return normals;
 }
 
-}  // namespace limn
+}  // namespace limn::limit

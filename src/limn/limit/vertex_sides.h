@@ -6,7 +6,7 @@
 
 #include "limn/limit/mesh_part.h"
 
-namespace limn {
+namespace limn::limit {
 
 /// The half-edges out of a vertex, counterclockwise, side by side.
 struct VertexSides {
@@ -38,4 +38,4 @@ void name_edges(const Mesh& mesh, const Sharpness& sharpness, Index v, const Par
                                                    const std::vector<Point3>& values,
                                                    const VertexSides& sides);
 
-}  // namespace limn
+}  // namespace limn::limit

@@ -8,7 +8,7 @@
 
 #include "limn/mesh/polygons.h"
 
-namespace limn::detail {
+namespace limn::mesh::detail {
 
 /// One face's side along an edge: from `corner` (of all corners) to the next of its face.
 struct EdgeSide {
@@ -71,4 +71,4 @@ void join_fans(const Polygons& polygons, const EdgeSide& a, const EdgeSide& b, S
   fans.join(a_end, flipped ? b_end : b.corner, false);
 }
 
-}  // namespace limn::detail
+}  // namespace limn::mesh::detail

@@ -7,7 +7,7 @@
 
 #include "limn/mesh/polygons.h"
 
-namespace limn {
+namespace limn::mesh {
 
 /// Things are numbers from 0. Cost of each call: next to O(1), amortised.
 class JoinedSets {
@@ -50,4 +50,4 @@ class JoinedSets {
   std::vector<char> parity_;
 };
 
-}  // namespace limn
+}  // namespace limn::mesh

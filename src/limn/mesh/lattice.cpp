@@ -4,7 +4,7 @@
 #include <cassert>
 #include <initializer_list>
 
-namespace limn {
+namespace limn::mesh {
 namespace {
 
 // faces one after the other; then the mesh, which must be one
@@ -264,4 +264,4 @@ Mesh tree(Lattice lattice, int depth) {
   return faces.mesh(vertices);
 }
 
-}  // namespace limn
+}  // namespace limn::mesh

@@ -8,7 +8,7 @@
 #include "limn/mesh/mesh.h"
 #include "limn/mesh/split/split.h"
 
-namespace limn {
+namespace limn::mesh {
 
 /// The regular torus of nx × ny vertices (both ≥ 3; vertex (i, j) has index j*nx + i).
 /// Lattice basis: e1 = (1, 0) and, on triangles, e2 = (-1/2, sqrt(3)/2), so that the edge
@@ -87,4 +87,4 @@ struct Sectors {
 /// every mesh of that lattice, whatever its valences.
 [[nodiscard]] Mesh tree(Lattice lattice, int depth);
 
-}  // namespace limn
+}  // namespace limn::mesh

@@ -1,6 +1,6 @@
 #include "limn/mesh/lattice.h"
 
-namespace limn {
+namespace limn::mesh {
 namespace {
 
 constexpr Index kTicks = 12;
@@ -49,4 +49,4 @@ Twelfths torus_birth_place(const Mesh& torus, Index nx, Index ny, const Births& 
                  births.from_vertices > 0 ? 3 * degree / 2 : 2 * degree);
 }
 
-}  // namespace limn
+}  // namespace limn::mesh

@@ -22,8 +22,8 @@ Index common_degree(const std::vector<Index>& face_begin) {
 // the half-edge that stands for each edge: the lower of the two
 std::vector<Index> edge_halfedges(const Mesh::Arrays& arrays) {
   std::vector<Index> result =
-      large_vector<Index>(static_cast<std::size_t>(arrays.edge_count), kNone);
-  parallel_for_each(static_cast<Index>(arrays.edge.size()), [&](Index h) {
+      base::large_vector<Index>(static_cast<std::size_t>(arrays.edge_count), kNone);
+  base::parallel_for_each(static_cast<Index>(arrays.edge.size()), [&](Index h) {
     if (arrays.twin[h] == kNone || h < arrays.twin[h]) result[arrays.edge[h]] = h;
   });
   return result;
@@ -34,7 +34,7 @@ std::vector<Index> edge_halfedges(const Mesh::Arrays& arrays) {
 // several boundary ones too)
 std::vector<Index> vertex_halfedges(const Mesh::Arrays& arrays) {
   std::vector<Index> result =
-      large_vector<Index>(static_cast<std::size_t>(arrays.vertex_count), kNone);
+      base::large_vector<Index>(static_cast<std::size_t>(arrays.vertex_count), kNone);
   const Index count = static_cast<Index>(arrays.origin.size());
   for (Index h = count; h-- > 0;) result[arrays.origin[h]] = h;
   for (Index h = count; h-- > 0;)
@@ -63,8 +63,8 @@ Mesh Mesh::from_arrays(Arrays arrays) {
   mesh.face_begin_ = std::move(arrays.face_begin);
   if (mesh.face_begin_.empty()) mesh.face_begin_ = {0};
   mesh.face_count_ = static_cast<Index>(mesh.face_begin_.size()) - 1;
-  mesh.face_ = large_vector<Index>(mesh.origin_.size());
-  parallel_for_each(mesh.face_count_, [&](Index f) {
+  mesh.face_ = base::large_vector<Index>(mesh.origin_.size());
+  base::parallel_for_each(mesh.face_count_, [&](Index f) {
     std::fill(mesh.face_.begin() + mesh.face_begin_[f],
               mesh.face_.begin() + mesh.face_begin_[f + 1], f);
   });
@@ -103,9 +103,9 @@ Polygons Mesh::polygons(std::vector<Point3> positions) const {
   assert(positions.size() == vertex_halfedge_.size());
   Polygons result;
   result.positions = std::move(positions);
-  reserve_large(result.corners, origin_.size());
+  base::reserve_large(result.corners, origin_.size());
   result.corners = origin_;
-  result.face_begin = large_vector<Index>(static_cast<std::size_t>(face_count_) + 1);
+  result.face_begin = base::large_vector<Index>(static_cast<std::size_t>(face_count_) + 1);
   for (Index f = 0; f <= face_count_; ++f) result.face_begin[f] = face_begin(f);
   return result;
 }

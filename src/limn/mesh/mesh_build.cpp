@@ -13,7 +13,7 @@ namespace limn {
 namespace {
 
 std::vector<Index> filled(Index count, Index value) {
-  return large_vector<Index>(static_cast<std::size_t>(count), value);
+  return base::large_vector<Index>(static_cast<std::size_t>(count), value);
 }
 
 // Whether the faces are in order one by one: enough corners, each a vertex, none twice. Here and
@@ -40,7 +40,7 @@ class TwinMatcher {
  public:
   explicit TwinMatcher(const Polygons& polygons)
       : polygons_(polygons), origin_(polygons.corners), target_(origin_.size()) {
-    parallel_for_each(polygons.face_count(), [&](Index f) {
+    base::parallel_for_each(polygons.face_count(), [&](Index f) {
       const Index first = polygons.face_begin[f], last = polygons.face_begin[f + 1];
       for (Index h = first; h < last; ++h) target_[h] = origin_[h + 1 < last ? h + 1 : first];
     });
@@ -51,7 +51,7 @@ class TwinMatcher {
   bool match(std::vector<Index>& twin) const {
     const Index vertices = polygons_.vertex_count();
     std::vector<Index> first = filled(vertices, kNone), owner = filled(vertices, kNone);
-    twin = large_vector<Index>(origin_.size(), kNone);
+    twin = base::large_vector<Index>(origin_.size(), kNone);
     for (Index v = 0; v < vertices; ++v) {
       for (Index slot = bucket_begin_[v]; slot < bucket_begin_[v + 1]; ++slot) {
         const Index h = bucket_[slot], w = std::max(origin_[h], target_[h]);
@@ -76,7 +76,7 @@ class TwinMatcher {
   // end picks a slot of an array, so no search, sort or hash map is needed
   void fill_buckets() {
     bucket_begin_ = filled(polygons_.vertex_count() + 1, 0);
-    bucket_ = large_vector<Index>(origin_.size());
+    bucket_ = base::large_vector<Index>(origin_.size());
     const Index count = static_cast<Index>(origin_.size());
     for (Index h = 0; h < count; ++h) ++bucket_begin_[lower(h)];
     Index sum = 0;
@@ -160,20 +160,21 @@ std::optional<Mesh> build_sound(const Polygons& polygons) {
 
 }  // namespace
 
-Result<Mesh> build_mesh(const Polygons& polygons, const MeshSource& source, Warnings* warnings) {
-  if (std::optional<Error> fault = too_many(polygons.positions.size(), polygons.face_begin.size(),
-                                            polygons.corners.size())) {
+Result<Mesh> mesh::build_mesh(const Polygons& polygons, const MeshSource& source,
+                              Warnings* warnings) {
+  if (std::optional<Error> fault = mesh::too_many(
+          polygons.positions.size(), polygons.face_begin.size(), polygons.corners.size())) {
     fault->file = source.file;
     return *std::move(fault);
   }
   std::optional<Mesh> mesh = build_sound(polygons);
-  if (!mesh) return error_of(find_mesh_faults(polygons), polygons, source);
+  if (!mesh) return mesh::error_of(mesh::find_mesh_faults(polygons), polygons, source);
   if (warnings != nullptr) warn_of_isolated(*mesh, source, *warnings);
   return *std::move(mesh);
 }
 
 Result<Mesh> Mesh::build(const Polygons& polygons, Warnings* warnings) {
-  return build_mesh(polygons, {}, warnings);
+  return mesh::build_mesh(polygons, {}, warnings);
 }
 
 }  // namespace limn

@@ -5,7 +5,7 @@
 
 #include "limn/mesh/mesh_faults.h"
 
-namespace limn {
+namespace limn::mesh {
 namespace {
 
 using Kind = MeshFault::Kind;
@@ -215,4 +215,4 @@ Error error_of(const MeshFaults& faults, const Polygons& polygons, const MeshSou
   return Words(faults, polygons, source).error();
 }
 
-}  // namespace limn
+}  // namespace limn::mesh

@@ -6,7 +6,7 @@
 #include "limn/mesh/edge_sides.h"
 #include "limn/mesh/joined_sets.h"
 
-namespace limn {
+namespace limn::mesh {
 namespace {
 
 using Kind = MeshFault::Kind;
@@ -38,11 +38,11 @@ class FaultFinder {
 
   MeshFaults find() {
     check_faces();
-    check_interrupt();
+    base::check_interrupt();
     find_copies();
-    check_interrupt();
+    base::check_interrupt();
     find_edges();
-    check_interrupt();
+    base::check_interrupt();
     check_fans();
     std::stable_sort(faults_.list.begin(), faults_.list.end(),
                      [](const MeshFault& a, const MeshFault& b) { return a.kind < b.kind; });
@@ -59,7 +59,9 @@ class FaultFinder {
     return faults_.list.back();
   }
 
-  [[nodiscard]] Index next(Index f, Index c) const { return next_corner(polygons_, f, c); }
+  [[nodiscard]] Index next(Index f, Index c) const {
+    return mesh::detail::next_corner(polygons_, f, c);
+  }
   [[nodiscard]] Index vertex(Index corner) const { return polygons_.corners[corner]; }
 
   void check_faces() {
@@ -151,14 +153,15 @@ class FaultFinder {
   }
 
   void find_edges() {
-    std::vector<EdgeSide> sides = sorted_sides(polygons_, out_);
-    if (drop_crowding_copies(sides)) sides = sorted_sides(polygons_, out_);
-    for_each_edge(sides, [&](std::size_t k, std::size_t last) {
+    std::vector<mesh::detail::EdgeSide> sides = mesh::detail::sorted_sides(polygons_, out_);
+    if (drop_crowding_copies(sides)) sides = mesh::detail::sorted_sides(polygons_, out_);
+    mesh::detail::for_each_edge(sides, [&](std::size_t k, std::size_t last) {
       if (last - k == 2) return join(sides[k], sides[k + 1]);
       if (last - k < 3) return;
       std::vector<Index> faces;
       for (std::size_t i = k; i < last; ++i) faces.push_back(sides[i].face);
-      const Index v = low_end(sides[k].edge), w = high_end(sides[k].edge);
+      const Index v = mesh::detail::low_end(sides[k].edge),
+                  w = mesh::detail::high_end(sides[k].edge);
       unclear_[v] = unclear_[w] = 1;
       add(Kind::crowded_edge, std::move(faces), v, w);
     });
@@ -167,10 +170,10 @@ class FaultFinder {
 
   /// A face and the same one turned over are a closed surface by themselves; on a larger one the
   /// later is a copy.
-  bool drop_crowding_copies(const std::vector<EdgeSide>& sides) {
+  bool drop_crowding_copies(const std::vector<mesh::detail::EdgeSide>& sides) {
     if (turned_over_.empty()) return false;
     std::vector<char> crowded(out_.size(), 0);
-    for_each_edge(sides, [&](std::size_t k, std::size_t last) {
+    mesh::detail::for_each_edge(sides, [&](std::size_t k, std::size_t last) {
       for (std::size_t i = k; last - k > 2 && i < last; ++i) crowded[sides[i].face] = 1;
     });
     bool dropped = false;
@@ -186,12 +189,12 @@ class FaultFinder {
 
   /// The two faces of an edge: which way they run, and that their corners at its ends are of one
   /// fan each.
-  void join(const EdgeSide& a, const EdgeSide& b) {
-    const bool flipped = is_flipped(polygons_, a, b);
+  void join(const mesh::detail::EdgeSide& a, const mesh::detail::EdgeSide& b) {
+    const bool flipped = mesh::detail::is_flipped(polygons_, a, b);
     if (flipped)
       add(Kind::flipped_edge, {a.face, b.face}, vertex(a.corner), vertex(next(a.face, a.corner)));
     if (!sides_.join(a.face, b.face, flipped)) one_sided_.push_back(a.face);
-    join_fans(polygons_, a, b, fans_);
+    mesh::detail::join_fans(polygons_, a, b, fans_);
   }
 
   /// Which flipped edges are of one-sided surfaces, and which faces to reverse on the others: on
@@ -269,4 +272,4 @@ MeshFaults find_mesh_faults(const Polygons& polygons) {
   return faults;
 }
 
-}  // namespace limn
+}  // namespace limn::mesh

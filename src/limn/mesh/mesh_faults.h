@@ -9,7 +9,7 @@
 #include "limn/mesh/mesh.h"
 #include "limn/mesh/polygons.h"
 
-namespace limn {
+namespace limn::mesh {
 
 struct MeshFault {
   enum class Kind {
@@ -66,4 +66,4 @@ struct MeshFaults {
 [[nodiscard]] Result<Mesh> build_mesh(const Polygons& polygons, const MeshSource& source,
                                       Warnings* warnings = nullptr);
 
-}  // namespace limn
+}  // namespace limn::mesh

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace limn {
+namespace limn::mesh {
 
 namespace {
 
@@ -38,4 +38,4 @@ Status check_squares(const std::vector<Point3>& positions) {
   return Done{};
 }
 
-}  // namespace limn
+}  // namespace limn::mesh

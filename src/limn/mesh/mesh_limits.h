@@ -10,7 +10,7 @@
 #include "limn/base/error.h"
 #include "limn/mesh/polygons.h"
 
-namespace limn {
+namespace limn::mesh {
 
 /// The most vertices, faces and corners: an `Index` also holds one more than there are, which is
 /// where an array of offsets ends.
@@ -36,4 +36,4 @@ inline constexpr std::size_t kMostElements = std::numeric_limits<Index>::max() -
 /// do not count. Cost O(V).
 [[nodiscard]] Status check_squares(const std::vector<Point3>& positions);
 
-}  // namespace limn
+}  // namespace limn::mesh

@@ -1,6 +1,6 @@
 #include "limn/mesh/pattern.h"
 
-namespace limn {
+namespace limn::mesh {
 
 Pattern::Pattern(const Mesh& shape, Index inner) : shape_(shape), inner_(inner) {
   std::vector<bool> met(static_cast<std::size_t>(shape.halfedge_count()), false);
@@ -50,4 +50,4 @@ bool Pattern::match(const Mesh& mesh, Index start, std::vector<Index>& vertices)
   return true;
 }
 
-}  // namespace limn
+}  // namespace limn::mesh

@@ -5,7 +5,7 @@
 
 #include "limn/mesh/mesh.h"
 
-namespace limn {
+namespace limn::mesh {
 
 class Pattern {
  public:
@@ -32,4 +32,4 @@ class Pattern {
   std::vector<Step> steps_;  ///< after that of half-edge 0, in an order that can be followed
 };
 
-}  // namespace limn
+}  // namespace limn::mesh

@@ -3,7 +3,7 @@
 
 #include "limn/mesh/mesh.h"
 
-namespace limn {
+namespace limn::mesh {
 
 /// mesh.valence(v) for every vertex v, counted in one pass over the half-edges: many times as fast
 /// as turning round each vertex. Cost O(V + corners), on one thread.
@@ -20,4 +20,4 @@ struct Rings {
 /// Cost O(V + corners).
 [[nodiscard]] Rings rings(const Mesh& mesh, const std::vector<Index>& valences);
 
-}  // namespace limn
+}  // namespace limn::mesh

@@ -14,7 +14,7 @@
 #include "limn/base/parallel.h"
 #include "limn/mesh/polygon/triangulate.h"
 
-namespace limn {
+namespace limn::mesh {
 namespace {
 
 constexpr Index kGrain = 256;  // a query takes microseconds
@@ -51,7 +51,7 @@ Point3 nearest_on_triangle(const Triangle& t, const Point3& p) {
 }
 
 /// A surface as its triangles, scaled.
-struct Facets {
+struct FacetTree {
   std::vector<Triangle> triangles;
   std::vector<Point3> vertices;
   std::vector<double> weights;  // of the vertices: areas; negative without a face
@@ -78,8 +78,8 @@ Result<double> largest_coordinate(const Polygons& surface, const char* name) {
 }
 
 /// Of a surface cut into triangles.
-Facets facets_of(const Polygons& cut, double scale) {
-  Facets facets;
+FacetTree facets_of(const Polygons& cut, double scale) {
+  FacetTree facets;
   facets.weights.assign(cut.positions.size(), -1);
   for (const Point3& p : cut.positions) facets.vertices.push_back(scale * p);
   for (Index f = 0; f < cut.face_count(); ++f) {
@@ -167,13 +167,13 @@ struct OneWay {
   double integral = 0;  // of the distance over the surface
 };
 
-OneWay one_way(const Facets& from, const Facets& to) {
+OneWay one_way(const FacetTree& from, const FacetTree& to) {
   const auto count = static_cast<Index>(from.vertices.size());
   OneWay way;
   way.distances.assign(from.vertices.size(), kNowhere);
   std::vector<Point3> nearest(from.vertices.size());
   const NearestPoint nearest_on(to.triangles);
-  parallel_for(
+  base::parallel_for(
       Index{0}, count,
       [&](Index first, Index last) {
         for (Index v = first; v < last; ++v) {
@@ -210,8 +210,8 @@ Result<SurfaceDistance> approx_surface_distance(const Polygons& a, const Polygon
   const Result<Triangulation> cut_a = triangulate(a), cut_b = triangulate(b);
   if (!cut_a) return refusal("first", "is too large: " + cut_a.error().message);
   if (!cut_b) return refusal("second", "is too large: " + cut_b.error().message);
-  const Facets first = facets_of(cut_a->polygons, scale);
-  const Facets second = facets_of(cut_b->polygons, scale);
+  const FacetTree first = facets_of(cut_a->polygons, scale);
+  const FacetTree second = facets_of(cut_b->polygons, scale);
   if (!(first.area > 0)) return refusal("first", "has no area");
   if (!(second.area > 0)) return refusal("second", "has no area");
 
@@ -229,4 +229,4 @@ Result<SurfaceDistance> approx_surface_distance(const Polygons& a, const Polygon
   return distance;
 }
 
-}  // namespace limn
+}  // namespace limn::mesh

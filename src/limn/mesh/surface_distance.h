@@ -10,7 +10,7 @@
 #include "limn/base/error.h"
 #include "limn/mesh/polygons.h"
 
-namespace limn {
+namespace limn::mesh {
 
 /// From each vertex of one surface to the nearest point of the other's triangles, both ways.
 /// The same with the surfaces exchanged, to the last bit.
@@ -34,4 +34,4 @@ struct SurfaceDistance {
 /// on one.
 [[nodiscard]] Result<SurfaceDistance> approx_surface_distance(const Polygons& a, const Polygons& b);
 
-}  // namespace limn
+}  // namespace limn::mesh

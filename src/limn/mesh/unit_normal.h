@@ -10,7 +10,7 @@
 
 #include "limn/mesh/polygons.h"
 
-namespace limn {
+namespace limn::mesh {
 
 /// How many units of rounding (of the largest coordinate that it was summed from) a tangent has to
 /// be longer than, so that its direction means something: refined points that should coincide
@@ -76,4 +76,4 @@ template <class Real>
   return normal;
 }
 
-}  // namespace limn
+}  // namespace limn::mesh

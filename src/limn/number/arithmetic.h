@@ -13,7 +13,7 @@
 #include "limn/base/rational.h"
 #include "limn/number/exact.h"
 
-namespace limn {
+namespace limn::number {
 
 template <class Number>
 struct Arithmetic;
@@ -81,4 +81,4 @@ struct Arithmetic<Exact> {
   static double approx(const Exact& a) { return a.approx(); }
 };
 
-}  // namespace limn
+}  // namespace limn::number

@@ -10,7 +10,7 @@
 #include <new>
 #include <utility>
 
-namespace limn {
+namespace limn::number {
 namespace {
 
 thread_local int precision = 128;
@@ -216,6 +216,6 @@ double row_norm(const BallMatrix& a) {
   return largest;
 }
 
-}  // namespace limn
+}  // namespace limn::number
 
 #endif

@@ -16,7 +16,7 @@
 #include "limn/number/arithmetic.h"
 #include "limn/number/dense_matrix.h"
 
-namespace limn {
+namespace limn::number {
 
 /// While it lives, operations on balls on this thread round their midpoints to so many bits.
 class BallPrecision {
@@ -115,11 +115,11 @@ struct Arithmetic<Ball> {
     if (b.is_exactly_zero()) return Error{"division by zero"};
     return finite(a / b);
   }
-  static Result<Ball> cos(const Ball& a) { return limn::cos(a); }
-  static Result<Ball> sin(const Ball& a) { return limn::sin(a); }
+  static Result<Ball> cos(const Ball& a) { return limn::number::cos(a); }
+  static Result<Ball> sin(const Ball& a) { return limn::number::sin(a); }
   static Result<Ball> sqrt(const Ball& a) {
     if (a.is_negative()) return Error{"square root of a negative number"};
-    return finite(limn::sqrt(a));
+    return finite(limn::number::sqrt(a));
   }
   /// Fails where the ball does not show it.
   static Result<int> sign(const Ball& a) {
@@ -149,4 +149,4 @@ using BallMatrix = DenseMatrix<Ball>;
 /// The largest sum of moduli in a row: an upper bound, rounded up. 0 for an empty matrix.
 [[nodiscard]] double row_norm(const BallMatrix& a);
 
-}  // namespace limn
+}  // namespace limn::number

@@ -8,7 +8,7 @@
 #include "limn/number/polynomial_factors.h"
 #include "limn/number/polynomial_text.h"
 
-namespace limn {
+namespace limn::number {
 namespace {
 
 constexpr Notation kNotations[] = {Notation::text, Notation::latex};
@@ -215,4 +215,4 @@ Result<ClosedRoots> closed_roots(const Polynomial& a, const Indeterminate& unkno
   return result;
 }
 
-}  // namespace limn
+}  // namespace limn::number

@@ -7,7 +7,7 @@
 #include "limn/number/closed_root.h"
 #include "limn/number/polynomial.h"
 
-namespace limn {
+namespace limn::number {
 
 struct ClosedRoots {
   std::vector<ClosedRoot> roots;  ///< of the factors of degree 1 and 2; both roots of each of these
@@ -23,4 +23,4 @@ struct ClosedRoots {
 /// `unknown` has no negative exponents in a, and a is not 0. Fails where factor() does.
 [[nodiscard]] Result<ClosedRoots> closed_roots(const Polynomial& a, const Indeterminate& unknown);
 
-}  // namespace limn
+}  // namespace limn::number

@@ -6,12 +6,12 @@
 #include <mutex>
 #include <numeric>
 
-namespace limn {
+namespace limn::number {
 namespace {
 
-using Polynomial = std::vector<Rational>;  // lowest degree first, no zero at the end
+using Coefficients = std::vector<Rational>;  // lowest degree first, no zero at the end
 
-void trim(Polynomial& p) {
+void trim(Coefficients& p) {
   while (!p.empty() && p.back() == 0) p.pop_back();
 }
 
@@ -26,11 +26,11 @@ std::vector<Integer> divide_exactly(std::vector<Integer> a, const std::vector<In
 }
 
 struct Division {
-  Polynomial quotient, remainder;
+  Coefficients quotient, remainder;
 };
 
-Division divide(Polynomial a, const Polynomial& b) {
-  Polynomial quotient(a.size() >= b.size() ? a.size() - b.size() + 1 : 0);
+Division divide(Coefficients a, const Coefficients& b) {
+  Coefficients quotient(a.size() >= b.size() ? a.size() - b.size() + 1 : 0);
   while (a.size() >= b.size()) {
     const std::size_t shift = a.size() - b.size();
     const Rational q = a.back() / b.back();
@@ -41,7 +41,7 @@ Division divide(Polynomial a, const Polynomial& b) {
   return {std::move(quotient), std::move(a)};
 }
 
-Polynomial subtract_product(Polynomial a, const Polynomial& b, const Polynomial& c) {
+Coefficients subtract_product(Coefficients a, const Coefficients& b, const Coefficients& c) {
   if (!b.empty() && !c.empty()) a.resize(std::max(a.size(), b.size() + c.size() - 1));
   for (std::size_t i = 0; i < b.size(); ++i)
     for (std::size_t j = 0; j < c.size(); ++j) a[i + j] -= b[i] * c[j];
@@ -55,7 +55,7 @@ struct Fractions {
   Integer denominator = 1;
 };
 
-Fractions over_common_denominator(const Polynomial& p) {
+Fractions over_common_denominator(const Coefficients& p) {
   Fractions result;
   for (const Rational& q : p) result.denominator = lcm(result.denominator, denominator(q));
   result.numerators.reserve(p.size());
@@ -191,15 +191,15 @@ Cyclotomic Cyclotomic::inverse() const {
   assert(!is_zero());
   if (is_rational()) return {Rational(1) / rational()};
   // extended Euclid on (Φ_N, a): s·a ≡ gcd, a constant, because Φ_N is irreducible
-  Polynomial r0;
+  Coefficients r0;
   for (const Integer& c : cyclotomic_polynomial(order_)) r0.emplace_back(c);
-  Polynomial r1 = coefficients_;
+  Coefficients r1 = coefficients_;
   trim(r1);
-  Polynomial s0;
-  Polynomial s1{Rational(1)};
+  Coefficients s0;
+  Coefficients s1{Rational(1)};
   while (r1.size() > 1) {
     Division step = divide(r0, r1);
-    Polynomial s2 = subtract_product(s0, step.quotient, s1);
+    Coefficients s2 = subtract_product(s0, step.quotient, s1);
     r0 = std::move(r1);
     r1 = std::move(step.remainder);
     s0 = std::move(s1);
@@ -216,4 +216,4 @@ Cyclotomic Cyclotomic::inverse() const {
   return result;
 }
 
-}  // namespace limn
+}  // namespace limn::number

@@ -8,7 +8,7 @@
 
 #include "limn/base/rational.h"
 
-namespace limn {
+namespace limn::number {
 
 /// Coefficients of Φ_N, lowest degree first. Thread-safe; computed once per N.
 [[nodiscard]] const std::vector<Integer>& cyclotomic_polynomial(int n);
@@ -53,4 +53,4 @@ class Cyclotomic {
   std::vector<Rational> coefficients_;  // of 1, ζ, …, ζ^{φ(N)-1}
 };
 
-}  // namespace limn
+}  // namespace limn::number

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace limn {
+namespace limn::number {
 
 /// Row by row.
 template <class Number>
@@ -27,4 +27,4 @@ class DenseMatrix {
   std::vector<Number> entries_;
 };
 
-}  // namespace limn
+}  // namespace limn::number

@@ -5,7 +5,7 @@
 #include <limits>
 #include <numeric>
 
-namespace limn {
+namespace limn::number {
 namespace {
 
 // Largest denominator of a turn for which a cosine is written exactly, largest order of a field
@@ -302,4 +302,4 @@ Result<Exact> Exact::sqrt(const Exact& square) {
   return bounded(std::move(result));
 }
 
-}  // namespace limn
+}  // namespace limn::number

@@ -12,7 +12,7 @@
 #include "limn/base/error.h"
 #include "limn/number/cyclotomic.h"
 
-namespace limn {
+namespace limn::number {
 
 class Exact {
  public:
@@ -92,4 +92,4 @@ class ExactBudget {
   double given_;
 };
 
-}  // namespace limn
+}  // namespace limn::number

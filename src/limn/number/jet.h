@@ -10,7 +10,7 @@
 
 #include "limn/number/arithmetic.h"
 
-namespace limn {
+namespace limn::number {
 
 /// A value and its derivatives by some variables, always the same ones within a calculation.
 struct Jet {
@@ -86,4 +86,4 @@ struct Arithmetic<Jet> {
   }
 };
 
-}  // namespace limn
+}  // namespace limn::number

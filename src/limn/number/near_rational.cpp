@@ -3,7 +3,7 @@
 #include <cmath>
 #include <utility>
 
-namespace limn {
+namespace limn::number {
 
 std::optional<Rational> near_rational(double x, double tolerance, long long largest) {
   constexpr double kLargestNumber = 1e6;
@@ -24,4 +24,4 @@ std::optional<Rational> near_rational(double x, double tolerance, long long larg
   }
 }
 
-}  // namespace limn
+}  // namespace limn::number

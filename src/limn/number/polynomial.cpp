@@ -5,7 +5,7 @@
 #include <numbers>
 #include <set>
 
-namespace limn {
+namespace limn::number {
 
 bool IndeterminateLess::operator()(const Indeterminate& a, const Indeterminate& b) const {
   if (a == b) return false;
@@ -215,4 +215,4 @@ double approx(const Polynomial& a, const std::function<double(const std::string&
   return sum;
 }
 
-}  // namespace limn
+}  // namespace limn::number

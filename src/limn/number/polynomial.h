@@ -15,7 +15,7 @@
 
 #include "limn/base/rational.h"
 
-namespace limn {
+namespace limn::number {
 
 class Polynomial;
 
@@ -107,4 +107,4 @@ class Polynomial {
 [[nodiscard]] double approx(const Polynomial& a,
                             const std::function<double(const std::string&)>& lookup);
 
-}  // namespace limn
+}  // namespace limn::number

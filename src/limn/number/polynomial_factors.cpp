@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <set>
 
-namespace limn {
+namespace limn::number {
 
 Rational content(const Polynomial& a) {
   Integer numerators = 0;
@@ -187,4 +187,4 @@ Result<Coprime> without_common_divisor(const Polynomial&, const Polynomial&) {
 }
 #endif
 
-}  // namespace limn
+}  // namespace limn::number

@@ -8,7 +8,7 @@
 #include "limn/base/error.h"
 #include "limn/number/polynomial.h"
 
-namespace limn {
+namespace limn::number {
 
 /// content · ∏ factorᵉ. Factors are irreducible over the rationals with their indeterminates taken
 /// as independent, have coprime integer coefficients and, as single indeterminates, may have e < 0.
@@ -33,4 +33,4 @@ struct Coprime {
 /// leading monomial. Precondition: a is not 0. Needs no FLINT.
 [[nodiscard]] Rational content(const Polynomial& a);
 
-}  // namespace limn
+}  // namespace limn::number

@@ -8,7 +8,7 @@
 
 #include <fmt/core.h>
 
-namespace limn {
+namespace limn::number {
 namespace {
 
 std::string with_exponent(const std::string& base, int exponent, Notation notation) {
@@ -291,4 +291,4 @@ std::string product_text(const PolynomialFactors& product, Notation notation) {
   return (q < 0 ? "-" : "") + with_coefficient(abs(q), std::move(parts), notation);
 }
 
-}  // namespace limn
+}  // namespace limn::number

@@ -7,7 +7,7 @@
 #include "limn/number/polynomial.h"
 #include "limn/number/polynomial_factors.h"
 
-namespace limn {
+namespace limn::number {
 
 /// Which term of a sum is written first: "3/8 + cos(2*pi/n)/4" rises, "5*n^2 - 30*n + 49" falls.
 enum class TermOrder { rising, falling };
@@ -42,4 +42,4 @@ struct CosineAngle {
 };
 [[nodiscard]] CosineAngle angle_of(const Indeterminate& cosine);
 
-}  // namespace limn
+}  // namespace limn::number

@@ -9,31 +9,29 @@
 #include "limn/number/polynomial_factors.h"
 #include "limn/number/polynomial_text.h"
 
-namespace limn {
+namespace limn::number {
 namespace {
 
-constexpr std::size_t kMostTerms = 2000;
-constexpr int kLargestExponent = 1000;
-constexpr unsigned kMostBits = 20000;  // of a numerator or a denominator
+constexpr std::size_t kMostFormulaTerms = 2000;
+constexpr int kLargestDegree = 1000;
+constexpr unsigned kMostFormulaBits = 20000;  // of a numerator or a denominator
 constexpr double kDecided = 1e-9;
-
-Error fault(const char* message) { return {message}; }
 
 Status bounded(const Polynomial& a) {
   const auto bits = [](const Integer& of) { return of == 0 ? 0 : msb(abs(of)); };
-  if (a.terms().size() > kMostTerms) return fault("a formula has too many terms");
+  if (a.terms().size() > kMostFormulaTerms) return Error{"a formula has too many terms"};
   for (const auto& [monomial, value] : a.terms()) {
-    if (bits(numerator(value)) > kMostBits || bits(denominator(value)) > kMostBits)
-      return fault("the number is too large");
+    if (bits(numerator(value)) > kMostFormulaBits || bits(denominator(value)) > kMostFormulaBits)
+      return Error{"the number is too large"};
     for (const auto& [indeterminate, exponent] : monomial)
-      if (std::abs(exponent) > kLargestExponent) return fault("a formula's degree is too high");
+      if (std::abs(exponent) > kLargestDegree) return Error{"a formula's degree is too high"};
   }
   return Done{};
 }
 
 Result<Polynomial> bounded_product(const Polynomial& a, const Polynomial& b) {
-  if (a.terms().size() * b.terms().size() > kMostTerms * 10)
-    return fault("a formula has too many terms");
+  if (a.terms().size() * b.terms().size() > kMostFormulaTerms * 10)
+    return Error{"a formula has too many terms"};
   Polynomial result = a * b;
   if (Status status = bounded(result); !status) return status.error();
   return result;
@@ -123,7 +121,7 @@ Result<int> constant_sign(const Polynomial& a) {
   if (a.is_rational()) return a.rational() < 0 ? -1 : a.is_zero() ? 0 : 1;
   const double value = approx(Symbolic(a));
   if (!(std::abs(value) > kDecided * magnitude(a)))
-    return fault("cannot decide the sign of a number this close to 0");
+    return Error{"cannot decide the sign of a number this close to 0"};
   return value < 0 ? -1 : 1;
 }
 
@@ -151,7 +149,7 @@ Result<int> sign_amid(const Polynomial& a, const Indeterminate& inner, const Ind
                       powers[1].is_rational() && rest[1].is_rational() && rest[0].is_rational() &&
                       rest.begin()->first >= 0 && rest.rbegin()->first <= 1;
   if (!linear || !(rest[1] == -powers[1]))
-    return fault("cannot decide this comparison for every n and k");
+    return Error{"cannot decide this comparison for every n and k"};
   const Rational size = abs(powers[1].rational());
   const int sign = powers[1].rational() < 0 ? 1 : -1;  // of n - k
   Polynomial supposed = a;
@@ -182,7 +180,7 @@ Result<Symbolic> Symbolic::reduced(Polynomial numerator, Polynomial denominator)
     numerator = *above;
     denominator = *below;
   }
-  if (denominator.is_zero()) return fault("division by zero");
+  if (denominator.is_zero()) return Error{"division by zero"};
   Symbolic result;
   if (denominator.terms().size() > 1) {
     const Monomial lowest = numerator.is_zero() ? Monomial() : numerator.common_monomial();
@@ -238,7 +236,7 @@ Result<Symbolic> Symbolic::multiply(const Symbolic& a, const Symbolic& b) {
 }
 
 Result<Symbolic> Symbolic::divide(const Symbolic& a, const Symbolic& b) {
-  if (b.is_zero()) return fault("division by zero");
+  if (b.is_zero()) return Error{"division by zero"};
   if (is_constant(b.numerator_))
     if (const Result<int> sign = constant_sign(b.numerator_); !sign) return sign.error();
   const Result<Polynomial> above = product_without_squares(a.numerator_, b.denominator_);
@@ -253,7 +251,7 @@ Result<Symbolic> Symbolic::sqrt(const Symbolic& square) {
   if (is_constant(square.numerator_) && is_constant(square.denominator_)) {
     const Result<int> sign = Arithmetic<Symbolic>::sign(square);
     if (!sign) return sign.error();
-    if (*sign < 0) return fault("square root of a negative number");
+    if (*sign < 0) return Error{"square root of a negative number"};
   }
   const Result<int> below = Arithmetic<Symbolic>::sign(square.denominator_);
   if (!below) return below.error();
@@ -316,19 +314,19 @@ Result<int> Arithmetic<Symbolic>::sign(const Symbolic& a) {
                    [](const Indeterminate& indeterminate) {
                      return indeterminate->kind == IndeterminateKind::whole;
                    }))
-    return fault("cannot decide the sign of a formula");
+    return Error{"cannot decide the sign of a formula"};
   if (indeterminates.size() == 1) return eventual_sign(value, indeterminates.front());
   // k stands before n
   if (indeterminates.size() == 2 && indeterminates[1]->name == "n")
     return sign_amid(value, indeterminates[0], indeterminates[1]);
-  return fault("cannot decide the sign of a formula");
+  return Error{"cannot decide the sign of a formula"};
 }
 
 Result<long long> Arithmetic<Symbolic>::integer(const Symbolic& a) {
   if (!a.is_rational() || !limn::is_integer(a.numerator().rational()) ||
       abs(a.numerator().rational()) > Rational(1'000'000'000'000'000LL))
-    return fault("an integer is needed here");
+    return Error{"an integer is needed here"};
   return numerator(a.numerator().rational()).convert_to<long long>();
 }
 
-}  // namespace limn
+}  // namespace limn::number

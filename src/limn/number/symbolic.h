@@ -14,7 +14,7 @@
 #include "limn/number/arithmetic.h"
 #include "limn/number/polynomial.h"
 
-namespace limn {
+namespace limn::number {
 
 class Symbolic {
  public:
@@ -95,7 +95,7 @@ struct Arithmetic<Symbolic> {
   /// a·n + b·k + c: that for large n and k amid 0 … n-1. Of others: an error.
   static Result<int> sign(const Symbolic& a);
   static Result<long long> integer(const Symbolic& a);
-  static double approx(const Symbolic& a) { return limn::approx(a); }
+  static double approx(const Symbolic& a) { return limn::number::approx(a); }
 };
 
-}  // namespace limn
+}  // namespace limn::number

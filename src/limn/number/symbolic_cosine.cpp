@@ -1,12 +1,10 @@
 #include "limn/number/polynomial_text.h"
 #include "limn/number/symbolic.h"
 
-namespace limn {
+namespace limn::number {
 namespace {
 
 constexpr int kMostTurns = 64;  // of an angle's multiple that is resolved
-
-Error fault(const char* message) { return {message}; }
 
 struct CosineAndSine {
   Symbolic cosine;
@@ -68,7 +66,7 @@ Result<CosineAndSine> of_one_angle(const Rational& q, const Monomial& monomial) 
       cosine_sign = -1;
     }
   }
-  if (abs(turns) > kMostTurns) return fault("the multiple of the angle is too high");
+  if (abs(turns) > kMostTurns) return Error{"the multiple of the angle is too high"};
   const Rational unit(Integer(1), d);
   Result<Symbolic> base = monomial.empty()
                               ? cosine_of_fraction(d)
@@ -78,7 +76,7 @@ Result<CosineAndSine> of_one_angle(const Rational& q, const Monomial& monomial) 
   // a product has the radicands in place of the squares of roots
   const Result<Symbolic> cosine = Symbolic::multiply(chebyshev(j, base->numerator()), cosine_sign);
   if (!cosine) return cosine.error();
-  CosineAndSine result{*cosine, fault("the sine of such an angle may have either sign")};
+  CosineAndSine result{*cosine, Error{"the sine of such an angle may have either sign"}};
   if (!in_upper_half(unit, monomial)) return result;
   result.sine = complement(*base);
   if (!result.sine) return result;
@@ -104,10 +102,10 @@ Result<CosineAndSine> cosine_and_sine(const Symbolic& angle) {
   if (angle.is_zero()) return sum;
   const Indeterminate pi = pi_indeterminate();
   if (!(angle.denominator() == Polynomial(1)))
-    return fault("cos and sin take sums of multiples of pi, of pi/n and the like");
+    return Error{"cos and sin take sums of multiples of pi, of pi/n and the like"};
   const std::map<int, Polynomial> powers = angle.numerator().powers_of(pi);
   if (powers.size() != 1 || powers.begin()->first != 1)
-    return fault("cos and sin take multiples of pi in exact arithmetic");
+    return Error{"cos and sin take multiples of pi in exact arithmetic"};
   bool first = true;
   for (const auto& [monomial, q] : powers.begin()->second.terms()) {
     const Result<CosineAndSine> part = of_one_angle(q, monomial);
@@ -142,4 +140,4 @@ Result<Symbolic> symbolic_sin(const Symbolic& angle) {
   return std::move(both->sine);
 }
 
-}  // namespace limn
+}  // namespace limn::number

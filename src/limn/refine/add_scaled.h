@@ -3,7 +3,7 @@
 
 #include "limn/mesh/polygons.h"
 
-namespace limn {
+namespace limn::refine {
 
 /// sum += weight · value. Overload it for a value type that has a quicker way.
 template <class Number, class Value>
@@ -16,4 +16,4 @@ inline void add_scaled(Point3& sum, double weight, const Point3& value) {
   sum.z += weight * value.z;
 }
 
-}  // namespace limn
+}  // namespace limn::refine

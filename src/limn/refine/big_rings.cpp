@@ -7,7 +7,7 @@
 
 #include <unsupported/Eigen/FFT>
 
-namespace limn {
+namespace limn::refine {
 namespace {
 
 using Spectrum = std::vector<std::complex<double>>;
@@ -73,7 +73,7 @@ BigRing::BigRing(const Mesh& mesh, RuleKind kind, Index h, const Row<double>& ro
 std::optional<BigRing::Turn> BigRing::turn(const Mesh& mesh, RuleKind kind, const Step& step,
                                            const std::vector<Index>& anchors) {
   const auto start = [&](Index anchor) {
-    Flag flag = anchor_flags(kind, mesh, anchor).flags[step.flag];
+    Flag flag = scheme::anchor_flags(kind, mesh, anchor).flags[step.flag];
     (void)apply(mesh, step.walk.before, flag);
     return flag;
   };
@@ -101,4 +101,4 @@ std::optional<BigRing::Turn> BigRing::turn(const Mesh& mesh, RuleKind kind, cons
   return turn;
 }
 
-}  // namespace limn
+}  // namespace limn::refine

@@ -10,7 +10,7 @@
 #include "limn/mesh/polygons.h"
 #include "limn/refine/rule_tables.h"
 
-namespace limn {
+namespace limn::refine {
 
 /// From this many neighbours on, the sums are correlated; below, one by one is as quick and rounds
 /// less.
@@ -68,4 +68,4 @@ class BigRing {
   std::vector<Turn> turns_;
 };
 
-}  // namespace limn
+}  // namespace limn::refine

@@ -9,7 +9,7 @@
 #include "limn/refine/refine_values.h"
 #include "limn/refine/step_stencils.h"
 
-namespace limn {
+namespace limn::refine {
 
 /// Tabulates all rows that the step needs. Fails as RuleTables::prepare does.
 template <class Number>
@@ -60,7 +60,7 @@ class CreaseStencils {
     if constexpr (std::is_same_v<Number, double>)
       return x;
     else
-      return Arithmetic<Number>::from(Rational(x));
+      return number::Arithmetic<Number>::from(Rational(x));
   }
 
   /// One new vertex of a view, times `part`.
@@ -150,7 +150,7 @@ template <class Number, class Value>
                                                const std::vector<Value>& old) {
   std::vector<Value> fresh(static_cast<std::size_t>(stencils.count()));
   const auto fill = [&](Index begin, Index end) {
-    parallel_for(begin, end, [&](Index first, Index last) {
+    base::parallel_for(begin, end, [&](Index first, Index last) {
       for (Index i = first; i < last; ++i) {
         Value sum{};
         stencils.visit(i, [&](Source source, const Number& weight) {
@@ -168,4 +168,4 @@ template <class Number, class Value>
   return fresh;
 }
 
-}  // namespace limn
+}  // namespace limn::refine

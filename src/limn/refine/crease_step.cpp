@@ -7,10 +7,12 @@
 
 #include <fmt/core.h>
 
-namespace limn {
+#include "limn/mesh/index.h"
+
+namespace limn::refine {
 namespace {
 
-std::size_t at(Index i) { return static_cast<std::size_t>(i); }
+using mesh::at;
 
 std::array<Index, 2> ends_of(const Mesh& mesh, Index e) {
   const Index h = mesh.halfedge_of_edge(e);
@@ -150,7 +152,7 @@ class CreaseStep::Maker {
   /// all others births tell what it makes.
   [[nodiscard]] View view_of(const std::vector<bool>& along) const {
     View view;
-    view.cut = cut_along(mesh_, along);
+    view.cut = mesh::cut_along(mesh_, along);
     if (split_.boundary_rests()) {
       view.fine = split_.apply(view.cut.mesh, number_);
       return view;
@@ -213,7 +215,7 @@ class CreaseStep::Maker {
     } else {
       step_.now_ = view_of(along);
       if (step_.darts_) step_.whole_births_ = split_.apply(mesh_, number_).births;
-      Result<JoinedMesh> joined = join_again(mesh_, step_.now_.cut, step_.now_.fine);
+      Result<mesh::JoinedMesh> joined = mesh::join_again(mesh_, step_.now_.cut, step_.now_.fine);
       if (!joined) return joined.error();
       step_.fine_ = std::move(joined->fine);
       step_.fine_sharpness_ = infinite_along(joined->seams);
@@ -341,4 +343,4 @@ double CreaseStep::part_near(Index fine_vertex) const {
   return count > 0 ? sum / count : mean_ending_;
 }
 
-}  // namespace limn
+}  // namespace limn::refine

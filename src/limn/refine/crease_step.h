@@ -25,7 +25,7 @@
 #include "limn/mesh/sharpness/sharpness.h"
 #include "limn/scheme/scheme.h"
 
-namespace limn {
+namespace limn::refine {
 
 /// Whether a scheme can take the sharpness of a mesh: it has rules for boundaries (the error names
 /// the first that is missing), its split is no dual one, that split does not cut edges in
@@ -38,7 +38,7 @@ class CreaseStep {
  public:
   /// The mesh, cut and refined.
   struct View {
-    CutMesh cut;
+    mesh::CutMesh cut;
     SplitResult fine;          ///< of the cut mesh
     std::vector<Index> first;  ///< of each new vertex: one copy in `fine`; kNone: an isolated one
     std::vector<Index> next;   ///< of each copy: another one of the same new vertex; or kNone
@@ -112,4 +112,4 @@ class CreaseStep {
   double mean_ending_ = 1;
 };
 
-}  // namespace limn
+}  // namespace limn::refine

@@ -7,7 +7,7 @@
 
 #include "limn/mesh/polygons.h"
 
-namespace limn {
+namespace limn::refine {
 
 /// Σ coefficient · (value at vertex), terms sorted by vertex.
 template <class Number>
@@ -52,4 +52,4 @@ template <class Number>
   return forms;
 }
 
-}  // namespace limn
+}  // namespace limn::refine

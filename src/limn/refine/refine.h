@@ -11,7 +11,7 @@
 #include "limn/refine/refine_estimate.h"
 #include "limn/refine/refine_values.h"
 
-namespace limn {
+namespace limn::refine {
 
 /// Called after each step with the number of steps made so far.
 using RefineProgress = std::function<void(int done, int levels, const Mesh& mesh)>;
@@ -90,7 +90,8 @@ template <class Value, class Number = double>
                                             const RefineProgress& progress = {},
                                             Sharpness sharpness = {}) {
   if (Status takes = check_takes_sharpness(scheme, sharpness); !takes) return takes.error();
-  const Status refinable = check_refinable(scheme, mesh, levels, sizeof(Value), available_memory());
+  const Status refinable =
+      check_refinable(scheme, mesh, levels, sizeof(Value), base::available_memory());
   if (!refinable) return refinable.error();
   RuleTables<Number> tables(scheme);
   Refined<Value> result{std::move(mesh), std::move(values), std::move(sharpness)};
@@ -108,4 +109,4 @@ extern template Result<Refined<Point3>> refine<Point3, double>(const Scheme&, Me
                                                                std::vector<Point3>, int,
                                                                const RefineProgress&, Sharpness);
 
-}  // namespace limn
+}  // namespace limn::refine

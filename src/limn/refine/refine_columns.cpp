@@ -3,12 +3,13 @@
 #include <numeric>
 #include <utility>
 
+#include "limn/mesh/index.h"
 #include "limn/mesh/split/heritage.h"
 
-namespace limn {
+namespace limn::refine {
 namespace {
 
-std::size_t at(Index i) { return static_cast<std::size_t>(i); }
+using mesh::at;
 
 Point3 mix(Point3 a, Point3 b, double part) { return (1 - part) * a + part * b; }
 
@@ -93,7 +94,7 @@ class ColumnStep {
     for (Column& column : state_.columns.linear)
       column = linear_step(*scheme_.split, state_.mesh, fine.births, column);
     if (options_.parents) {
-      std::vector<Index> parents = parent_faces(*scheme_.split, state_.mesh, fine);
+      std::vector<Index> parents = mesh::parent_faces(*scheme_.split, state_.mesh, fine);
       for (Index& parent : parents)
         if (parent != kNone) parent = state_.face_of[at(parent)];
       state_.face_of = std::move(parents);
@@ -112,7 +113,7 @@ class ColumnStep {
 Column linear_step(const Split& split, const Mesh& mesh, const Births& births, const Column& old) {
   const LinearStep step(split, mesh, births, old);
   Column fine(at(step.count()));
-  parallel_for(Index{0}, step.count(), [&](Index first, Index last) {
+  base::parallel_for(Index{0}, step.count(), [&](Index first, Index last) {
     for (Index i = first; i < last; ++i) fine[at(i)] = step.value(i);
   });
   return fine;
@@ -123,7 +124,7 @@ Result<RefinedColumns> refine_columns(const Scheme& scheme, Mesh mesh, Columns c
                                       const ColumnOptions& options) {
   if (Status takes = check_takes_sharpness(scheme, sharpness); !takes) return takes.error();
   const std::size_t bytes = sizeof(Point3) * (columns.smooth.size() + columns.linear.size());
-  if (Status refinable = check_refinable(scheme, mesh, levels, bytes, available_memory());
+  if (Status refinable = check_refinable(scheme, mesh, levels, bytes, base::available_memory());
       !refinable)
     return refinable.error();
   RuleTables<double> tables(scheme);
@@ -140,4 +141,4 @@ Result<RefinedColumns> refine_columns(const Scheme& scheme, Mesh mesh, Columns c
   return state;
 }
 
-}  // namespace limn
+}  // namespace limn::refine

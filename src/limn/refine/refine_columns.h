@@ -6,7 +6,7 @@
 
 #include "limn/refine/refine.h"
 
-namespace limn {
+namespace limn::refine {
 
 /// Three numbers for each vertex of a mesh.
 using Column = std::vector<Point3>;
@@ -42,4 +42,4 @@ struct RefinedColumns {
                                                     Columns columns, Sharpness sharpness,
                                                     int levels, const ColumnOptions& options = {});
 
-}  // namespace limn
+}  // namespace limn::refine

@@ -125,14 +125,15 @@ RefineEstimate estimate_refinement(const Split& split, const Mesh& mesh, int lev
 std::string text_of(const RefineEstimate& estimate, int levels) {
   return fmt::format(
       "{} level{} make about {:.3g} vertices and {:.3g} faces, in about {} of memory", levels,
-      levels == 1 ? "" : "s", estimate.vertices, estimate.faces, bytes_text(estimate.peak_bytes));
+      levels == 1 ? "" : "s", estimate.vertices, estimate.faces,
+      base::bytes_text(estimate.peak_bytes));
 }
 
 Status check_memory(const RefineEstimate& estimate, int levels, double memory_limit) {
   if (estimate.peak_bytes <= memory_limit) return Done{};
   return Error{fmt::format("{} and need about {} of memory; {} are free",
                            size_text(estimate.vertices, estimate.faces, levels),
-                           bytes_text(estimate.peak_bytes), bytes_text(memory_limit)),
+                           base::bytes_text(estimate.peak_bytes), base::bytes_text(memory_limit)),
                "use fewer levels"};
 }
 

@@ -10,7 +10,7 @@
 #include "limn/refine/staged_step.h"
 #include "limn/refine/step_stencils.h"
 
-namespace limn {
+namespace limn::refine {
 
 namespace detail {
 
@@ -22,7 +22,7 @@ class ValueStep {
             const RuleTables<Number>& tables, const std::vector<Value>& old)
       : stencils_(scheme, mesh, births, tables),
         old_(old),
-        fresh_(large_vector<Value>(static_cast<std::size_t>(stencils_.count()))) {}
+        fresh_(base::large_vector<Value>(static_cast<std::size_t>(stencils_.count()))) {}
 
   /// Only the new vertices of the list, in its order.
   std::vector<Value> run_at(const std::vector<Index>& wanted) {
@@ -53,7 +53,7 @@ class ValueStep {
   }
 
   void fill(Index begin, Index end) {
-    parallel_for(begin, end, [&](Index first, Index last) {
+    base::parallel_for(begin, end, [&](Index first, Index last) {
       for (Index i = first; i < last; ++i) fresh_[i] = value(i);
     });
   }
@@ -120,4 +120,4 @@ template <class Number, class Value>
   return detail::ValueStep<Number, Value>(scheme, mesh, births, tables, old).run_at(wanted);
 }
 
-}  // namespace limn
+}  // namespace limn::refine

@@ -10,7 +10,7 @@
 #include "limn/refine/weight_form.h"
 #include "limn/scheme/scope.h"
 
-namespace limn {
+namespace limn::refine {
 namespace {
 
 constexpr double kSumTolerance = 1e-9;
@@ -135,8 +135,8 @@ Program compile(const RuleCase& rule_case, RuleKind kind, Lattice lattice) {
   Program program;
   for (const Weight& weight : rule_case.weights) {
     // the reader has refused roles that cannot be placed
-    const Placement placement = place(kind, lattice, weight.walk).value();
-    for (const Start& start : placement.starts) {
+    const scheme::Placement placement = scheme::place(kind, lattice, weight.walk).value();
+    for (const scheme::Start& start : placement.starts) {
       Step step;
       step.walk = weight.walk;
       step.flag = start.flag;
@@ -156,9 +156,10 @@ namespace {
 
 /// Those that were not decided when the file was read.
 Status check_late(const Scheme& scheme, RuleKind kind, int n, std::optional<int> quads = {}) {
-  const bool checked_on_reading = n >= kSmallestValence && n <= kLargestCheckedValence;
+  const bool checked_on_reading =
+      n >= scheme::kSmallestValence && n <= scheme::kLargestCheckedValence;
   if (checked_on_reading || n > kLargestExactValence) return Done{};
-  return check_rule(scheme, kind, n, quads);
+  return scheme::check_rule(scheme, kind, n, quads);
 }
 
 /// A row of a scheme of stages.
@@ -166,17 +167,18 @@ template <class Number>
 Result<Row<Number>> stage_row(const Scheme& scheme, RuleKind kind, int n,
                               std::optional<int> quads) {
   Row<Number> row;
-  Scope<Number> scope(scheme, n, std::nullopt);
-  if (quads) scope.give(std::string(kQuads), Arithmetic<Number>::from(Rational(*quads)));
+  scheme::Scope<Number> scope(scheme, n, std::nullopt);
+  if (quads)
+    scope.give(std::string(scheme::kQuads), number::Arithmetic<Number>::from(Rational(*quads)));
   if (kind == RuleKind::face) {
     Result<Number> value = scope(scheme.stages->corner.value);
     if (!value) return value.error();
     row.weights.push_back(std::move(*value));
   }
   if (kind != RuleKind::vertex) return row;  // it has no others
-  const Result<const RuleCase*> pair = applicable_case(scheme, kind, n, quads);
+  const Result<const RuleCase*> pair = scheme::applicable_case(scheme, kind, n, quads);
   if (!pair) return pair.error();
-  if (*pair == nullptr) return missing_rule(scheme, kind, n, quads);
+  if (*pair == nullptr) return scheme::missing_rule(scheme, kind, n, quads);
   if (Status status = check_late(scheme, kind, n, quads); !status) return status.error();
   row.weights.assign(kPairRoles.size(), Number(0));
   for (const Weight& weight : (*pair)->weights) {
@@ -193,12 +195,12 @@ template <class Number>
 Result<Row<Number>> tabulate_row(const Scheme& scheme, RuleKind kind, int n,
                                  std::optional<int> quads) {
   if (scheme.stages) return stage_row<Number>(scheme, kind, n, quads);
-  const Result<const RuleCase*> rule_case = applicable_case(scheme, kind, n);
+  const Result<const RuleCase*> rule_case = scheme::applicable_case(scheme, kind, n);
   if (!rule_case) return rule_case.error();
   Row<Number> row;
   if (*rule_case == nullptr) {
     if (stands_in_for(kind, *scheme.split)) return row;
-    return missing_rule(scheme, kind, n);
+    return scheme::missing_rule(scheme, kind, n);
   }
   if (Status status = check_late(scheme, kind, n); !status) return status.error();
   auto program = std::make_shared<Program>(compile(**rule_case, kind, scheme.split->lattice));
@@ -208,12 +210,12 @@ Result<Row<Number>> tabulate_row(const Scheme& scheme, RuleKind kind, int n,
   for (const Step& step : *program) {
     const int repeats = step.walk.repeated ? n : 1;
     for (int k = 0; k < repeats; ++k) {
-      Scope<Number> scope(scheme, valence,
-                          step.walk.repeated ? std::optional<long long>(k) : std::nullopt);
+      scheme::Scope<Number> scope(scheme, valence,
+                                  step.walk.repeated ? std::optional<long long>(k) : std::nullopt);
       Result<Number> value = scope(step.weight->value);
       if (!value) return value.error();
-      row.weights.push_back(Arithmetic<Number>::from(step.share) * *value);
-      sum += Arithmetic<Number>::approx(row.weights.back()) * (step.per_sector ? n : 1);
+      row.weights.push_back(number::Arithmetic<Number>::from(step.share) * *value);
+      sum += number::Arithmetic<Number>::approx(row.weights.back()) * (step.per_sector ? n : 1);
     }
   }
   if (!(std::abs(sum - 1) < kSumTolerance))
@@ -246,7 +248,7 @@ Status RuleTables<Number>::add(RuleKind kind, Index n, Index example) {
 
 template <class Number>
 Status RuleTables<Number>::prepare_vertices(const Mesh& mesh, bool boundary_refined) {
-  const std::vector<Index> counted = valences(mesh);
+  const std::vector<Index> counted = mesh::valences(mesh);
   for (Index v = 0; v < mesh.vertex_count(); ++v) {
     if (mesh.is_isolated(v)) continue;
     const bool boundary = mesh.is_boundary_vertex(v);
@@ -265,7 +267,8 @@ Status RuleTables<Number>::add_seen_from(bool boundary, Index n, Index example) 
   constexpr std::array outside{RuleKind::boundary_spoke, RuleKind::boundary_edge_end};
   for (const RuleKind kind : boundary ? outside : inside) {
     if (!scheme_->rule(kind) || !stands_in_for(kind, *scheme_->split)) continue;
-    if (kind == RuleKind::boundary_spoke && n < kSmallestValence) continue;  // it has no spoke
+    if (kind == RuleKind::boundary_spoke && n < scheme::kSmallestValence)
+      continue;  // it has no spoke
     if (Status status = add(kind, n, example); !status) return status;
   }
   return Done{};
@@ -355,9 +358,10 @@ Status RuleTables<Number>::prepare(const Mesh& mesh, const Births& births) {
 }
 
 template Result<Row<double>> tabulate_row<double>(const Scheme&, RuleKind, int, std::optional<int>);
-template Result<Row<Exact>> tabulate_row<Exact>(const Scheme&, RuleKind, int, std::optional<int>);
+template Result<Row<number::Exact>> tabulate_row<number::Exact>(const Scheme&, RuleKind, int,
+                                                                std::optional<int>);
 template class RuleTables<double>;
-template class RuleTables<Exact>;
+template class RuleTables<number::Exact>;
 template Status RuleTables<WeightForm>::prepare(const Mesh&, const Births&);
 
-}  // namespace limn
+}  // namespace limn::refine

@@ -13,7 +13,7 @@
 #include "limn/scheme/placement.h"
 #include "limn/scheme/scheme.h"
 
-namespace limn {
+namespace limn::refine {
 
 /// A walk from the half-edge that names an anchor, without its flags: which end of an edge a walk
 /// is at is known beforehand, so that only moves between half-edges are left to make.
@@ -42,7 +42,7 @@ struct Step {
   bool per_sector = false;
   Walk walk;
   int flag = 0;
-  Extension extension;
+  scheme::Extension extension;
   Rational share = 1;
   const Weight* weight = nullptr;  // in the scheme that the tables were made for
 };
@@ -157,7 +157,7 @@ void visit_walk(const Mesh& mesh, const Step& step, Flag flag, const Number& wei
       sink(Source{vertex_of(mesh, flag), false}, weight);
     return;
   }
-  const Extension outside = step.extension;
+  const scheme::Extension outside = step.extension;
   Flag across = start;
   Flag aside = start;
   (void)apply(mesh, Move::vertex, across);
@@ -216,7 +216,7 @@ const Number* visit_turns(const Mesh& mesh, const Step& step, Index h, const Num
 
 /// The same, round a vertex whose ring is known.
 template <class Number, class Sink>
-const Number* visit_ring(const Mesh& mesh, const Rings& rings, const Step& step, Index h,
+const Number* visit_ring(const Mesh& mesh, const mesh::Rings& rings, const Step& step, Index h,
                          const Number* weight, Sink& sink) {
   const Index first = follow(mesh, step.way, h), v = mesh.origin(first);
   const Index begin = rings.begin[v], end = rings.begin[v + 1], from = rings.place[first];
@@ -244,7 +244,7 @@ const Number* visit_ring(const Mesh& mesh, const Rings& rings, const Step& step,
 /// where vertices are gone round often.
 template <class Number, class Sink>
 void visit_stencil(const Mesh& mesh, RuleKind kind, Index h, bool at_target, const Row<Number>& row,
-                   Sink&& sink, const Rings* rings = nullptr) {
+                   Sink&& sink, const mesh::Rings* rings = nullptr) {
   const Number* weight = row.weights.data();
   std::array<Index, kSharedSteps> ends;  // where steps' hops ended, for those that go on from there
   const auto visit = [&](const Step& step, Index anchor) {
@@ -253,7 +253,7 @@ void visit_stencil(const Mesh& mesh, RuleKind kind, Index h, bool at_target, con
       if (step.kept >= 0) ends[step.kept] = end;
       if (end != kNone) return sink(Source{mesh.origin(end), false}, *weight);
     }
-    const Flag start = anchor_flags(kind, mesh, anchor, at_target).flags[step.flag];
+    const Flag start = scheme::anchor_flags(kind, mesh, anchor, at_target).flags[step.flag];
     detail::visit_walk(mesh, step, start, *weight, sink);
   };
   for (const Step& step : *row.program) {
@@ -264,7 +264,7 @@ void visit_stencil(const Mesh& mesh, RuleKind kind, Index h, bool at_target, con
       continue;
     }
     if (step.walk.repeated) {
-      const Flag start = anchor_flags(kind, mesh, h, at_target).flags[step.flag];
+      const Flag start = scheme::anchor_flags(kind, mesh, h, at_target).flags[step.flag];
       weight = detail::visit_repeated(mesh, step, start, weight, sink);
       continue;
     }
@@ -278,4 +278,4 @@ void visit_stencil(const Mesh& mesh, RuleKind kind, Index h, bool at_target, con
   }
 }
 
-}  // namespace limn
+}  // namespace limn::refine

@@ -10,7 +10,7 @@
 #include "limn/mesh/split/split.h"
 #include "limn/scheme/scheme.h"
 
-namespace limn::detail {
+namespace limn::refine::detail {
 
 class StagedMesh {
  public:
@@ -93,4 +93,4 @@ class StagedMesh {
   std::vector<Index> centers_;  // of each face its vertex, where only some have one
 };
 
-}  // namespace limn::detail
+}  // namespace limn::refine::detail

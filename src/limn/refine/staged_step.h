@@ -17,7 +17,7 @@
 #include "limn/refine/rule_tables.h"
 #include "limn/refine/staged_mesh.h"
 
-namespace limn::detail {
+namespace limn::refine::detail {
 
 template <class Number, class Value>
 class StagedStep {
@@ -32,9 +32,9 @@ class StagedStep {
         old_(old),
         cut_(*scheme.stages, mesh, births),
         vertex_count_(cut_.vertex_count()),
-        half_(Arithmetic<Number>::from(Rational(1, 2))),
-        quarter_(Arithmetic<Number>::from(Rational(1, 4))),
-        one_(Arithmetic<Number>::from(Rational(1))) {}
+        half_(number::Arithmetic<Number>::from(Rational(1, 2))),
+        quarter_(number::Arithmetic<Number>::from(Rational(1, 4))),
+        one_(number::Arithmetic<Number>::from(Rational(1))) {}
 
   /// The values at the new vertices, in the order of the births. Cost O(averagings · mesh).
   std::vector<Value> run() {
@@ -73,7 +73,7 @@ class StagedStep {
   /// Calls visit(i) for what is needed of a stage, on all threads.
   template <class Visit>
   void for_needed(const Marks& marks, std::size_t stage, Index count, Visit&& visit) const {
-    parallel_for(Index{0}, count, [&](Index first, Index last) {
+    base::parallel_for(Index{0}, count, [&](Index first, Index last) {
       for (Index i = first; i < last; ++i)
         if (marks.empty() || marks[stage][at(i)] != 0) visit(i);
     });
@@ -83,7 +83,7 @@ class StagedStep {
     vertices_.resize(at(vertex_count_));
     for_needed(marks, 0, vertex_count_, [&](Index i) { vertices_[at(i)] = bilinear(i); });
     for (std::size_t pair = 1; pair <= pairs(); ++pair) {
-      std::vector<Value> fresh = large_vector<Value>(at(vertex_count_));
+      std::vector<Value> fresh = base::large_vector<Value>(at(vertex_count_));
       for_needed(marks, pair, vertex_count_, [&](Index i) {
         visit_pair(i, [&](Index v, const Number& weight) {
           add_scaled(fresh[at(i)], weight, vertices_[at(v)]);
@@ -214,4 +214,4 @@ class StagedStep {
   std::vector<Value> vertices_, faces_;
 };
 
-}  // namespace limn::detail
+}  // namespace limn::refine::detail

@@ -4,7 +4,7 @@
 
 #include "limn/mesh/pattern.h"
 
-namespace limn {
+namespace limn::refine {
 namespace {
 
 /// Whether corners of quad rings count to the ring beyond.
@@ -28,15 +28,16 @@ Index refined_start(const Split& split, const Mesh& coarse, const SplitResult& f
 }  // namespace
 
 Mesh split_star(const Split& split, Index n, Index rings) {
-  if (crops_corners(split)) return cropped_star(n, rings);
-  return split.is_dual() ? face_star(n, rings) : star(split.lattice, n, rings);
+  if (crops_corners(split)) return mesh::cropped_star(n, rings);
+  return split.is_dual() ? mesh::face_star(n, rings) : mesh::star(split.lattice, n, rings);
 }
 
 int least_star_rings(const Split& split) { return crops_corners(split) ? 2 : 1; }
 
 Index split_star_size(const Split& split, Index n, Index rings) {
-  if (crops_corners(split)) return cropped_star_size(n, rings);
-  return split.is_dual() ? face_star_size(n, rings) : star_size(split.lattice, n, rings);
+  if (crops_corners(split)) return mesh::cropped_star_size(n, rings);
+  return split.is_dual() ? mesh::face_star_size(n, rings)
+                         : mesh::star_size(split.lattice, n, rings);
 }
 
 StarStep star_step(const Split& split, int n, int rings) {
@@ -45,17 +46,17 @@ StarStep star_step(const Split& split, int n, int rings) {
   step.coarse = split_star(split, n, rings + kMargin);
   step.fine = split.apply(step.coarse, 0);
   step.size = inner.vertex_count();
-  const bool found = Pattern(inner, 0).match(
+  const bool found = mesh::Pattern(inner, 0).match(
       step.fine.mesh, refined_start(split, step.coarse, step.fine), step.images);
   assert(found);
   (void)found;
   return step;
 }
 
-SectorStep sector_step(const Split& split, const Sectors& sectors, int rings) {
-  const Mesh inner = sector_star(sectors, rings);
+SectorStep sector_step(const Split& split, const mesh::Sectors& sectors, int rings) {
+  const Mesh inner = mesh::sector_star(sectors, rings);
   SectorStep step;
-  step.coarse = sector_star(sectors, rings + kMargin);
+  step.coarse = mesh::sector_star(sectors, rings + kMargin);
   step.size = inner.vertex_count();
   step.fine.push_back(split.apply(step.coarse, 0));
   // the boundary of a trisecting split moves in every second step only
@@ -64,10 +65,10 @@ SectorStep sector_step(const Split& split, const Sectors& sectors, int rings) {
   const Mesh& last = step.fine.back().mesh;
   const Index start = sectors.open ? last.halfedge_of_vertex(0)
                                    : refined_start(split, step.coarse, step.fine.back());
-  const bool found = Pattern(inner, 0).match(last, start, step.images);
+  const bool found = mesh::Pattern(inner, 0).match(last, start, step.images);
   assert(found);
   (void)found;
   return step;
 }
 
-}  // namespace limn
+}  // namespace limn::refine

@@ -6,7 +6,7 @@
 #include "limn/mesh/lattice.h"
 #include "limn/mesh/split/split.h"
 
-namespace limn {
+namespace limn::refine {
 
 /// The star round a vertex (the cropped star where a step turns quads by half a sector), or of a
 /// dual split the face star (mesh/lattice.h), and its size. Rings of one kind only.
@@ -40,6 +40,6 @@ struct SectorStep {
 
 /// Sectors as for `sector_star`, of lattices that the split takes; rings ≥ 1. For splits that keep
 /// the old vertices; of a closed star, those that do not turn.
-[[nodiscard]] SectorStep sector_step(const Split& split, const Sectors& sectors, int rings);
+[[nodiscard]] SectorStep sector_step(const Split& split, const mesh::Sectors& sectors, int rings);
 
-}  // namespace limn
+}  // namespace limn::refine

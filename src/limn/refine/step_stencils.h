@@ -14,7 +14,7 @@
 #include "limn/refine/big_rings.h"
 #include "limn/refine/rule_tables.h"
 
-namespace limn {
+namespace limn::refine {
 
 template <class Number>
 class StepStencils {
@@ -32,13 +32,13 @@ class StepStencils {
         mesh_(mesh),
         births_(births),
         tables_(tables),
-        one_(Arithmetic<Number>::from(Rational(1))),
+        one_(number::Arithmetic<Number>::from(Rational(1))),
         faces_at_(births.from_vertices + births.from_edges),
         corners_at_(faces_at_ + births.from_faces),
         isolated_at_(corners_at_ + births.from_corners) {
     assert(!scheme.stages);
     for (std::size_t count = 1; count < shares_.size(); ++count)
-      shares_[count] = Arithmetic<Number>::from(Rational(1, static_cast<int>(count)));
+      shares_[count] = number::Arithmetic<Number>::from(Rational(1, static_cast<int>(count)));
   }
 
   /// The number of new vertices.
@@ -53,19 +53,19 @@ class StepStencils {
   /// for all old vertices. Cost O(mesh).
   void prepare_all() {
     const bool from_ends = uses_ends(), from_corners = uses_corners();
-    if (births_.from_vertices > 0 || from_ends || from_corners) valences_ = valences(mesh_);
+    if (births_.from_vertices > 0 || from_ends || from_corners) valences_ = mesh::valences(mesh_);
     if (!from_ends && !from_corners) return;
     const auto count = static_cast<std::size_t>(mesh_.vertex_count());
     if (from_ends) end_rows_.resize(count);
     if (from_corners) corner_rows_.resize(count);
-    parallel_for_each(mesh_.vertex_count(), [&](Index v) {
+    base::parallel_for_each(mesh_.vertex_count(), [&](Index v) {
       if (mesh_.is_isolated(v)) return;
       if (from_ends) end_rows_[v] = end_row(v);
       if (from_corners) corner_rows_[v] = corner_row(v);
     });
     turns_ = std::any_of(end_rows_.begin(), end_rows_.end(), turns) ||
              std::any_of(corner_rows_.begin(), corner_rows_.end(), turns);
-    if (turns_) rings_ = rings(mesh_, valences_);
+    if (turns_) rings_ = mesh::rings(mesh_, valences_);
   }
 
   /// Round what has kBigRing anchors or more (big_rings.h), new vertices weigh from now on a sum
@@ -322,11 +322,11 @@ class StepStencils {
   std::vector<Index> valences_;
   std::vector<const Row<Number>*> end_rows_, corner_rows_;
   bool turns_ = false;
-  Rings rings_;  // where there is a use for them
+  mesh::Rings rings_;  // where there is a use for them
   std::vector<BigRing> big_rings_;
   std::size_t big_rings_of_faces_ = 0;
   std::vector<Slot> slots_, face_slots_;  // of each half-edge, or empty
   Index next_sum_ = 0;
 };
 
-}  // namespace limn
+}  // namespace limn::refine

@@ -7,7 +7,7 @@
 #include "limn/refine/star_step.h"
 #include "limn/scheme/lattice_schemes.h"
 
-namespace limn {
+namespace limn::refine {
 namespace {
 
 Error not_invariant(const Scheme& scheme, int n, int rings) {
@@ -20,10 +20,10 @@ Error not_invariant(const Scheme& scheme, int n, int rings) {
 
 template <class Number>
 Result<SubdivisionMatrix<Number>> subdivision_matrix(const Scheme& scheme, int n, int rings) {
-  if (Status status = check_one_lattice(scheme); !status) return status.error();
+  if (Status status = scheme::check_one_lattice(scheme); !status) return status.error();
   const Split& split = *scheme.split;
-  if (n < kSmallestValence)
-    return Error{fmt::format("valence {} is below {}", n, kSmallestValence)};
+  if (n < scheme::kSmallestValence)
+    return Error{fmt::format("valence {} is below {}", n, scheme::kSmallestValence)};
   if (rings < 1) return Error{"a neighbourhood needs at least one ring"};
   if (rings < least_star_rings(split)) return not_invariant(scheme, n, rings);
   const StarStep step = star_step(split, n, rings);
@@ -43,7 +43,7 @@ Result<SubdivisionMatrix<Number>> subdivision_matrix(const Scheme& scheme, int n
       if (vertex < step.size) {
         matrix.entries[static_cast<std::size_t>(i) * static_cast<std::size_t>(step.size) +
                        static_cast<std::size_t>(vertex)] = value;
-      } else if (Arithmetic<Number>::approx(value) != 0) {
+      } else if (number::Arithmetic<Number>::approx(value) != 0) {
         return not_invariant(scheme, n, rings);
       }
     }
@@ -61,6 +61,7 @@ Result<int> invariant_rings(const Scheme& scheme, int n, int largest) {
 }
 
 template Result<SubdivisionMatrix<double>> subdivision_matrix<double>(const Scheme&, int, int);
-template Result<SubdivisionMatrix<Exact>> subdivision_matrix<Exact>(const Scheme&, int, int);
+template Result<SubdivisionMatrix<number::Exact>> subdivision_matrix<number::Exact>(const Scheme&,
+                                                                                    int, int);
 
-}  // namespace limn
+}  // namespace limn::refine

@@ -6,7 +6,7 @@
 #include "limn/refine/linear_form.h"
 #include "limn/scheme/scheme.h"
 
-namespace limn {
+namespace limn::refine {
 
 /// Row i holds the weights of the i-th vertex of the refined star over the vertices of the old one,
 /// both numbered as in star_step.h.
@@ -35,6 +35,7 @@ template <class Number>
 
 extern template Result<SubdivisionMatrix<double>> subdivision_matrix<double>(const Scheme&, int,
                                                                              int);
-extern template Result<SubdivisionMatrix<Exact>> subdivision_matrix<Exact>(const Scheme&, int, int);
+extern template Result<SubdivisionMatrix<number::Exact>> subdivision_matrix<number::Exact>(
+    const Scheme&, int, int);
 
-}  // namespace limn
+}  // namespace limn::refine

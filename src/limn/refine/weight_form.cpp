@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <iterator>
 
-namespace limn {
+namespace limn::refine {
 
 WeightForm operator+(WeightForm a, const WeightForm& b) {
   for (const auto& [names, coefficient] : b.terms_) a.terms_[names] += coefficient;
@@ -21,4 +21,4 @@ WeightForm operator*(const WeightForm& a, const WeightForm& b) {
   return result;
 }
 
-}  // namespace limn
+}  // namespace limn::refine

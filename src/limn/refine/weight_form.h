@@ -7,7 +7,7 @@
 
 #include "limn/number/arithmetic.h"
 
-namespace limn {
+namespace limn::refine {
 
 /// Σ coefficient · product of named weights. Of most stencils the degree is 0 or 1.
 class WeightForm {
@@ -33,10 +33,14 @@ class WeightForm {
   std::map<Names, double> terms_;
 };
 
+}  // namespace limn::refine
+
+namespace limn::number {
+
 /// What refinement of values needs of a number; no expression is evaluated in weight forms.
 template <>
-struct Arithmetic<WeightForm> {
-  static WeightForm from(const Rational& q) { return {to_double(q)}; }
+struct Arithmetic<refine::WeightForm> {
+  static refine::WeightForm from(const Rational& q) { return {to_double(q)}; }
 };
 
-}  // namespace limn
+}  // namespace limn::number

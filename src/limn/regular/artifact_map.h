@@ -5,7 +5,7 @@
 
 #include "limn/regular/artifacts.h"
 
-namespace limn {
+namespace limn::regular {
 
 /// Frequencies (x0 + i dx, y0 + j dy), 0 ≤ i < nx, 0 ≤ j < ny.
 struct FrequencyGrid {
@@ -23,4 +23,4 @@ struct FrequencyGrid {
 [[nodiscard]] std::vector<std::vector<double>> limit_map(const ArtifactAnalysis& analysis,
                                                          const FrequencyGrid& grid);
 
-}  // namespace limn
+}  // namespace limn::regular

@@ -56,12 +56,12 @@ ArtifactAnalysis::ArtifactAnalysis(const Mask& mask)
       aliases_(dual_cosets(mask.dilation)),
       symbol_(mask.coefficients, 1.0 / mask.dilation.growth()),
       stage_(smoothing_stage(mask.lattice, mask.dilation)) {
-  const auto limit = approx_limit_stencil(mask);
+  const auto limit = regular::approx_limit_stencil(mask);
   if (limit)
     limit_ = symbol_of(*limit);
   else
     limit_status_ = limit.error();
-  const auto inner = approx_inner_products(mask);
+  const auto inner = regular::approx_inner_products(mask);
   if (inner)
     inner_products_ = symbol_of(*inner);
   else
@@ -184,7 +184,7 @@ StepsEnergy::StepsEnergy(const ArtifactAnalysis& analysis, int steps) : analysis
   // the transition operator of the autocorrelation, applied to the constant 1
   const LatticeMatrix& dilation = analysis.mask().dilation;
   std::map<LatticeVector, double> squared;
-  for (const auto& [k, weight] : autocorrelation(analysis.mask()).coefficients)
+  for (const auto& [k, weight] : regular::autocorrelation(analysis.mask()).coefficients)
     squared[{k[0] / 2, k[1] / 2}] = to_double(weight);
   std::map<LatticeVector, double> sums{{{0, 0}, 1.0}};
   for (int step = 0; step < steps; ++step) {

@@ -60,14 +60,14 @@ Laurent expand(const Factorization& factors, const Mask& shape) {
   for (int i = 0; i < factors.stages; ++i) result = product(result, stage);
   for (const auto& [step, count] : factors.directions)
     for (int i = 0; i < count; ++i)
-      result = product(result, smoothing_direction(step, shape.dilation));
+      result = product(result, scheme::smoothing_direction(step, shape.dilation));
   return result;
 }
 
 Laurent smoothing_stage(Lattice lattice, const LatticeMatrix& dilation) {
   Laurent stage{{{0, 0}, Rational(1)}};
   for (const LatticeVector step : edge_directions(lattice))
-    stage = product(stage, smoothing_direction(step, dilation));
+    stage = product(stage, scheme::smoothing_direction(step, dilation));
   return stage;
 }
 

@@ -13,7 +13,7 @@
 #include "limn/regular/regular_mask.h"
 #include "limn/scheme/mask_rules.h"
 
-namespace limn {
+namespace limn::regular {
 namespace {
 
 /// a^power, a by twice the offset.
@@ -72,12 +72,12 @@ std::vector<Power> symbol_powers(const Mask& mask, const Factorization& factors)
   const Laurent stage = smoothing_stage(mask.lattice, mask.dilation);
   if (is_odd(stage)) {
     for (const LatticeVector step : edge_directions(mask.lattice))
-      append(powers, smoothing_direction(step, mask.dilation), factors.stages);
+      append(powers, scheme::smoothing_direction(step, mask.dilation), factors.stages);
   } else {
     append(powers, stage, factors.stages);
   }
   for (const auto& [step, count] : factors.directions)
-    append(powers, smoothing_direction(step, mask.dilation), count);
+    append(powers, scheme::smoothing_direction(step, mask.dilation), count);
   return powers;
 }
 
@@ -110,7 +110,7 @@ std::string latex_angle(std::string text) {
 
 struct Writer {
   Lattice lattice;
-  Notation notation;
+  number::Notation notation;
 
   /// "c1", "c12", … of twice an offset; empty where the cosine has no short name.
   [[nodiscard]] std::string short_name(LatticeVector k) const {
@@ -123,8 +123,8 @@ struct Writer {
     for (const Named& named : kTriangle) {
       if (lattice == Lattice::quad && named.name[0] == '3') break;
       if (named.k != k && named.k != LatticeVector{-k[0], -k[1]}) continue;
-      return notation == Notation::text ? fmt::format("c{}", named.name)
-                                        : fmt::format("c_{{{}}}", named.name);
+      return notation == number::Notation::text ? fmt::format("c{}", named.name)
+                                                : fmt::format("c_{{{}}}", named.name);
     }
     return {};
   }
@@ -142,7 +142,7 @@ struct Writer {
     if (!quarter)
       angle += fmt::format(" + {}pi/{}", numerator == 1 ? "" : fmt::format("{}*", numerator),
                            denominator);
-    if (notation == Notation::text)
+    if (notation == number::Notation::text)
       return {sign, fmt::format("{}({})", sine ? "sin" : "cos", angle)};
     return {sign, fmt::format("\\{}({})", sine ? "sin" : "cos", latex_angle(angle))};
   }
@@ -158,7 +158,7 @@ struct Writer {
     return (angle.find(' ') != std::string::npos ? "(" + angle + ")" : angle) + "/2";
   }
 
-  [[nodiscard]] std::string times() const { return notation == Notation::text ? "*" : ""; }
+  [[nodiscard]] std::string times() const { return notation == number::Notation::text ? "*" : ""; }
 
   /// The primitive integer polynomial of which `base` is `content` times.
   [[nodiscard]] std::string polynomial(const Laurent& base, const Rational& content,
@@ -243,7 +243,7 @@ std::string Writer::polynomial(const Laurent& base, const Rational& content,
 }
 
 std::string formula(const Mask& mask, const std::vector<Power>& powers, LatticeVector kappa,
-                    Notation notation) {
+                    number::Notation notation) {
   const Writer writer{mask.lattice, notation};
   Rational scale = 1;
   std::vector<std::string> factors;
@@ -256,8 +256,8 @@ std::string formula(const Mask& mask, const std::vector<Power>& powers, LatticeV
         !one_term || exponent > 1)
       text = "(" + text + ")";
     if (exponent > 1)
-      text += notation == Notation::text ? fmt::format("^{}", exponent)
-                                         : fmt::format("^{{{}}}", exponent);
+      text += notation == number::Notation::text ? fmt::format("^{}", exponent)
+                                                 : fmt::format("^{{{}}}", exponent);
     factors.push_back(text);
   }
   std::string text;
@@ -268,7 +268,8 @@ std::string formula(const Mask& mask, const std::vector<Power>& powers, LatticeV
     text = above == -1 && !text.empty() ? "-" + text
                                         : above.str() + (text.empty() ? "" : writer.times()) + text;
   if (below == 1) return text;
-  if (notation == Notation::latex) return fmt::format("\\frac{{{}}}{{{}}}", text, below.str());
+  if (notation == number::Notation::latex)
+    return fmt::format("\\frac{{{}}}{{{}}}", text, below.str());
   if (factors.size() == 1 && factors.front().find(' ') != std::string::npos &&
       factors.front().front() != '(')
     text = "(" + text + ")";
@@ -276,7 +277,7 @@ std::string formula(const Mask& mask, const std::vector<Power>& powers, LatticeV
 }
 
 std::vector<std::string> formulas(const Mask& mask, const std::vector<Power>& powers,
-                                  Notation notation) {
+                                  number::Notation notation) {
   std::vector<std::string> result;
   for (const LatticeVector kappa : dual_cosets(mask.dilation))
     result.push_back(formula(mask, powers, kappa, notation));
@@ -285,11 +286,11 @@ std::vector<std::string> formulas(const Mask& mask, const std::vector<Power>& po
 
 }  // namespace
 
-std::vector<std::string> step_formulas(const Mask& mask, Notation notation) {
+std::vector<std::string> step_formulas(const Mask& mask, number::Notation notation) {
   return formulas(mask, symbol_powers(mask, factor(mask)), notation);
 }
 
-Result<std::vector<std::string>> limit_formulas(const Mask& mask, Notation notation) {
+Result<std::vector<std::string>> limit_formulas(const Mask& mask, number::Notation notation) {
   const Result<Laurent> limit = limit_stencil(mask);
   if (!limit) return limit.error();
   std::vector<Power> powers;
@@ -298,9 +299,9 @@ Result<std::vector<std::string>> limit_formulas(const Mask& mask, Notation notat
   return formulas(mask, powers, notation);
 }
 
-std::vector<std::string> formula_names(const Mask& mask, Notation notation) {
+std::vector<std::string> formula_names(const Mask& mask, number::Notation notation) {
   const bool triangles = mask.lattice == Lattice::triangle;
-  if (notation == Notation::latex)
+  if (notation == number::Notation::latex)
     return triangles ? std::vector<std::string>{"c_i = \\cos\\theta_i",
                                                 "c_{ij} = \\cos(\\theta_i - \\theta_j)",
                                                 "\\theta_1 + \\theta_2 + \\theta_3 = 0"}
@@ -311,12 +312,12 @@ std::vector<std::string> formula_names(const Mask& mask, Notation notation) {
              : std::vector<std::string>{"ci = cos(ti)", "ti: the wave's phase per refined edge ui"};
 }
 
-std::string component_name(int component, Notation notation) {
+std::string component_name(int component, number::Notation notation) {
   static constexpr const char* kNames[] = {"alpha", "beta", "gamma", "delta"};
   if (component < 4)
-    return (notation == Notation::latex ? "\\" : "") + std::string(kNames[component]);
-  return notation == Notation::latex ? fmt::format("\\beta_{{{}}}", component)
-                                     : fmt::format("beta{}", component);
+    return (notation == number::Notation::latex ? "\\" : "") + std::string(kNames[component]);
+  return notation == number::Notation::latex ? fmt::format("\\beta_{{{}}}", component)
+                                             : fmt::format("beta{}", component);
 }
 
-}  // namespace limn
+}  // namespace limn::regular

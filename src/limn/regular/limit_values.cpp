@@ -13,7 +13,7 @@
 
 #include "limn/regular/symbol.h"
 
-namespace limn {
+namespace limn::regular {
 namespace {
 
 constexpr std::size_t kMostExactValues = 80;  // a few seconds of rational elimination
@@ -271,4 +271,4 @@ Mask autocorrelation(const Mask& mask) {
                  Rational(1, mask.dilation.growth()))};
 }
 
-}  // namespace limn
+}  // namespace limn::regular

@@ -11,7 +11,7 @@
 
 #include "limn/scheme/mask.h"
 
-namespace limn {
+namespace limn::regular {
 
 /// The symmetries S of φ about its centre among the lattice's, φ∘S = φ: where a∘S = a, and M S M⁻¹
 /// is another such. A group; the identity alone where the mask's do not form one.
@@ -35,4 +35,4 @@ namespace limn {
 /// The mask that refines φ⋆φ(-·): Σ_i a(i) a(i+k) / |det M|.
 [[nodiscard]] Mask autocorrelation(const Mask& mask);
 
-}  // namespace limn
+}  // namespace limn::regular

@@ -17,7 +17,8 @@ namespace {
 constexpr Index kSide = 16;  // of the torus; twice what the widest stencils reach
 
 /// Adds the coefficients that one new vertex's form tells.
-Status collect(const Scheme& scheme, Twelfths birth, const LinearForm<Exact>& form, Mask& mask) {
+Status collect(const Scheme& scheme, mesh::Twelfths birth,
+               const refine::LinearForm<number::Exact>& form, Mask& mask) {
   for (const auto& [vertex, value] : form.terms) {
     if (value.is_zero()) continue;
     if (!value.is_rational())
@@ -26,8 +27,9 @@ Status collect(const Scheme& scheme, Twelfths birth, const LinearForm<Exact>& fo
                    scheme.file,
                    0,
                    0};
-    const Twelfths old{12 * (vertex % kSide), 12 * (vertex / kSide)};
-    const auto offset = mask_offset(mask.dilation, torus_difference(old, birth, kSide, kSide));
+    const mesh::Twelfths old{12 * (vertex % kSide), 12 * (vertex / kSide)};
+    const auto offset =
+        scheme::mask_offset(mask.dilation, mesh::torus_difference(old, birth, kSide, kSide));
     mask.coefficients.insert_or_assign(offset, value.rational());
   }
   return Done{};
@@ -36,19 +38,19 @@ Status collect(const Scheme& scheme, Twelfths birth, const LinearForm<Exact>& fo
 }  // namespace
 
 Result<Mask> regular_mask(const Scheme& scheme) {
-  if (Status status = check_one_lattice(scheme); !status) return status.error();
+  if (Status status = scheme::check_one_lattice(scheme); !status) return status.error();
   const Split& split = *scheme.split;
-  if (scheme.mask) return mask_from_rows(scheme, *scheme.mask);
-  if (scheme.factors) return mask_from_factors(scheme, *scheme.factors);
-  const Mesh mesh = torus(split.lattice, kSide, kSide);
+  if (scheme.mask) return scheme::mask_from_rows(scheme, *scheme.mask);
+  if (scheme.factors) return scheme::mask_from_factors(scheme, *scheme.factors);
+  const Mesh mesh = mesh::torus(split.lattice, kSide, kSide);
   const SplitResult fine = split.apply(mesh, 0);
-  RuleTables<Exact> tables(scheme);
+  refine::RuleTables<number::Exact> tables(scheme);
   if (Status status = tables.prepare(mesh, fine.births); !status) return status.error();
-  const std::vector<LinearForm<Exact>> forms =
-      refine_values(scheme, mesh, fine.births, tables, unit_forms<Exact>(mesh.vertex_count()));
+  const std::vector<refine::LinearForm<number::Exact>> forms = refine::refine_values(
+      scheme, mesh, fine.births, tables, refine::unit_forms<number::Exact>(mesh.vertex_count()));
   Mask mask{split.lattice, split.dilation, {}};
   for (Index v = 0; v < fine.mesh.vertex_count(); ++v) {
-    const Twelfths birth = torus_birth_place(mesh, kSide, kSide, fine.births, v);
+    const mesh::Twelfths birth = mesh::torus_birth_place(mesh, kSide, kSide, fine.births, v);
     if (Status status = collect(scheme, birth, forms[v], mask); !status) return status.error();
   }
   return mask;

@@ -13,14 +13,14 @@ namespace limn {
 namespace {
 
 constexpr int kDirections = 180;
-constexpr int kSteps = 256;
+constexpr int kDirectionSteps = 256;
 constexpr double kDegree = std::numbers::pi / 180;
 
 /// For each whole degree the first direction that a symmetry of the mask carries it to: waves along
 /// both have the same artifacts.
 std::vector<std::size_t> first_alike(const Mask& mask) {
   std::vector<std::size_t> list(kDirections, kDirections);
-  for (const LatticeMatrix& s : symmetries(mask)) {
+  for (const LatticeMatrix& s : regular::symmetries(mask)) {
     const LatticeVector image = s.apply({1, 0});
     const std::array<double, 2> x =
         cartesian(mask.lattice, {static_cast<double>(image[0]), static_cast<double>(image[1])});
@@ -44,10 +44,10 @@ class Search {
     const double angle = degrees * kDegree;
     const double far = nyquist_distance(analysis_.mask().lattice, degrees);
     DirectionalDensity result{degrees, far, 1 / far, false};
-    for (int step = 1; step <= kSteps; ++step) {
-      const double length = far * step / kSteps;
+    for (int step = 1; step <= kDirectionSteps; ++step) {
+      const double length = far * step / kDirectionSteps;
       if (!exceeded(angle, length)) continue;
-      double inside = far * (step - 1) / kSteps;
+      double inside = far * (step - 1) / kDirectionSteps;
       double outside = length;
       while (outside - inside > 1e-13) {
         const double middle = (inside + outside) / 2;
@@ -99,7 +99,7 @@ Result<SamplingDensity> sampling_density(const ArtifactAnalysis& analysis, doubl
   result.tolerance = tolerance;
   result.directions.resize(kDirections);
   const std::vector<std::size_t> same_as = first_alike(analysis.mask());
-  parallel_for(
+  base::parallel_for(
       std::size_t{0}, result.directions.size(),
       [&](std::size_t first, std::size_t last) {
         for (std::size_t i = first; i < last; ++i)

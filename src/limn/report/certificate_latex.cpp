@@ -4,14 +4,14 @@
 
 #include "limn/report/certificate_report.h"
 
-namespace limn {
+namespace limn::report {
 namespace {
 
 using certify::Answer;
 using certify::ValenceClaim;
 
 /// Text in LaTeX's text mode.
-std::string escaped(std::string text) {
+std::string latex_text(std::string text) {
   constexpr std::pair<const char*, const char*> kSquare{"²", " squared"};
   for (std::size_t at = 0; (at = text.find(kSquare.first)) != std::string::npos;)
     text.replace(at, std::string(kSquare.first).size(), kSquare.second);
@@ -64,9 +64,9 @@ std::string row(const ValenceClaim& claim) {
 
 std::string certificate_latex(const certify::Certificate& certificate) {
   std::string text = fmt::format("\\section*{{{}: $C^1$ at extraordinary vertices}}\n{}",
-                                 escaped(certificate.scheme), kStatement);
+                                 latex_text(certificate.scheme), kStatement);
   text += fmt::format("\n\\paragraph{{Lattice.}} $C^1$: {}. {}.\n",
-                      to_string(certificate.regular.c1), escaped(certificate.regular.reason));
+                      to_string(certificate.regular.c1), latex_text(certificate.regular.reason));
   text += kProof;
   text +=
       "\n\\begin{center}\n\\begin{tabular}{rlrlrr}\n$n$ & $C^1$ & frequency & $\\lambda$ & "
@@ -79,8 +79,8 @@ std::string certificate_latex(const certify::Certificate& certificate) {
   text += "\n\\end{tabular}\n\\end{center}\n";
   for (const ValenceClaim& claim : certificate.valences)
     if (claim.c1 != Answer::proved)
-      text += fmt::format("\n$n = {}$: {}.\n", claim.valence, escaped(claim.reason));
+      text += fmt::format("\n$n = {}$: {}.\n", claim.valence, latex_text(claim.reason));
   return text;
 }
 
-}  // namespace limn
+}  // namespace limn::report

@@ -4,10 +4,10 @@
 
 #include "limn/base/printable.h"
 
-namespace limn {
+namespace limn::report {
 
 std::string certificate_text(const certify::Certificate& certificate) {
-  std::string text = printable(certificate.scheme) + "\n";
+  std::string text = base::printable(certificate.scheme) + "\n";
   text += fmt::format("C1 on the regular lattice: {} ({})\n\n", to_string(certificate.regular.c1),
                       certificate.regular.reason);
   text += fmt::format("{:>7}  {:<9}  {:<9}  {}\n", "valence", "C1", "curvature", "because");
@@ -29,4 +29,4 @@ std::string certificate_text(const certify::Certificate& certificate) {
          fmt::format("\nC1 is proved for every n ≥ {}{}: {}\n", all.from, except, all.reason);
 }
 
-}  // namespace limn
+}  // namespace limn::report

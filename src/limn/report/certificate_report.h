@@ -5,7 +5,7 @@
 
 #include "limn/certify/certificate/certificate.h"
 
-namespace limn {
+namespace limn::report {
 
 /// What is proved: the regular lattice, and a line for each valence.
 [[nodiscard]] std::string certificate_text(const certify::Certificate& certificate);
@@ -14,4 +14,4 @@ namespace limn {
 /// numbers. It needs amsmath.
 [[nodiscard]] std::string certificate_latex(const certify::Certificate& certificate);
 
-}  // namespace limn
+}  // namespace limn::report

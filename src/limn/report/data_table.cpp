@@ -8,7 +8,7 @@
 
 #include "limn/base/files/file.h"
 
-namespace limn {
+namespace limn::report {
 namespace {
 
 bool ends_with(std::string_view path, std::string_view end) {
@@ -128,7 +128,7 @@ bool is_table_path(std::string_view path) {
 
 Status write_table(const std::string& path, const DataTable& table) {
   if (!is_table_path(path)) return Error{"a table is written as .csv or .json", {}, path, 0, 0};
-  return write_file(path, ends_with(path, ".csv") ? csv_text(table) : json_text(table));
+  return base::write_file(path, ends_with(path, ".csv") ? csv_text(table) : json_text(table));
 }
 
-}  // namespace limn
+}  // namespace limn::report

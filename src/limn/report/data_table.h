@@ -9,7 +9,7 @@
 
 #include "limn/base/error.h"
 
-namespace limn {
+namespace limn::report {
 
 struct DataTable {
   std::vector<std::string> columns;
@@ -57,4 +57,4 @@ struct DescribedTable {
 [[nodiscard]] Status write_table(const std::string& path, const DataTable& table);
 [[nodiscard]] bool is_table_path(std::string_view path);
 
-}  // namespace limn
+}  // namespace limn::report

@@ -12,56 +12,57 @@
 #include "limn/report/json_number.h"
 #include "limn/report/limit_report.h"
 
-namespace limn {
+namespace limn::report {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
 /// One column of the tables: what it is called, its values and what they tend to.
-struct Quantity {
+struct FairnessColumn {
   const char* key;
   const char* title;  ///< nullptr: the one before, scaled
-  double (*value)(const FairnessLevel&);
-  Trend FairnessRecord::*trend;  ///< or none
+  double (*value)(const study::FairnessLevel&);
+  fairness::Trend study::FairnessRecord::*trend;  ///< or none
   /// What rounding may change it by; nullptr: it is not ranked.
-  double (*rounding)(const FairnessLevel&) = nullptr;
+  double (*rounding)(const study::FairnessLevel&) = nullptr;
 };
-constexpr Quantity kArea{"area", "area",
-                         [](const FairnessLevel& level) { return level.energies.area; },
-                         &FairnessRecord::area};
-constexpr Quantity kLaplacian{"laplacian_energy", "sum |Lp|^2",
-                              [](const FairnessLevel& level) { return level.laplacian_energy; },
-                              nullptr,
-                              [](const FairnessLevel& level) { return level.laplacian_rounding; }};
-constexpr Quantity kScaledLaplacian{
-    "scaled_laplacian", nullptr, [](const FairnessLevel& level) { return level.scaled_laplacian; },
-    &FairnessRecord::scaled_laplacian};
-constexpr Quantity kThinPlate{
+constexpr FairnessColumn kArea{
+    "area", "area", [](const study::FairnessLevel& level) { return level.energies.area; },
+    &study::FairnessRecord::area};
+constexpr FairnessColumn kLaplacian{
+    "laplacian_energy", "sum |Lp|^2",
+    [](const study::FairnessLevel& level) { return level.laplacian_energy; }, nullptr,
+    [](const study::FairnessLevel& level) { return level.laplacian_rounding; }};
+constexpr FairnessColumn kScaledLaplacian{
+    "scaled_laplacian", nullptr,
+    [](const study::FairnessLevel& level) { return level.scaled_laplacian; },
+    &study::FairnessRecord::scaled_laplacian};
+constexpr FairnessColumn kThinPlate{
     "thin_plate", "thin plate",
-    [](const FairnessLevel& level) { return level.energies.thin_plate; },
-    &FairnessRecord::thin_plate,
-    [](const FairnessLevel& level) { return level.energies.rounding.thin_plate; }};
-constexpr Quantity kVariation{
+    [](const study::FairnessLevel& level) { return level.energies.thin_plate; },
+    &study::FairnessRecord::thin_plate,
+    [](const study::FairnessLevel& level) { return level.energies.rounding.thin_plate; }};
+constexpr FairnessColumn kVariation{
     "curvature_variation", "curv. variation",
-    [](const FairnessLevel& level) { return level.energies.curvature_variation; },
-    &FairnessRecord::curvature_variation,
-    [](const FairnessLevel& level) { return level.energies.rounding.curvature_variation; }};
+    [](const study::FairnessLevel& level) { return level.energies.curvature_variation; },
+    &study::FairnessRecord::curvature_variation,
+    [](const study::FairnessLevel& level) { return level.energies.rounding.curvature_variation; }};
 
 constexpr std::array kQuantities{kArea, kLaplacian, kScaledLaplacian, kThinPlate, kVariation};
 constexpr std::array kEnergies{kLaplacian, kThinPlate, kVariation};
 
 /// In the mesh width, which shrinks by sqrt(growth).
-double order_of(const Trend& trend, int growth) {
+double order_of(const fairness::Trend& trend, int growth) {
   return -2 * std::log(trend.ratio) / std::log(growth);
 }
 
-Truth convergence(const FairnessRecord& record, const Quantity& quantity) {
+Truth convergence(const study::FairnessRecord& record, const FairnessColumn& quantity) {
   return quantity.trend == nullptr ? Truth::undecided : (record.*quantity.trend).converges;
 }
 
 /// Whether the values without a trend, which depend on the sampling, compare.
-bool same_sampling(const std::vector<FairnessRecord>& records) {
-  return std::all_of(records.begin(), records.end(), [&](const FairnessRecord& record) {
+bool same_sampling(const std::vector<study::FairnessRecord>& records) {
+  return std::all_of(records.begin(), records.end(), [&](const study::FairnessRecord& record) {
     return record.split == records.front().split &&
            record.levels.size() == records.front().levels.size();
   });
@@ -69,8 +70,8 @@ bool same_sampling(const std::vector<FairnessRecord>& records) {
 
 /// The records with the least of an energy: several where rounding alone tells them apart. None of
 /// fewer than two, or where they do not compare, or all are alike.
-std::vector<std::size_t> fairest(const std::vector<FairnessRecord>& records,
-                                 const Quantity& quantity) {
+std::vector<std::size_t> fairest(const std::vector<study::FairnessRecord>& records,
+                                 const FairnessColumn& quantity) {
   if (records.size() < 2 || (quantity.trend == nullptr && !same_sampling(records))) return {};
   const auto value = [&](std::size_t i) { return quantity.value(records[i].last()); };
   const auto counts = [&](std::size_t i) {
@@ -88,27 +89,28 @@ std::vector<std::size_t> fairest(const std::vector<FairnessRecord>& records,
   return best;
 }
 
-Json record_json(const FairnessRecord& record) {
+Json record_json(const study::FairnessRecord& record) {
   Json json{{"scheme", record.scheme},
             {"split", record.split},
             {"level", record.last().level},
             {"vertices", record.last().vertices}};
-  for (const Quantity& quantity : kQuantities)
+  for (const FairnessColumn& quantity : kQuantities)
     json[quantity.key] = finite(quantity.value(record.last()));
-  for (const Quantity& quantity : kQuantities) {
+  for (const FairnessColumn& quantity : kQuantities) {
     if (quantity.trend == nullptr) continue;
-    const Trend& trend = record.*quantity.trend;
+    const fairness::Trend& trend = record.*quantity.trend;
     json["trends"][quantity.key] = {{"converges", to_string(trend.converges)},
                                     {"order", finite(order_of(trend, record.growth))},
                                     {"limit", finite(trend.limit)}};
   }
   json["levels"] = Json::array();
-  for (const FairnessLevel& level : record.levels) {
+  for (const study::FairnessLevel& level : record.levels) {
     Json row{{"level", level.level},
              {"vertices", level.vertices},
              {"faces", level.faces},
              {"left_out", level.energies.left_out}};
-    for (const Quantity& quantity : kQuantities) row[quantity.key] = finite(quantity.value(level));
+    for (const FairnessColumn& quantity : kQuantities)
+      row[quantity.key] = finite(quantity.value(level));
     json["levels"].push_back(row);
   }
   if (!record.refused.empty())
@@ -120,7 +122,7 @@ std::string cell(const std::string& text) { return fmt::format("  {:>15}", text)
 
 std::string number(double value) { return fmt::format("{:.7g}", value); }
 
-std::string limit_text(const Trend& trend) {
+std::string limit_text(const fairness::Trend& trend) {
   switch (trend.converges) {
     case Truth::yes: return number(trend.limit);
     case Truth::no: return "grows";
@@ -129,24 +131,24 @@ std::string limit_text(const Trend& trend) {
   return "undecided";
 }
 
-std::string record_text(const FairnessRecord& record) {
-  std::string text = fmt::format("\n{}\n  level  vertices", printable(record.scheme));
-  for (const Quantity& quantity : kQuantities)
+std::string record_text(const study::FairnessRecord& record) {
+  std::string text = fmt::format("\n{}\n  level  vertices", base::printable(record.scheme));
+  for (const FairnessColumn& quantity : kQuantities)
     text +=
         cell(quantity.title != nullptr ? quantity.title : fmt::format("x {}^level", record.growth));
-  for (const FairnessLevel& level : record.levels) {
+  for (const study::FairnessLevel& level : record.levels) {
     text += fmt::format("\n  {:>5}  {:>8}", level.level, level.vertices);
-    for (const Quantity& quantity : kQuantities) text += cell(number(quantity.value(level)));
+    for (const FairnessColumn& quantity : kQuantities) text += cell(number(quantity.value(level)));
   }
   std::string limits = fmt::format("\n  {:<15}", "tends to");
   std::string orders = fmt::format("\n  {:<15}", "order of change");
-  for (const Quantity& quantity : kQuantities) {
+  for (const FairnessColumn& quantity : kQuantities) {
     if (quantity.trend == nullptr) {
       limits += cell("0");
       orders += cell("");
       continue;
     }
-    const Trend& trend = record.*quantity.trend;
+    const fairness::Trend& trend = record.*quantity.trend;
     const double order = order_of(trend, record.growth);
     limits += cell(limit_text(trend));
     orders += cell(std::isfinite(order) ? fmt::format("{:.2f}", order) : "");
@@ -160,8 +162,8 @@ std::string record_text(const FairnessRecord& record) {
 }
 
 /// '*' at the fairest, and whether the energy has a limit at all.
-std::string mark(const std::vector<FairnessRecord>& records, std::size_t i,
-                 const Quantity& energy) {
+std::string mark(const std::vector<study::FairnessRecord>& records, std::size_t i,
+                 const FairnessColumn& energy) {
   const std::vector<std::size_t> best = fairest(records, energy);
   std::string text = std::find(best.begin(), best.end(), i) != best.end() ? "*" : " ";
   if (energy.trend == nullptr) return text + ' ';
@@ -170,7 +172,7 @@ std::string mark(const std::vector<FairnessRecord>& records, std::size_t i,
 }
 
 /// What the marks mean that are there.
-std::string legend(const std::string& marks, const std::vector<FairnessRecord>& records) {
+std::string legend(const std::string& marks, const std::vector<study::FairnessRecord>& records) {
   std::string text;
   if (marks.find('*') != std::string::npos) text += "* fairest (several: equal to rounding)\n";
   if (marks.find('^') != std::string::npos)
@@ -183,21 +185,21 @@ std::string legend(const std::string& marks, const std::vector<FairnessRecord>& 
 }
 
 /// All schemes at their last levels.
-std::string comparison_text(const std::vector<FairnessRecord>& records) {
+std::string comparison_text(const std::vector<study::FairnessRecord>& records) {
   std::size_t width = 6;
-  for (const FairnessRecord& record : records)
-    width = std::max(width, printable(record.scheme).size());
+  for (const study::FairnessRecord& record : records)
+    width = std::max(width, base::printable(record.scheme).size());
   std::string head = fmt::format("{:<{}}  level", "scheme", width);
   std::string rows;
-  for (const Quantity& quantity : {kArea, kLaplacian, kThinPlate, kVariation})
+  for (const FairnessColumn& quantity : {kArea, kLaplacian, kThinPlate, kVariation})
     head += cell(quantity.title) + "  ";
   head.erase(head.find_last_not_of(' ') + 1);
   std::string marks;
   for (std::size_t i = 0; i < records.size(); ++i) {
-    const FairnessRecord& record = records[i];
-    std::string row = fmt::format("{:<{}}  {:>5}{}  ", printable(record.scheme), width,
+    const study::FairnessRecord& record = records[i];
+    std::string row = fmt::format("{:<{}}  {:>5}{}  ", base::printable(record.scheme), width,
                                   record.last().level, cell(number(record.last().energies.area)));
-    for (const Quantity& energy : kEnergies) {
+    for (const FairnessColumn& energy : kEnergies) {
       marks += mark(records, i, energy);
       row += cell(number(energy.value(record.last()))) + mark(records, i, energy);
     }
@@ -210,36 +212,39 @@ std::string comparison_text(const std::vector<FairnessRecord>& records) {
 }  // namespace
 
 nlohmann::ordered_json fairness_json(const std::string& mesh,
-                                     const std::vector<FairnessRecord>& records) {
+                                     const std::vector<study::FairnessRecord>& records) {
   Json json{{"mesh", mesh}, {"schemes", Json::array()}, {"fairest", Json::object()}};
-  for (const FairnessRecord& record : records) json["schemes"].push_back(record_json(record));
-  for (const Quantity& energy : kEnergies)
+  for (const study::FairnessRecord& record : records)
+    json["schemes"].push_back(record_json(record));
+  for (const FairnessColumn& energy : kEnergies)
     if (const auto best = fairest(records, energy); best.size() == 1)
       json["fairest"][energy.key] = records[best.front()].scheme;
   return json;
 }
 
-std::string fairness_text(const std::string& mesh, const std::vector<FairnessRecord>& records) {
+std::string fairness_text(const std::string& mesh,
+                          const std::vector<study::FairnessRecord>& records) {
   std::string text = fmt::format("limit surfaces of {}\n", mesh);
-  for (const FairnessRecord& record : records) text += record_text(record);
+  for (const study::FairnessRecord& record : records) text += record_text(record);
   return text + comparison_text(records);
 }
 
-Figure fairness_figure(const std::string& mesh, const std::vector<FairnessRecord>& records) {
-  Figure figure(3);
+figure::Figure fairness_figure(const std::string& mesh,
+                               const std::vector<study::FairnessRecord>& records) {
+  figure::Figure figure(3);
   figure.title(fmt::format("Energies of limit surfaces of {}, by level", mesh));
   for (const auto& [quantity, title] :
        {std::pair{kScaledLaplacian, "Σ|Lp|², scaled"}, std::pair{kThinPlate, "thin plate"},
         std::pair{kVariation, "curvature variation"}}) {
-    ChartPanel panel;
+    figure::ChartPanel panel;
     panel.title = title;
     panel.x_label = "level";
     panel.log_y = true;
-    for (const FairnessRecord& record : records) {
-      ChartPanel::Series series;
+    for (const study::FairnessRecord& record : records) {
+      figure::ChartPanel::Series series;
       series.name = record.scheme;
       series.markers = true;
-      for (const FairnessLevel& level : record.levels) {
+      for (const study::FairnessLevel& level : record.levels) {
         series.x.push_back(level.level);
         series.y.push_back(quantity.value(level));
       }
@@ -250,4 +255,4 @@ Figure fairness_figure(const std::string& mesh, const std::vector<FairnessRecord
   return figure;
 }
 
-}  // namespace limn
+}  // namespace limn::report

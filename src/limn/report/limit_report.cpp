@@ -8,7 +8,7 @@
 #include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
-namespace limn {
+namespace limn::report {
 namespace {
 
 constexpr std::size_t kNamed = 10;
@@ -87,4 +87,4 @@ nlohmann::ordered_json gaps_json(const LimitGaps& gaps) {
   return json;
 }
 
-}  // namespace limn
+}  // namespace limn::report

@@ -8,7 +8,7 @@
 
 #include "limn/surface/refine_surface.h"
 
-namespace limn {
+namespace limn::report {
 
 /// Where the results of a limit surface go, for messages.
 struct GapPlaces {
@@ -25,4 +25,4 @@ inline constexpr const char* kLeftOutOfPictures = "pictures leave out the triang
 /// from 0, "reasons": [{"reason", "vertices"}]}, the last not of normals.
 [[nodiscard]] nlohmann::ordered_json gaps_json(const LimitGaps& gaps);
 
-}  // namespace limn
+}  // namespace limn::report

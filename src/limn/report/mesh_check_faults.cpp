@@ -4,10 +4,10 @@
 
 #include <fmt/core.h>
 
-namespace limn {
+namespace limn::report {
 namespace {
 
-using Kind = MeshFault::Kind;
+using Kind = mesh::MeshFault::Kind;
 
 const char* name_of(Kind kind) {
   switch (kind) {
@@ -61,20 +61,20 @@ class Lister {
       std::size_t last = first;
       while (last < list.size() && list[last].kind == kind) ++last;
       CheckedKind& group = add(name_of(kind), true, true, last - first);
-      group.title = count_of(kind, group.count);
-      group.remedy = remedy_of(survey_.faults, kind, check_.polygons, check_.source);
+      group.title = mesh::count_of(kind, group.count);
+      group.remedy = mesh::remedy_of(survey_.faults, kind, check_.polygons, check_.source);
       group.fault = [this, first](std::size_t k) { return connectivity(first + k); };
       first = last;
     }
   }
   [[nodiscard]] CheckedFault connectivity(std::size_t k) const {
-    const MeshFault& fault = survey_.faults.list[k];
+    const mesh::MeshFault& fault = survey_.faults.list[k];
     CheckedFault one;
     for (const Index v : fault.vertices)
       if (v != kNone) one.vertices.push_back(v);
     one.faces = fault.faces;
     one.faces.insert(one.faces.end(), fault.others.begin(), fault.others.end());
-    one.message = sentence_of(fault, check_.polygons, check_.source);
+    one.message = mesh::sentence_of(fault, check_.polygons, check_.source);
     return one;
   }
 
@@ -182,7 +182,7 @@ class Lister {
   }
 
   const MeshCheck& check_;
-  const MeshSurvey& survey_;
+  const mesh::MeshSurvey& survey_;
   std::vector<CheckedKind> kinds_;
 };
 
@@ -197,4 +197,4 @@ std::vector<CheckedKind> kinds_of(const MeshCheck& check) {
   return kinds;
 }
 
-}  // namespace limn
+}  // namespace limn::report

@@ -7,7 +7,7 @@
 
 #include "limn/report/mesh_check_report.h"
 
-namespace limn {
+namespace limn::report {
 
 /// One fault, or one thing that is odd.
 struct CheckedFault {
@@ -31,4 +31,4 @@ struct CheckedKind {
 /// `check`.
 [[nodiscard]] std::vector<CheckedKind> kinds_of(const MeshCheck& check);
 
-}  // namespace limn
+}  // namespace limn::report

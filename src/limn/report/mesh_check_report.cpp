@@ -8,11 +8,11 @@
 #include "limn/base/printable.h"
 #include "limn/report/mesh_check_faults.h"
 
-namespace limn {
+namespace limn::report {
 namespace {
 
 using Json = nlohmann::ordered_json;
-using Kind = MeshFault::Kind;
+using Kind = mesh::MeshFault::Kind;
 
 constexpr std::size_t kListed = 5;  // faults of a kind, before "and N more"
 
@@ -33,9 +33,9 @@ std::string histogram(const std::map<Index, Index>& counts) {
 }
 
 std::string description(const MeshCheck& check) {
-  const MeshSurvey& survey = check.survey;
+  const mesh::MeshSurvey& survey = check.survey;
   std::string text = fmt::format(
-      "{}: {}, {}, {}, in {}\n", printable(check.name),
+      "{}: {}, {}, {}, in {}\n", base::printable(check.name),
       counted(survey.vertices, "vertex", "vertices"), counted(survey.edges, "edge", "edges"),
       counted(survey.faces, "face", "faces"), counted(survey.components, "part", "parts"));
   text += fmt::format("  corners of faces: {}\n", histogram(survey.degrees));
@@ -95,14 +95,14 @@ Json histogram_json(const std::map<Index, Index>& counts) {
   return json;
 }
 
-std::size_t count_of(const MeshSurvey& survey, Kind kind) {
+std::size_t count_of(const mesh::MeshSurvey& survey, Kind kind) {
   return static_cast<std::size_t>(
       std::count_if(survey.faults.list.begin(), survey.faults.list.end(),
-                    [kind](const MeshFault& fault) { return fault.kind == kind; }));
+                    [kind](const mesh::MeshFault& fault) { return fault.kind == kind; }));
 }
 
 Json counts_json(const MeshCheck& check) {
-  const MeshSurvey& survey = check.survey;
+  const mesh::MeshSurvey& survey = check.survey;
   Json json{{"mesh", check.name},
             {"vertices", survey.vertices},
             {"edges", survey.edges},
@@ -162,4 +162,4 @@ Json mesh_check_json(const MeshCheck& check) {
   return json;
 }
 
-}  // namespace limn
+}  // namespace limn::report

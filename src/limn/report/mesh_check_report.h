@@ -9,7 +9,7 @@
 #include "limn/mesh/polygons.h"
 #include "limn/mesh/repair/survey.h"
 
-namespace limn {
+namespace limn::report {
 
 /// A mesh that was looked at. All numbers of vertices and faces that are shown are those of
 /// `source`.
@@ -17,7 +17,7 @@ struct MeshCheck {
   std::string name;            ///< of the file
   Polygons polygons;           ///< as read, or as repaired
   MeshSource source;           ///< of these
-  MeshSurvey survey;           ///< of these
+  mesh::MeshSurvey survey;     ///< of these
   std::vector<Index> dropped;  ///< faces of the file that reading dropped, from 0
 };
 
@@ -28,4 +28,4 @@ struct MeshCheck {
 /// being refined, "vertices", "faces", "lines": of the faces, or else of the vertices, "message"}.
 [[nodiscard]] nlohmann::ordered_json mesh_check_json(const MeshCheck& check);
 
-}  // namespace limn
+}  // namespace limn::report

@@ -15,15 +15,17 @@
 #include "limn/scheme/lattice_schemes.h"
 #include "limn/scheme/placement.h"
 
-namespace limn {
+namespace limn::report {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
 /// How many positions a role has: "2", "n", "2n", "q".
 std::string positions(const Scheme& scheme, RuleKind kind, const Weight& weight) {
-  if (scheme.split->mixed && pair_role(weight) == PairRole::diagonal) return std::string(kQuads);
-  const Placement placement = place(kind, scheme.split->lattice, weight.walk).value();
+  if (scheme.split->mixed && pair_role(weight) == PairRole::diagonal)
+    return std::string(scheme::kQuads);
+  const scheme::Placement placement =
+      scheme::place(kind, scheme.split->lattice, weight.walk).value();
   if (!placement.times_n) return to_string(placement.count);
   return placement.count == 1 ? "n" : to_string(placement.count) + "n";
 }
@@ -97,7 +99,7 @@ std::string equivalence_text(const Equivalence& same) {
   for (std::size_t i = 0; i < same.with.size(); ++i)
     text += fmt::format("{}{} = {}", i == 0 ? ", its " : " and ", same.with[i].first,
                         same.with[i].second.expression.text());
-  return text + (same.source.empty() ? "" : "  [" + printable(same.source) + "]") + "\n";
+  return text + (same.source.empty() ? "" : "  [" + base::printable(same.source) + "]") + "\n";
 }
 
 Json equivalences_json(const Scheme& scheme) {
@@ -120,8 +122,8 @@ Lets listed_lets(const Scheme& scheme) {
     for (const std::string& name : formula.expression.names())
       if (used.insert(name).second) open.push_back(name);
   };
-  each_rule_formula(scheme, use);
-  each_mask_formula(scheme, use);
+  scheme::each_rule_formula(scheme, use);
+  scheme::each_mask_formula(scheme, use);
   for (const auto& [name, formula] : scheme.lets)
     if (formula.place.file == scheme.file) use(formula);
   while (!open.empty()) {
@@ -179,20 +181,21 @@ Json stages_json(const Scheme& scheme) {
 }  // namespace
 
 std::string describe(const Scheme& scheme) {
-  std::string text =
-      printable(scheme.name) + (scheme.title.empty() ? "" : ": " + printable(scheme.title)) + '\n';
+  std::string text = base::printable(scheme.name) +
+                     (scheme.title.empty() ? "" : ": " + base::printable(scheme.title)) + '\n';
   text += fmt::format("  split   {} ({})\n", scheme.split->name, scheme.split->description);
-  if (!scheme.source.empty()) text += fmt::format("  source  {}\n", printable(scheme.source));
+  if (!scheme.source.empty()) text += fmt::format("  source  {}\n", base::printable(scheme.source));
   if (scheme.has_decimals)
     text += fmt::format(
         "  weights decimals as printed: a rule's sum may be 1 to rounding alone (within {}); its "
         "weights are then divided by it\n",
-        kDecimalTolerance);
-  if (!scheme.notes.empty()) text += fmt::format("  notes   {}\n", printable_lines(scheme.notes));
+        scheme::kDecimalTolerance);
+  if (!scheme.notes.empty())
+    text += fmt::format("  notes   {}\n", base::printable_lines(scheme.notes));
   if (!scheme.parameters.empty()) text += "\nparameters\n";
   for (const Parameter& parameter : scheme.parameters)
     text += fmt::format("  {} = {}  {}  {}\n", parameter.name, parameter.value.expression.text(),
-                        range_text(parameter), printable(parameter.meaning));
+                        range_text(parameter), base::printable(parameter.meaning));
   const Lets lets = listed_lets(scheme);
   if (!lets.empty()) text += "\nlet\n";
   for (const auto& [name, formula] : lets)
@@ -210,9 +213,10 @@ std::string describe(const Scheme& scheme) {
     for (const RuleCase& rule_case : *scheme.rule(kind)) text += case_text(scheme, kind, rule_case);
   }
   if (!any) text += "  none: the mask lacks the lattice's symmetry\n";
-  const std::vector<Scheme> lattices = lattice_schemes(scheme);
+  const std::vector<Scheme> lattices = scheme::lattice_schemes(scheme);
   for (const Scheme& one : lattices) {
-    if (lattices.size() > 1) text += fmt::format("\non {}s\n", lattice_name(one.split->lattice));
+    if (lattices.size() > 1)
+      text += fmt::format("\non {}s\n", scheme::lattice_name(one.split->lattice));
     const Result<Mask> mask = regular_mask(one);
     text += mask ? lattice_text(*mask)
                  : fmt::format("\nno analysis on the lattice: {}\n", mask.error().text());
@@ -244,7 +248,7 @@ nlohmann::ordered_json describe_json(const Scheme& scheme) {
     if (scheme.rule(kind))
       json["rules"][std::string(rule_name(kind))] = rule_json(scheme, kind, *scheme.rule(kind));
   }
-  const std::vector<Scheme> lattices = lattice_schemes(scheme);
+  const std::vector<Scheme> lattices = scheme::lattice_schemes(scheme);
   for (const Scheme& one : lattices) {
     const Result<Mask> mask = regular_mask(one);
     const Json found = mask ? lattice_json(*mask) : Json{{"mask", nullptr}};
@@ -252,7 +256,7 @@ nlohmann::ordered_json describe_json(const Scheme& scheme) {
       json.update(found);
       break;
     }
-    json["lattices"].push_back({{"lattice", lattice_name(one.split->lattice)}});
+    json["lattices"].push_back({{"lattice", scheme::lattice_name(one.split->lattice)}});
     json["lattices"].back().update(found);
   }
   return json;
@@ -260,12 +264,13 @@ nlohmann::ordered_json describe_json(const Scheme& scheme) {
 
 Result<std::string> describe_latex(const Scheme& scheme) {
   std::string latex;
-  for (const Scheme& one : lattice_schemes(scheme)) {
+  for (const Scheme& one : scheme::lattice_schemes(scheme)) {
     const Result<Mask> mask = regular_mask(one);
     if (!mask) return mask.error();
-    latex += (latex.empty() ? "" : "\n") + lattice_latex(label_on_lattice(scheme.name, one), *mask);
+    latex += (latex.empty() ? "" : "\n") +
+             lattice_latex(scheme::label_on_lattice(scheme.name, one), *mask);
   }
   return latex;
 }
 
-}  // namespace limn
+}  // namespace limn::report

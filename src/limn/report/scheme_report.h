@@ -6,7 +6,7 @@
 
 #include "limn/scheme/scheme.h"
 
-namespace limn {
+namespace limn::report {
 
 /// Everything in the scheme file, with the regular mask, for people. Of the lets of a scheme that
 /// it extends those that something uses.
@@ -28,4 +28,4 @@ namespace limn {
 /// Name, title, split and parameters only.
 [[nodiscard]] nlohmann::ordered_json summary_json(const Scheme& scheme);
 
-}  // namespace limn
+}  // namespace limn::report

@@ -5,15 +5,15 @@
 
 #include "limn/limit/limit_points.h"
 
-namespace limn {
+namespace limn::report {
 namespace {
 
 /// The part of the squared amplitude at each frequency and above, from the second one on.
-ChartPanel::Series tail_of(const NamedPoints& named, const LaplacianModes& modes,
-                           const std::vector<double>& amplitudes) {
+figure::ChartPanel::Series tail_of(const NamedPoints& named, const fairness::LaplacianModes& modes,
+                                   const std::vector<double>& amplitudes) {
   constexpr double kConstant = 1e-9;  // frequencies below are those of constants
   constexpr double kRounding = 1e-14;
-  ChartPanel::Series series;
+  figure::ChartPanel::Series series;
   series.name = named.name;
   double above = 0;
   for (std::size_t j = amplitudes.size(); j-- > 0 && modes.eigenvalues[j] > kConstant;) {
@@ -36,9 +36,9 @@ std::string line_of(const char* which, const std::vector<double>& values) {
 
 Result<SpectrumEnds> approx_spectrum_ends(const Mesh& mesh, int count) {
   SpectrumEnds ends;
-  for (const auto& [end, values] : {std::pair{SpectrumEnd::smallest, &ends.smallest},
-                                    std::pair{SpectrumEnd::largest, &ends.largest}}) {
-    Result<LaplacianModes> modes = approx_modes(mesh, end, count);
+  for (const auto& [end, values] : {std::pair{fairness::SpectrumEnd::smallest, &ends.smallest},
+                                    std::pair{fairness::SpectrumEnd::largest, &ends.largest}}) {
+    Result<fairness::LaplacianModes> modes = fairness::approx_modes(mesh, end, count);
     if (!modes) return modes.error();
     *values = std::move(modes->eigenvalues);
   }
@@ -65,31 +65,32 @@ Result<NamedPoints> limits_of_vertices(const std::string& label, const Scheme& s
   return NamedPoints{label, std::move(limit->positions)};
 }
 
-Result<Figure> spectrum_figure(const std::string& name, const Mesh& mesh,
-                               const std::vector<NamedPoints>& points) {
-  const Result<LaplacianModes> modes = approx_all_modes(mesh);
+Result<figure::Figure> spectrum_figure(const std::string& name, const Mesh& mesh,
+                                       const std::vector<NamedPoints>& points) {
+  const Result<fairness::LaplacianModes> modes = fairness::approx_all_modes(mesh);
   if (!modes) return modes.error();
-  ChartPanel frequencies;
+  figure::ChartPanel frequencies;
   frequencies.title = "natural frequencies";
   frequencies.x_label = "number";
   frequencies.y_label = "eigenvalue of L";
-  ChartPanel::Series all;
+  figure::ChartPanel::Series all;
   for (const double value : modes->eigenvalues) {
     all.x.push_back(static_cast<double>(all.x.size() + 1));
     all.y.push_back(value);
   }
   frequencies.series.push_back(std::move(all));
-  ChartPanel tails;
+  figure::ChartPanel tails;
   tails.title = "part at frequencies above";
   tails.x_label = "eigenvalue of L";
   tails.log_y = true;
   for (const NamedPoints& named : points)
-    tails.series.push_back(tail_of(named, *modes, approx_amplitudes(mesh, *modes, named.points)));
-  Figure figure(2);
+    tails.series.push_back(
+        tail_of(named, *modes, fairness::approx_amplitudes(mesh, *modes, named.points)));
+  figure::Figure figure(2);
   figure.title(fmt::format("{}: limits of the control vertices, by natural frequency", name));
   figure.add(std::move(frequencies));
   figure.add(std::move(tails));
   return figure;
 }
 
-}  // namespace limn
+}  // namespace limn::report

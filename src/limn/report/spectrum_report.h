@@ -10,7 +10,7 @@
 #include "limn/limit/limit_points.h"
 #include "limn/scheme/scheme.h"
 
-namespace limn {
+namespace limn::report {
 
 /// The `count` ≥ 1 smallest and largest eigenvalues of the Laplacian of a mesh.
 struct SpectrumEnds {
@@ -37,7 +37,7 @@ struct NamedPoints {
 /// All natural frequencies of the mesh in order; and, for each of the points, the part of their
 /// squared amplitude (the constant apart) at frequencies above l, against l. A scheme whose curve
 /// lies higher passes more of the high frequencies. Fails as `approx_all_modes` does.
-[[nodiscard]] Result<Figure> spectrum_figure(const std::string& name, const Mesh& mesh,
-                                             const std::vector<NamedPoints>& points);
+[[nodiscard]] Result<figure::Figure> spectrum_figure(const std::string& name, const Mesh& mesh,
+                                                     const std::vector<NamedPoints>& points);
 
-}  // namespace limn
+}  // namespace limn::report

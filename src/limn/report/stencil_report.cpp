@@ -7,16 +7,16 @@
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
 
-namespace limn {
+namespace limn::report {
 namespace {
 
-using Place = RulePicture::Place;
+using Place = study::RulePicture::Place;
 
 bool same_place(const Place& a, const Place& b) {
   return std::hypot(a[0] - b[0], a[1] - b[1]) < 1e-6;
 }
 
-std::string heading(const RulePicture& picture) {
+std::string heading(const study::RulePicture& picture) {
   std::string text(rule_name(picture.kind));
   if (picture.valence > 0) text += fmt::format(", n = {}", picture.valence);
   if (!picture.when.empty()) text += fmt::format(" (when {})", picture.when);
@@ -81,15 +81,15 @@ class LetterGrid {
   std::map<int, std::map<int, char>> rows_;
 };
 
-std::string letters_of(const RulePicture& picture) {
+std::string letters_of(const study::RulePicture& picture) {
   std::size_t widest = 3;
-  for (const RulePicture::Spot& spot : picture.weights)
+  for (const study::RulePicture::Spot& spot : picture.weights)
     widest = std::max(widest, spot.weight.size() + (spot.of_face ? 1 : 0));
   const double columns = static_cast<double>(widest) + 6, rows = std::max(2., columns / 2.6);
   LetterGrid grid;
   bool marked = false;
   for (const bool at_new : {true, false})  // the new vertex keeps its place
-    for (const RulePicture::Spot& spot : picture.weights) {
+    for (const study::RulePicture::Spot& spot : picture.weights) {
       if (same_place(spot.at, picture.made) != at_new) continue;
       std::string text = (spot.of_face ? "F" : "") + spot.weight;
       if (at_new) text = "[" + text + "]";
@@ -102,21 +102,21 @@ std::string letters_of(const RulePicture& picture) {
   return grid.text(4);
 }
 
-NetPanel panel_of(const RulePicture& picture) {
-  NetPanel panel;
+figure::NetPanel panel_of(const study::RulePicture& picture) {
+  figure::NetPanel panel;
   panel.title = heading(picture);
   panel.place_labels = true;
-  const auto net = [&](Colour colour, double dot) {
+  const auto net = [&](figure::Colour colour, double dot) {
     panel.nets.emplace_back();
     panel.nets.back().colour = colour;
     panel.nets.back().dot = dot;
     return panel.nets.size() - 1;
   };
-  const std::size_t lines = net(grey(0.7), 0), old = net({}, 1.6),
+  const std::size_t lines = net(figure::grey(0.7), 0), old = net({}, 1.6),
                     faces = net({0.1, 0.3, 0.8}, 1.6), made = net({0.85, 0.1, 0.1}, 2.6);
   panel.nets[lines].vertices = picture.vertices;
   panel.nets[lines].edges = picture.edges;
-  for (const RulePicture::Spot& spot : picture.weights) {
+  for (const study::RulePicture::Spot& spot : picture.weights) {
     panel.nets[spot.of_face ? faces : old].vertices.push_back(spot.at);
     panel.labels.push_back({.at = spot.at, .text = spot.weight});
   }
@@ -126,21 +126,21 @@ NetPanel panel_of(const RulePicture& picture) {
 
 }  // namespace
 
-std::string stencils_text(const std::vector<RulePicture>& pictures) {
+std::string stencils_text(const std::vector<study::RulePicture>& pictures) {
   std::string text =
       "\nstencils: weights where their vertices are, F that of a face's new vertex, "
       "[ ] the new vertex\n";
-  for (const RulePicture& picture : pictures)
+  for (const study::RulePicture& picture : pictures)
     text += fmt::format("\n  {}\n\n{}", heading(picture), letters_of(picture));
   return text;
 }
 
-nlohmann::ordered_json stencils_json(const std::vector<RulePicture>& pictures) {
+nlohmann::ordered_json stencils_json(const std::vector<study::RulePicture>& pictures) {
   using Json = nlohmann::ordered_json;
   Json list = Json::array();
-  for (const RulePicture& picture : pictures) {
+  for (const study::RulePicture& picture : pictures) {
     Json weights = Json::array();
-    for (const RulePicture::Spot& spot : picture.weights)
+    for (const study::RulePicture::Spot& spot : picture.weights)
       weights.push_back({{"at", spot.at}, {"weight", spot.weight}, {"face", spot.of_face}});
     list.push_back({{"rule", rule_name(picture.kind)},
                     {"when", picture.when.empty() ? Json() : Json(picture.when)},
@@ -151,12 +151,13 @@ nlohmann::ordered_json stencils_json(const std::vector<RulePicture>& pictures) {
   return list;
 }
 
-Figure stencils_figure(const std::string& scheme, const std::vector<RulePicture>& pictures) {
+figure::Figure stencils_figure(const std::string& scheme,
+                               const std::vector<study::RulePicture>& pictures) {
   constexpr int kColumns = 3;
-  Figure figure(std::clamp(static_cast<int>(pictures.size()), 1, kColumns));
+  figure::Figure figure(std::clamp(static_cast<int>(pictures.size()), 1, kColumns));
   figure.title(fmt::format("Stencils of {}", scheme));
-  for (const RulePicture& picture : pictures) figure.add(panel_of(picture));
+  for (const study::RulePicture& picture : pictures) figure.add(panel_of(picture));
   return figure;
 }
 
-}  // namespace limn
+}  // namespace limn::report

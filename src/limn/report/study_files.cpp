@@ -15,7 +15,7 @@
 #include "limn/scheme/file/scheme_text.h"
 #include "limn/search/front.h"
 
-namespace limn {
+namespace limn::report {
 namespace {
 
 namespace fs = std::filesystem;
@@ -31,7 +31,7 @@ Status remove_old(const std::string& folder) {
   return Done{};
 }
 
-std::string notes_of(const StudyResult& result, const Evaluated& one) {
+std::string notes_of(const StudyResult& result, const search::Evaluated& one) {
   std::string notes = "Found by a study";
   if (!result.study.title.empty()) notes += fmt::format(", {}", result.study.title);
   for (std::size_t i = 0; i < result.study.objectives.size(); ++i)
@@ -41,50 +41,52 @@ std::string notes_of(const StudyResult& result, const Evaluated& one) {
 }
 
 /// Whether the scheme of the file has, to the last bit, what was found.
-Status compare_again(const Study& study, const Scheme& scheme, const Evaluated& one,
+Status compare_again(const search::Study& study, const Scheme& scheme, const search::Evaluated& one,
                      const std::string& path) {
-  const Outcome again = evaluate_scheme(study, scheme);
+  const search::Outcome again = search::evaluate_scheme(study, scheme);
   if (again.feasible == one.outcome.feasible && again.objectives == one.outcome.objectives)
     return Done{};
   return Error{"the scheme that was written does not have the numbers that the store has",
                "the store may be of another version of limn: run the study with --restart", path};
 }
 
-Status write_certificate(const Study& study, const Scheme& scheme, const std::string& path) {
+Status write_certificate(const search::Study& study, const Scheme& scheme,
+                         const std::string& path) {
   const Result<certify::Certificate> certificate =
       certify::certify(scheme, study.valences, study.certify_options());
   if (!certificate) return certificate.error();
   if (Status shown = certify::check_certificate(*certificate); !shown) return shown;
-  return write_file(path, certify::certificate_json(*certificate).dump(1) + "\n");
+  return base::write_file(path, certify::certificate_json(*certificate).dump(1) + "\n");
 }
 
 Status write_schemes(const StudyResult& result, const StudyFiles& files,
                      nlohmann::ordered_json& json) {
-  const Study& study = result.study;
+  const search::Study& study = result.study;
   const std::string folder = files.folder + "/best";
   if (Status status = remove_old(folder); !status) return status;
   const bool certified = std::any_of(study.demands.begin(), study.demands.end(),
-                                     [](const Demand& demand) { return demand.certified; });
+                                     [](const search::Demand& demand) { return demand.certified; });
   const std::string base = study.folder.empty()
                                ? study.scheme_name
                                : (fs::path(study.folder) / study.scheme_name).string();
   const std::vector<std::string> shipped = shipped_schemes();
   const bool is_shipped =
       std::find(shipped.begin(), shipped.end(), study.scheme_name) != shipped.end();
-  const std::vector<std::size_t> chosen =
-      spread(study, result.run.points, result.best, static_cast<std::size_t>(files.schemes));
+  const std::vector<std::size_t> chosen = search::spread(study, result.run.points, result.best,
+                                                         static_cast<std::size_t>(files.schemes));
   for (std::size_t k = 0; k < chosen.size(); ++k) {
     if (files.progress) files.progress(fmt::format("scheme {} of {}", k + 1, chosen.size()));
-    const Evaluated& one = result.run.points[chosen[k]];
+    const search::Evaluated& one = result.run.points[chosen[k]];
     const std::string name = fmt::format("{}/{:02}", folder, k + 1);
     const std::string path = name + ".toml";
-    const Result<std::string> extends = extended_name(is_shipped ? study.scheme_name : base, path);
+    const Result<std::string> extends =
+        scheme::extended_name(is_shipped ? study.scheme_name : base, path);
     if (!extends) return extends.error();
-    const std::string text = point_text(study, one.point, *extends, notes_of(result, one));
+    const std::string text = search::point_text(study, one.point, *extends, notes_of(result, one));
     const Result<Scheme> back = parse_scheme(text, path);
-    if (!back) return not_written(back.error(), path);
+    if (!back) return scheme::not_written(back.error(), path);
     if (Status status = compare_again(study, *back, one, path); !status) return status;
-    if (Status status = write_file(path, text); !status) return status;
+    if (Status status = base::write_file(path, text); !status) return status;
     const auto at = std::find(result.best.begin(), result.best.end(), chosen[k]);
     nlohmann::ordered_json& entry =
         json["best"][static_cast<std::size_t>(at - result.best.begin())];
@@ -100,15 +102,16 @@ Status write_schemes(const StudyResult& result, const StudyFiles& files,
 Status write_all(const StudyResult& result, const StudyFiles& files, nlohmann::ordered_json& json) {
   const std::string& folder = files.folder;
   if (Status status = write_schemes(result, files, json); !status) return status;
-  if (Status status = write_file(folder + "/front.csv", csv_text(front_table(result))); !status)
+  if (Status status = base::write_file(folder + "/front.csv", csv_text(front_table(result)));
+      !status)
     return status;
   if (files.all_points)
-    if (Status status = write_file(folder + "/points.csv",
-                                   csv_text(study_table(result.study, result.run.points)));
+    if (Status status = base::write_file(folder + "/points.csv",
+                                         csv_text(study_table(result.study, result.run.points)));
         !status)
       return status;
   if (result.best.empty()) return Done{};
-  const Figure figure = study_figure(result);
+  const figure::Figure figure = study_figure(result);
   for (const char* name : {"/front.svg", "/front.pdf"})
     if (Status status = figure.write(folder + name); !status) return status;
   return Done{};
@@ -116,27 +119,28 @@ Status write_all(const StudyResult& result, const StudyFiles& files, nlohmann::o
 
 }  // namespace
 
-Result<Store> open_study_folder(const Study& study, const std::string& folder, bool restart) {
+Result<search::Store> open_study_folder(const search::Study& study, const std::string& folder,
+                                        bool restart) {
   std::error_code failed;
   fs::create_directories(folder + "/best", failed);
   if (failed) return Error{"the folder cannot be made: " + failed.message(), {}, folder};
-  return Store::open(folder + "/study.sqlite", study, restart);
+  return search::Store::open(folder + "/study.sqlite", study, restart);
 }
 
-Status conclude_study(const Study& study, const StudyRun& run, const StudyFiles& files,
-                      std::string& text, nlohmann::ordered_json& json) {
+Status conclude_study(const search::Study& study, const search::StudyRun& run,
+                      const StudyFiles& files, std::string& text, nlohmann::ordered_json& json) {
   StudyResult result{study, run};
-  result.best = best_points(study, run.points);
-  for (const Landmark& one : study.landmarks) {
-    if (files.progress) files.progress("other schemes: " + printable(one.label));
-    result.landmarks.push_back({one.label, evaluate_scheme(study, one.scheme)});
+  result.best = search::best_points(study, run.points);
+  for (const search::Landmark& one : study.landmarks) {
+    if (files.progress) files.progress("other schemes: " + base::printable(one.label));
+    result.landmarks.push_back({one.label, search::evaluate_scheme(study, one.scheme)});
   }
   json = study_json(result);
   if (Status status = write_all(result, files, json); !status) return status;
   text = study_text(result);
   if (!run.finished) text += "the time ended: the same command goes on from here\n";
-  text += fmt::format("written to {}\n", printable(files.folder));
+  text += fmt::format("written to {}\n", base::printable(files.folder));
   return Done{};
 }
 
-}  // namespace limn
+}  // namespace limn::report

@@ -8,12 +8,13 @@
 #include "limn/report/study_report.h"
 #include "limn/search/store.h"
 
-namespace limn {
+namespace limn::report {
 
 /// FOLDER/study.sqlite; the folder is made. Fails as Store::open does, and where there can be no
 /// such folder.
-[[nodiscard]] Result<Store> open_study_folder(const Study& study, const std::string& folder,
-                                              bool restart = false);
+[[nodiscard]] Result<search::Store> open_study_folder(const search::Study& study,
+                                                      const std::string& folder,
+                                                      bool restart = false);
 
 struct StudyFiles {
   std::string folder;  ///< open_study_folder has made it
@@ -28,8 +29,8 @@ struct StudyFiles {
 /// Puts what `limn study` prints into `text` and `json`: study_json, with "scheme" and
 /// "certificate" in "best" where there are such files. Fails where a scheme does not come out as it
 /// was found.
-[[nodiscard]] Status conclude_study(const Study& study, const StudyRun& run,
+[[nodiscard]] Status conclude_study(const search::Study& study, const search::StudyRun& run,
                                     const StudyFiles& files, std::string& text,
                                     nlohmann::ordered_json& json);
 
-}  // namespace limn
+}  // namespace limn::report

@@ -11,20 +11,22 @@
 #include "limn/report/json_number.h"
 #include "limn/search/front.h"
 
-namespace limn {
+namespace limn::report {
 namespace {
 
-std::string goal_of(const Objective& objective) { return objective.maximise ? "max" : "min"; }
+std::string goal_of(const search::Objective& objective) {
+  return objective.maximise ? "max" : "min";
+}
 
 double number_of(const std::optional<double>& value) { return value.value_or(NAN); }
 
-long long feasible_count(const StudyRun& run) {
+long long feasible_count(const search::StudyRun& run) {
   return std::count_if(run.points.begin(), run.points.end(),
-                       [](const Evaluated& one) { return one.outcome.feasible; });
+                       [](const search::Evaluated& one) { return one.outcome.feasible; });
 }
 
-std::vector<Cell> row_of(const Evaluated& one) {
-  const Outcome& outcome = one.outcome;
+std::vector<Cell> row_of(const search::Evaluated& one) {
+  const search::Outcome& outcome = one.outcome;
   std::vector<Cell> row{static_cast<double>(one.generation), static_cast<double>(one.place)};
   for (const Rational& value : one.point) row.emplace_back(to_string(value));
   row.emplace_back(outcome.feasible ? 1.0 : 0.0);
@@ -36,11 +38,11 @@ std::vector<Cell> row_of(const Evaluated& one) {
   return row;
 }
 
-std::string described_demand(const Demand& demand) {
+std::string described_demand(const search::Demand& demand) {
   return demand.text + (demand.certified ? ", certified" : "");
 }
 
-std::string axis_label(const Objective& objective) {
+std::string axis_label(const search::Objective& objective) {
   const std::string_view unit = objective.value.row().unit;
   return objective.value.text() + (unit.empty() ? "" : fmt::format(" [{}]", unit));
 }
@@ -49,13 +51,13 @@ std::string axis_label(const Objective& objective) {
 struct Marks {
   std::vector<double> x, y;
 
-  void add(const Outcome& outcome) {
+  void add(const search::Outcome& outcome) {
     x.push_back(number_of(outcome.objectives[0]));
     y.push_back(number_of(outcome.objectives[1]));
   }
 };
 
-ChartPanel front_panel(const StudyResult& result) {
+figure::ChartPanel front_panel(const StudyResult& result) {
   Marks others, front, named;
   std::vector<std::string> labels;
   std::vector<bool> is_best(result.run.points.size(), false);
@@ -72,7 +74,7 @@ ChartPanel front_panel(const StudyResult& result) {
     named.add(one.outcome);
     labels.push_back(one.label + (one.outcome.feasible ? "" : " (fails)"));
   }
-  ChartPanel panel;
+  figure::ChartPanel panel;
   panel.x_label = axis_label(result.study.objectives[0]);
   panel.y_label = axis_label(result.study.objectives[1]);
   panel.series.push_back({.name = "feasible points",
@@ -99,12 +101,12 @@ ChartPanel front_panel(const StudyResult& result) {
 }
 
 /// The best value after so many points.
-ChartPanel descent_panel(const StudyResult& result) {
-  const Objective& objective = result.study.objectives[0];
-  ChartPanel::Series series{.name = "best so far", .style = 1};
+figure::ChartPanel descent_panel(const StudyResult& result) {
+  const search::Objective& objective = result.study.objectives[0];
+  figure::ChartPanel::Series series{.name = "best so far", .style = 1};
   std::optional<double> best;
   for (std::size_t i = 0; i < result.run.points.size(); ++i) {
-    const Outcome& outcome = result.run.points[i].outcome;
+    const search::Outcome& outcome = result.run.points[i].outcome;
     if (outcome.feasible) {
       const double value = *outcome.objectives[0];
       if (!best || (objective.maximise ? value > *best : value < *best)) best = value;
@@ -113,7 +115,7 @@ ChartPanel descent_panel(const StudyResult& result) {
     series.x.push_back(static_cast<double>(i + 1));
     series.y.push_back(*best);
   }
-  ChartPanel panel;
+  figure::ChartPanel panel;
   panel.x_label = "points";
   panel.y_label = axis_label(objective);
   panel.series.push_back(std::move(series));
@@ -121,13 +123,13 @@ ChartPanel descent_panel(const StudyResult& result) {
 }
 
 std::string caption_of(const StudyResult& result) {
-  const Study& study = result.study;
+  const search::Study& study = result.study;
   return fmt::format("{} points, {} of them feasible, {} on the front; {}.",
                      result.run.points.size(), feasible_count(result.run), result.best.size(),
-                     to_string(study.method.kind));
+                     search::to_string(study.method.kind));
 }
 
-std::string point_line(const Study& study, const Evaluated& one) {
+std::string point_line(const search::Study& study, const search::Evaluated& one) {
   std::string line = " ";
   for (std::size_t i = 0; i < study.objectives.size(); ++i)
     line += fmt::format(" {} = {:.6g}", study.objectives[i].value.text(),
@@ -135,35 +137,36 @@ std::string point_line(const Study& study, const Evaluated& one) {
   line += "  at";
   for (std::size_t i = 0; i < study.coordinates.size(); ++i)
     line += fmt::format(" {} = {:.6g}", study.coordinates[i].label(), to_double(one.point[i]));
-  return printable(line) + "\n";
+  return base::printable(line) + "\n";
 }
 
 }  // namespace
 
-DescribedTable study_table(const Study& study, const std::vector<Evaluated>& points) {
+DescribedTable study_table(const search::Study& study,
+                           const std::vector<search::Evaluated>& points) {
   DescribedTable table;
   table.columns = {{"generation", "in which it was asked for"}, {"place", "in the generation"}};
-  for (const Coordinate& one : study.coordinates)
+  for (const search::Coordinate& one : study.coordinates)
     table.columns.push_back({one.label(), one.valence ? "exactly, at this valence" : "exactly"});
   table.columns.push_back({"feasible", "1: all that is demanded holds"});
-  for (const Objective& one : study.objectives)
+  for (const search::Objective& one : study.objectives)
     table.columns.push_back({one.value.text(), std::string(one.value.row().meaning)});
-  for (const Demand& one : study.demands)
+  for (const search::Demand& one : study.demands)
     table.columns.push_back({described_demand(one), "whether it holds"});
   table.columns.push_back({"violation", "how far from feasible"});
   table.columns.push_back({"reason", "why it is not"});
-  for (const Evaluated& one : points) table.rows.push_back(row_of(one));
+  for (const search::Evaluated& one : points) table.rows.push_back(row_of(one));
   return table;
 }
 
 DescribedTable front_table(const StudyResult& result) {
-  std::vector<Evaluated> front;
+  std::vector<search::Evaluated> front;
   for (const std::size_t i : result.best) front.push_back(result.run.points[i]);
   return study_table(result.study, front);
 }
 
-Figure study_figure(const StudyResult& result) {
-  Figure figure(1);
+figure::Figure study_figure(const StudyResult& result) {
+  figure::Figure figure(1);
   if (!result.study.title.empty()) figure.title(result.study.title);
   figure.add(result.study.objectives.size() > 1 ? front_panel(result) : descent_panel(result),
              caption_of(result));
@@ -171,51 +174,54 @@ Figure study_figure(const StudyResult& result) {
 }
 
 std::string study_text(const StudyResult& result, std::size_t most) {
-  const Study& study = result.study;
+  const search::Study& study = result.study;
   std::string text = fmt::format(
       "{}: {} points ({} asked for, in whole generations), {} of them feasible, {} evaluated now\n",
-      printable(study.title.empty() ? study.file : study.title), result.run.points.size(),
+      base::printable(study.title.empty() ? study.file : study.title), result.run.points.size(),
       study.method.points, feasible_count(result.run), result.run.evaluated);
   if (result.best.empty()) {
     text += "no point is feasible\n";
-    const auto nearest = std::min_element(result.run.points.begin(), result.run.points.end(),
-                                          [](const Evaluated& a, const Evaluated& b) {
-                                            return a.outcome.violation < b.outcome.violation;
-                                          });
+    const auto nearest =
+        std::min_element(result.run.points.begin(), result.run.points.end(),
+                         [](const search::Evaluated& a, const search::Evaluated& b) {
+                           return a.outcome.violation < b.outcome.violation;
+                         });
     if (nearest != result.run.points.end())
-      text += fmt::format("  the nearest fails: {}\n", printable(nearest->outcome.reason));
+      text += fmt::format("  the nearest fails: {}\n", base::printable(nearest->outcome.reason));
     return text;
   }
   const bool one = study.objectives.size() == 1;
   text += one ? "the optimum\n" : fmt::format("a front of {} points\n", result.best.size());
-  const std::vector<std::size_t> shown = spread(study, result.run.points, result.best, most);
+  const std::vector<std::size_t> shown =
+      search::spread(study, result.run.points, result.best, most);
   for (const std::size_t i : shown) text += point_line(study, result.run.points[i]);
   for (const LandmarkOutcome& mark : result.landmarks) {
-    text += fmt::format("  {}:", printable(mark.label));
+    text += fmt::format("  {}:", base::printable(mark.label));
     for (std::size_t i = 0; i < study.objectives.size(); ++i)
       text += mark.outcome.objectives[i]
                   ? fmt::format(" {} = {:.6g}", study.objectives[i].value.text(),
                                 *mark.outcome.objectives[i])
                   : "";
-    text += mark.outcome.feasible ? "\n" : "  fails: " + printable(mark.outcome.reason) + "\n";
+    text +=
+        mark.outcome.feasible ? "\n" : "  fails: " + base::printable(mark.outcome.reason) + "\n";
   }
   return text;
 }
 
 nlohmann::ordered_json study_json(const StudyResult& result) {
   using Json = nlohmann::ordered_json;
-  const Study& study = result.study;
-  const auto numbers = [](const Outcome& outcome) {
+  const search::Study& study = result.study;
+  const auto numbers = [](const search::Outcome& outcome) {
     Json list = Json::array();
     for (const std::optional<double>& value : outcome.objectives)
       list.push_back(finite(number_of(value)));
     return list;
   };
   Json objectives = Json::array(), best = Json::array(), compare = Json::array();
-  for (const Objective& one : study.objectives)
+  for (const search::Objective& one : study.objectives)
     objectives.push_back({{"value", one.value.text()}, {"goal", goal_of(one)}});
   for (const std::size_t i : result.best) {
-    const Evaluated& one = result.run.points[i];
+    const search::Evaluated& one = result.run.points[i];
     Json coordinates = Json::object();
     for (std::size_t j = 0; j < one.point.size(); ++j)
       coordinates[study.coordinates[j].label()] = to_string(one.point[j]);
@@ -228,7 +234,7 @@ nlohmann::ordered_json study_json(const StudyResult& result) {
                        {"reason", one.outcome.reason}});
   return {{"study", study.title.empty() ? study.file : study.title},
           {"scheme", study.scheme.name},
-          {"method", to_string(study.method.kind)},
+          {"method", search::to_string(study.method.kind)},
           {"points", result.run.points.size()},
           {"feasible", feasible_count(result.run)},
           {"evaluated", result.run.evaluated},
@@ -240,7 +246,7 @@ nlohmann::ordered_json study_json(const StudyResult& result) {
 
 namespace {
 
-std::string call_of(const QuantityRow& row) {
+std::string call_of(const search::QuantityRow& row) {
   std::string text = std::string(row.name) + "(";
   for (std::size_t i = 0; i < row.arguments.size(); ++i)
     text += (i > 0 ? ", " : "") + std::string(row.arguments[i].name);
@@ -251,7 +257,7 @@ std::string call_of(const QuantityRow& row) {
 
 std::string quantities_text() {
   std::string text;
-  for (const QuantityRow& row : quantities()) {
+  for (const search::QuantityRow& row : search::quantities()) {
     const std::string unit = row.unit.empty() ? "" : fmt::format(" [{}]", row.unit);
     text += fmt::format("{}\n    {}{}; costs {}\n", call_of(row), row.meaning, unit, row.cost);
   }
@@ -260,9 +266,9 @@ std::string quantities_text() {
 
 nlohmann::ordered_json quantities_json() {
   nlohmann::ordered_json list = nlohmann::ordered_json::array();
-  for (const QuantityRow& row : quantities()) {
+  for (const search::QuantityRow& row : search::quantities()) {
     nlohmann::ordered_json arguments = nlohmann::ordered_json::array();
-    for (const QuantityRow::Argument& one : row.arguments) arguments.push_back(one.name);
+    for (const search::QuantityRow::Argument& one : row.arguments) arguments.push_back(one.name);
     list.push_back({{"name", row.name},
                     {"arguments", arguments},
                     {"meaning", row.meaning},
@@ -272,4 +278,4 @@ nlohmann::ordered_json quantities_json() {
   return {{"quantities", list}};
 }
 
-}  // namespace limn
+}  // namespace limn::report

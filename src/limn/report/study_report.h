@@ -9,31 +9,32 @@
 #include "limn/report/data_table.h"
 #include "limn/search/run_study.h"
 
-namespace limn {
+namespace limn::report {
 
 /// A scheme drawn beside what was found.
 struct LandmarkOutcome {
   std::string label;
-  Outcome outcome;
+  search::Outcome outcome;
 };
 
 /// What a report is made of.
 struct StudyResult {
-  const Study& study;
-  const StudyRun& run;
+  const search::Study& study;
+  const search::StudyRun& run;
   std::vector<std::size_t> best = {};  ///< best_points of run.points
   std::vector<LandmarkOutcome> landmarks = {};
 };
 
 /// Points as a table: generation, place, the coordinates as fractions, feasible, the objectives,
 /// the demands, the violation and the reason; without times, so that it is the same in every run.
-[[nodiscard]] DescribedTable study_table(const Study& study, const std::vector<Evaluated>& points);
+[[nodiscard]] DescribedTable study_table(const search::Study& study,
+                                         const std::vector<search::Evaluated>& points);
 /// The front, or the optimum: the same table of the best points, in their order.
 [[nodiscard]] DescribedTable front_table(const StudyResult& result);
 
 /// Objectives against one another, each point a mark, the front a line, other schemes with their
 /// names; with one objective, the best value against the number of points.
-[[nodiscard]] Figure study_figure(const StudyResult& result);
+[[nodiscard]] figure::Figure study_figure(const StudyResult& result);
 
 /// A paragraph: how many points, how many feasible, and the best ones, at most `most` of them.
 [[nodiscard]] std::string study_text(const StudyResult& result, std::size_t most = 12);
@@ -46,4 +47,4 @@ struct StudyResult {
 [[nodiscard]] std::string quantities_text();
 [[nodiscard]] nlohmann::ordered_json quantities_json();
 
-}  // namespace limn
+}  // namespace limn::report

@@ -12,19 +12,19 @@
 #include "limn/scheme/formulas.h"
 #include "limn/tune/closed_form.h"
 
-namespace limn {
+namespace limn::report {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
 /// Name j's number in words, exactly, where it was recognised.
-std::optional<std::string> exact_text(const SystemSolution& solution, int n, std::size_t j) {
+std::optional<std::string> exact_text(const tune::SystemSolution& solution, int n, std::size_t j) {
   if (solution.rationals[j]) return to_string(*solution.rationals[j]);
-  return closed_form_at(n, solution.values[j]);
+  return tune::closed_form_at(n, solution.values[j]);
 }
 
 /// The first that holds; nullptr: there is none.
-const SystemSolution* chosen(const SystemSolutions& at) {
+const tune::SystemSolution* chosen(const tune::SystemSolutions& at) {
   const auto found = std::find_if(at.solutions.begin(), at.solutions.end(),
                                   [](const auto& one) { return one.holds == Truth::yes; });
   return found == at.solutions.end() ? nullptr : &*found;
@@ -67,14 +67,14 @@ struct Definition {
   std::vector<int> kept;
 };
 
-Definition definition_of(const FreedNames& names, std::size_t j,
-                         const std::vector<SystemSolutions>& solutions,
+Definition definition_of(const tune::FreedNames& names, std::size_t j,
+                         const std::vector<tune::SystemSolutions>& solutions,
                          const std::optional<std::string>& form) {
   const FreedScheme& name = names.one(j);
   Definition definition;
   std::vector<Case> cases;
-  for (const SystemSolutions& at : solutions) {
-    const SystemSolution* solution = chosen(at);
+  for (const tune::SystemSolutions& at : solutions) {
+    const tune::SystemSolution* solution = chosen(at);
     // at a regular valence that is solved beside others: their neighbours would have it, too
     const bool for_neighbours =
         !name.is_one_number() && name.everywhere(at.valence) && solutions.size() > 1;
@@ -96,7 +96,8 @@ Definition definition_of(const FreedNames& names, std::size_t j,
   definition.text =
       name.is_one_number()
           ? cases.front().value
-          : cases_text(cases, find_definition(names.original(), name.name())->expression.text());
+          : cases_text(cases,
+                       scheme::find_definition(names.original(), name.name())->expression.text());
   return definition;
 }
 
@@ -108,9 +109,9 @@ std::string joined_requirements(const std::vector<Requirement>& requirements) {
 
 }  // namespace
 
-Json system_json(const FreedNames& names, const SystemSolutions& solutions) {
+Json system_json(const tune::FreedNames& names, const tune::SystemSolutions& solutions) {
   Json list = Json::array();
-  for (const SystemSolution& one : solutions.solutions) {
+  for (const tune::SystemSolution& one : solutions.solutions) {
     Json values = Json::object(), exact = Json::object();
     for (std::size_t j = 0; j < names.size(); ++j) {
       values[names.one(j).name()] = one.values[j];
@@ -132,9 +133,9 @@ Json system_json(const FreedNames& names, const SystemSolutions& solutions) {
 
 std::string system_heading() { return solution_heading(""); }
 
-std::string system_text(const FreedNames& names, const SystemSolutions& solutions) {
+std::string system_text(const tune::FreedNames& names, const tune::SystemSolutions& solutions) {
   std::string text;
-  for (const SystemSolution& one : solutions.solutions) {
+  for (const tune::SystemSolution& one : solutions.solutions) {
     text += found_text(solutions.valence, one.found, one.holds) + "\n";
     for (std::size_t j = 0; j < names.size(); ++j) {
       const std::string digits = fmt::format("{:.16g}", one.values[j]);
@@ -142,32 +143,32 @@ std::string system_text(const FreedNames& names, const SystemSolutions& solution
       const std::optional<std::string> exact = exact_text(one, solutions.valence, j);
       text += exact && *exact != digits ? " = " + *exact + "\n" : "\n";
     }
-    if (!one.reason.empty()) text += fmt::format("           {}\n", printable(one.reason));
+    if (!one.reason.empty()) text += fmt::format("           {}\n", base::printable(one.reason));
   }
   if (!solutions.reason.empty())
-    text += fmt::format("{:>7}  {}\n", solutions.valence, printable(solutions.reason));
+    text += fmt::format("{:>7}  {}\n", solutions.valence, base::printable(solutions.reason));
   return text;
 }
 
 std::vector<std::optional<std::string>> common_forms(
-    const FreedNames& names, const std::vector<SystemSolutions>& solutions) {
+    const tune::FreedNames& names, const std::vector<tune::SystemSolutions>& solutions) {
   std::vector<std::optional<std::string>> forms(names.size());
   for (std::size_t j = 0; j < names.size(); ++j) {
     std::vector<int> valences;
     std::vector<double> values;
-    for (const SystemSolutions& at : solutions)
-      if (const SystemSolution* solution = chosen(at)) {
+    for (const tune::SystemSolutions& at : solutions)
+      if (const tune::SystemSolution* solution = chosen(at)) {
         valences.push_back(at.valence);
         values.push_back(solution->values[j]);
       }
-    if (valences.size() == solutions.size()) forms[j] = closed_form(valences, values);
+    if (valences.size() == solutions.size()) forms[j] = tune::closed_form(valences, values);
   }
   return forms;
 }
 
-Result<std::string> tuned_system_text(const FreedNames& names,
+Result<std::string> tuned_system_text(const tune::FreedNames& names,
                                       const std::vector<Requirement>& requirements,
-                                      const std::vector<SystemSolutions>& solutions,
+                                      const std::vector<tune::SystemSolutions>& solutions,
                                       const std::string& extends) {
   const Scheme& scheme = names.original();
   const std::vector<std::optional<std::string>> forms = common_forms(names, solutions);
@@ -191,21 +192,21 @@ Result<std::string> tuned_system_text(const FreedNames& names,
     kept = definition.kept;
   }
   double residual = 0;
-  for (const SystemSolutions& at : solutions)
-    if (const SystemSolution* solution = chosen(at))
+  for (const tune::SystemSolutions& at : solutions)
+    if (const tune::SystemSolution* solution = chosen(at))
       residual = std::max(residual, solution->residual);
   std::string text = fmt::format(
       "# Made by limn tune. Residuals are {:.1e} at most; long fractions are doubles, exactly;\n"
       "# fractions and formulas are recognised, not proved.\n",
       residual);
   if (!kept.empty())
-    text += fmt::format("# The values of '{}' are kept at n = {}.\n", printable(scheme.name),
+    text += fmt::format("# The values of '{}' are kept at n = {}.\n", base::printable(scheme.name),
                         fmt::join(kept, ", "));
   text += fmt::format(
-      "title   = {}\nextends = {}\nnotes   = {}\n", toml_string(derived_title(scheme, "tuned")),
-      toml_string(extends),
-      toml_string(fmt::format("{} such that {}", list, joined_requirements(requirements))));
-  return text + weights_toml(scheme) + definitions_toml(scheme, definitions);
+      "title   = {}\nextends = {}\nnotes   = {}\n",
+      scheme::toml_string(scheme::derived_title(scheme, "tuned")), scheme::toml_string(extends),
+      scheme::toml_string(fmt::format("{} such that {}", list, joined_requirements(requirements))));
+  return text + scheme::weights_toml(scheme) + scheme::definitions_toml(scheme, definitions);
 }
 
-}  // namespace limn
+}  // namespace limn::report

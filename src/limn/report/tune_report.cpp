@@ -5,13 +5,12 @@
 
 #include "limn/number/near_rational.h"
 #include "limn/report/eigen/eigen_report.h"
+#include "limn/report/json_number.h"
 
-namespace limn {
+namespace limn::report {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-Json number_json(const std::optional<double>& value) { return value ? Json(*value) : Json(); }
 
 Json exact_json(const std::optional<Rational>& rational) {
   return rational ? Json(to_string(*rational)) : Json();
@@ -60,8 +59,8 @@ std::string end_text(const char* side, const RangeEnd& end) {
 }
 
 std::string interval_text(Interval interval) {
-  return fmt::format("[{}, {}]", value_text(interval.low, near_rational(interval.low)),
-                     value_text(interval.high, near_rational(interval.high)));
+  return fmt::format("[{}, {}]", value_text(interval.low, number::near_rational(interval.low)),
+                     value_text(interval.high, number::near_rational(interval.high)));
 }
 
 }  // namespace
@@ -149,9 +148,9 @@ std::string common_text(const std::string& name, const std::vector<Interval>& co
   std::string text;
   for (const Interval part : common)
     text += fmt::format("    all  {} between {} and {}\n", name,
-                        value_text(part.low, near_rational(part.low)),
-                        value_text(part.high, near_rational(part.high)));
+                        value_text(part.low, number::near_rational(part.low)),
+                        value_text(part.high, number::near_rational(part.high)));
   return text;
 }
 
-}  // namespace limn
+}  // namespace limn::report

@@ -7,7 +7,7 @@
 
 #include "limn/tune/solve.h"
 
-namespace limn {
+namespace limn::report {
 
 /// {"valence", "searched": [low, high], "samples", "solutions": [{"value", "residual", "exact":
 /// "p/q" or null, "double", "holds": true, false or null (undecided), "reason", "components",
@@ -38,4 +38,4 @@ namespace limn {
 /// The line that says where a requirement holds at all valences together.
 [[nodiscard]] std::string common_text(const std::string& name, const std::vector<Interval>& common);
 
-}  // namespace limn
+}  // namespace limn::report

@@ -11,7 +11,7 @@
 #include "limn/scheme/formulas.h"
 #include "limn/scheme/scope.h"
 
-namespace limn {
+namespace limn::report {
 namespace {
 
 /// Of the solutions that hold the nearest to the scheme's own value; nullptr: there is none.
@@ -29,21 +29,21 @@ Rational fraction(const Solution& solution) {
 }
 
 /// The freed name's new definition and what was decided about it.
-struct Definition {
+struct TunedDefinition {
   std::string text;
   std::vector<int> kept;  ///< valences with the scheme's own value
   double residual = 0;    ///< the largest
   bool any = false;
 };
 
-Definition define(const FreedScheme& freed, const std::vector<ValenceSolutions>& solutions,
-                  bool one_number) {
+TunedDefinition define(const FreedScheme& freed, const std::vector<ValenceSolutions>& solutions,
+                       bool one_number) {
   const Scheme& scheme = freed.original();
-  const Formula& own = *find_definition(scheme, freed.name());
-  Definition definition;
+  const Formula& own = *scheme::find_definition(scheme, freed.name());
+  TunedDefinition definition;
   std::vector<std::pair<int, Rational>> numbers;
   for (const ValenceSolutions& at : solutions) {
-    const Result<double> own_value = Scope<double>(scheme, at.valence, std::nullopt)(own);
+    const Result<double> own_value = scheme::Scope<double>(scheme, at.valence, std::nullopt)(own);
     const Solution* solution = chosen(at, own_value ? *own_value : 0);
     const bool for_neighbours = !one_number && freed.everywhere(at.valence) && solutions.size() > 1;
     if (solution == nullptr || for_neighbours) {
@@ -55,7 +55,7 @@ Definition define(const FreedScheme& freed, const std::vector<ValenceSolutions>&
     numbers.emplace_back(at.valence, fraction(*solution));
   }
   if (!one_number)
-    definition.text = definition_by_valence(numbers, own.expression);
+    definition.text = scheme::definition_by_valence(numbers, own.expression);
   else if (!numbers.empty())
     definition.text = to_string(numbers.front().second);
   return definition;
@@ -73,19 +73,20 @@ Result<std::string> tuned_scheme_text(const FreedScheme& freed, const Requiremen
                              "valence only",
                              freed.name()),
                  "give a single --valence"};
-  const Definition definition = define(freed, solutions, one_number);
+  const TunedDefinition definition = define(freed, solutions, one_number);
   if (!definition.any) return Error{fmt::format("no {} was found to write", freed.name())};
   const std::string task = fmt::format("{} such that {}", freed.name(), requirement.text);
   std::string text = fmt::format(
       "# Made by limn tune. Residuals are {:.1e} at most; long fractions are doubles, exactly.\n",
       definition.residual);
   if (!definition.kept.empty())
-    text += fmt::format("# The value of '{}' is kept at n = {}.\n", printable(scheme.name),
+    text += fmt::format("# The value of '{}' is kept at n = {}.\n", base::printable(scheme.name),
                         fmt::join(definition.kept, ", "));
   text += fmt::format("title   = {}\nextends = {}\nnotes   = {}\n",
-                      toml_string(derived_title(scheme, "tuned")), toml_string(extends),
-                      toml_string(task));
-  return text + weights_toml(scheme) + definitions_toml(scheme, {{freed.name(), definition.text}});
+                      scheme::toml_string(scheme::derived_title(scheme, "tuned")),
+                      scheme::toml_string(extends), scheme::toml_string(task));
+  return text + scheme::weights_toml(scheme) +
+         scheme::definitions_toml(scheme, {{freed.name(), definition.text}});
 }
 
-}  // namespace limn
+}  // namespace limn::report

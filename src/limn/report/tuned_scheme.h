@@ -6,7 +6,7 @@
 
 #include "limn/tune/solve.h"
 
-namespace limn {
+namespace limn::report {
 
 /// A scheme file that extends `extends` (what it is to be called there: a shipped name or a path)
 /// and gives the freed name its solution at each of these valences: of those that hold the one
@@ -20,4 +20,4 @@ namespace limn {
                                                     const std::vector<ValenceSolutions>& solutions,
                                                     const std::string& extends);
 
-}  // namespace limn
+}  // namespace limn::report

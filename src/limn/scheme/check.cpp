@@ -9,7 +9,7 @@
 #include "limn/scheme/placement.h"
 #include "limn/scheme/scope.h"
 
-namespace limn {
+namespace limn::scheme {
 namespace {
 
 /// The rule of that kind: in a scheme of stages, what two averagings make of a vertex.
@@ -31,10 +31,10 @@ struct Spot {
   [[nodiscard]] std::optional<long long> valence() const {
     return rule_has_valence(kind) ? std::optional<long long>(n) : std::nullopt;
   }
-  [[nodiscard]] Scope<Exact> scope(const Scheme& scheme,
-                                   std::optional<long long> k = std::nullopt) const {
-    Scope<Exact> scope(scheme, valence(), k);
-    if (quads) scope.give(std::string(kQuads), Exact(*quads));
+  [[nodiscard]] Scope<number::Exact> scope(const Scheme& scheme,
+                                           std::optional<long long> k = std::nullopt) const {
+    Scope<number::Exact> scope(scheme, valence(), k);
+    if (quads) scope.give(std::string(kQuads), number::Exact(*quads));
     return scope;
   }
 };
@@ -62,9 +62,9 @@ class Scopes {
   Scopes(const Scheme& scheme, const Spot& at)
       : scheme_(scheme), at_(at), plain_(at.scope(scheme)) {}
 
-  [[nodiscard]] Result<Exact> operator()(const Formula& formula) { return plain_(formula); }
+  [[nodiscard]] Result<number::Exact> operator()(const Formula& formula) { return plain_(formula); }
   /// 0 ≤ k < n
-  [[nodiscard]] Result<Exact> operator()(const Formula& formula, int k) {
+  [[nodiscard]] Result<number::Exact> operator()(const Formula& formula, int k) {
     if (repeated_.empty())
       for (int i = 0; i < at_.n; ++i) repeated_.emplace_back(scheme_, at_.n, i);
     return repeated_[static_cast<std::size_t>(k)](formula);
@@ -73,15 +73,16 @@ class Scopes {
  private:
   const Scheme& scheme_;
   Spot at_;
-  Scope<Exact> plain_;
-  std::vector<Scope<Exact>> repeated_;
+  Scope<number::Exact> plain_;
+  std::vector<Scope<number::Exact>> repeated_;
 };
 
 /// The weights of a repeated role for k = 0 … n-1.
-Result<std::vector<Exact>> repeated_weights(Scopes& scopes, const Spot& at, const Weight& weight) {
-  std::vector<Exact> values;
+Result<std::vector<number::Exact>> repeated_weights(Scopes& scopes, const Spot& at,
+                                                    const Weight& weight) {
+  std::vector<number::Exact> values;
   for (int k = 0; k < at.n; ++k) {
-    Result<Exact> value = scopes(weight.value, k);
+    Result<number::Exact> value = scopes(weight.value, k);
     if (!value) return needed_by(at, value.error());
     values.push_back(std::move(*value));
   }
@@ -90,15 +91,15 @@ Result<std::vector<Exact>> repeated_weights(Scopes& scopes, const Spot& at, cons
 
 /// Round a vertex or a face no k is the first; along an edge and in a corner k and n-k are
 /// mirror images, unless the role is placed from both sides anyway.
-Status check_symmetry(const std::vector<Exact>& values, const Spot& at, const Weight& weight,
-                      bool placed_twice) {
+Status check_symmetry(const std::vector<number::Exact>& values, const Spot& at,
+                      const Weight& weight, bool placed_twice) {
   const int n = static_cast<int>(values.size());
   const bool round = at.kind == RuleKind::vertex || at.kind == RuleKind::face;
   if (placed_twice && !round) return Done{};
   for (int k = 1; k < n; ++k) {
     const int mirror = round ? 0 : n - k;
-    const Result<Exact> difference = Exact::subtract(values[static_cast<std::size_t>(k)],
-                                                     values[static_cast<std::size_t>(mirror)]);
+    const Result<number::Exact> difference = number::Exact::subtract(
+        values[static_cast<std::size_t>(k)], values[static_cast<std::size_t>(mirror)]);
     if (!difference) return needed_by(at, placed(difference.error(), weight));
     if (difference->is_zero()) continue;
     const std::string_view law = round ? "no k is the first here, so a weight must not depend on it"
@@ -119,33 +120,33 @@ int count_of_pair(const Scheme& scheme, const Spot& at, const Weight& weight) {
   return scheme.split->lattice == Lattice::quad ? at.n : 0;
 }
 
-Result<Exact> plain_sum(Scopes& scopes, const Spot& at, const Weight& weight,
-                        const Rational& count) {
-  Result<Exact> value = scopes(weight.value);
+Result<number::Exact> plain_sum(Scopes& scopes, const Spot& at, const Weight& weight,
+                                const Rational& count) {
+  Result<number::Exact> value = scopes(weight.value);
   if (!value) return needed_by(at, value.error());
-  return Exact::multiply(Exact(count), *value);
+  return number::Exact::multiply(number::Exact(count), *value);
 }
 
-Result<Exact> sum_of_weight(const Scheme& scheme, Scopes& scopes, const Spot& at,
-                            const Weight& weight) {
+Result<number::Exact> sum_of_weight(const Scheme& scheme, Scopes& scopes, const Spot& at,
+                                    const Weight& weight) {
   if (scheme.stages) return plain_sum(scopes, at, weight, count_of_pair(scheme, at, weight));
   const Result<Placement> placement = place(at.kind, scheme.split->lattice, weight.walk);
   if (!placement) return placement.error();
   if (!weight.walk.repeated)
     return plain_sum(scopes, at, weight,
                      placement->times_n ? placement->count * at.n : placement->count);
-  const Result<std::vector<Exact>> values = repeated_weights(scopes, at, weight);
+  const Result<std::vector<number::Exact>> values = repeated_weights(scopes, at, weight);
   if (!values) return values.error();
   if (Status status = check_symmetry(*values, at, weight, placement->starts.size() > 1); !status)
     return status.error();
-  Result<Exact> sum = Exact(0);
-  for (const Exact& value : *values)
-    if (sum) sum = Exact::add(*sum, value);
+  Result<number::Exact> sum = number::Exact(0);
+  for (const number::Exact& value : *values)
+    if (sum) sum = number::Exact::add(*sum, value);
   if (!sum) return needed_by(at, placed(sum.error(), weight));
   return sum;
 }
 
-Error wrong_sum(const Spot& at, const Exact& sum, const Place& place) {
+Error wrong_sum(const Spot& at, const number::Exact& sum, const Place& place) {
   if (!sum.is_rational() && std::abs(sum.approx() - 1) < 1e-9)
     return faulty_rule(at, "has weights whose sum cannot be shown to be exactly 1",
                        "write the same square root wherever one is a multiple of another", place);
@@ -157,15 +158,15 @@ Error wrong_sum(const Spot& at, const Exact& sum, const Place& place) {
 
 Status check_sum(const Scheme& scheme, const Spot& at, const RuleCase& rule_case) {
   Scopes scopes(scheme, at);
-  Exact sum;
+  number::Exact sum;
   for (const Weight& weight : rule_case.weights) {
-    const Result<Exact> part = sum_of_weight(scheme, scopes, at, weight);
+    const Result<number::Exact> part = sum_of_weight(scheme, scopes, at, weight);
     if (!part) return part.error();
-    Result<Exact> longer = Exact::add(sum, *part);
+    Result<number::Exact> longer = number::Exact::add(sum, *part);
     if (!longer) return needed_by(at, placed(longer.error(), weight));
     sum = std::move(*longer);
   }
-  if (sum == Exact(1)) return Done{};
+  if (sum == number::Exact(1)) return Done{};
   return wrong_sum(at, sum, rule_case.place);
 }
 
@@ -175,20 +176,20 @@ std::string range_text(const Parameter& parameter) {
 }
 
 /// The sign of b - a; 1 where one of them is not stated.
-Result<int> order(Scope<Exact>& scope, const std::optional<Formula>& a,
+Result<int> order(Scope<number::Exact>& scope, const std::optional<Formula>& a,
                   const std::optional<Formula>& b) {
   if (!a || !b) return 1;
-  const Result<Exact> left = scope(*a);
+  const Result<number::Exact> left = scope(*a);
   if (!left) return left.error();
-  const Result<Exact> right = scope(*b);
+  const Result<number::Exact> right = scope(*b);
   if (!right) return right.error();
-  const Result<Exact> difference = Exact::subtract(*right, *left);
+  const Result<number::Exact> difference = number::Exact::subtract(*right, *left);
   if (!difference) return difference.error();
-  return Arithmetic<Exact>::sign(*difference);
+  return number::Arithmetic<number::Exact>::sign(*difference);
 }
 
 /// The parameter's value lies in its range, in the scope of one rule.
-Status check_range(const Parameter& parameter, const Spot& at, Scope<Exact>& scope) {
+Status check_range(const Parameter& parameter, const Spot& at, Scope<number::Exact>& scope) {
   const Place& place = parameter.value.place;
   const auto fault = [&](const std::string& what) {
     return Error{fmt::format("parameter {} {}{}", parameter.name, what, at.text()),
@@ -215,7 +216,8 @@ Status check_parameter(const Scheme& scheme, const Parameter& parameter, const S
   const bool valued = at.scope(scheme)(parameter.value).ok();
   if (!valued && !rule_has_valence(at.kind)) return Done{};
   for (int k = 0; k < (valued ? 1 : at.n); ++k) {
-    Scope<Exact> scope = at.scope(scheme, valued ? std::nullopt : std::optional<long long>(k));
+    Scope<number::Exact> scope =
+        at.scope(scheme, valued ? std::nullopt : std::optional<long long>(k));
     if (Status status = check_range(parameter, at, scope); !status) return status;
   }
   return Done{};
@@ -238,7 +240,7 @@ Status check_case(const Scheme& scheme, const Spot& at) {
 }
 
 /// Whether so much was spent that no arithmetic is left: what it says then is no fault.
-bool is_exhausted() { return !Exact::multiply(Exact(1), Exact(1)).ok(); }
+bool is_exhausted() { return !number::Exact::multiply(number::Exact(1), number::Exact(1)).ok(); }
 
 /// The valences at which a rule is checked.
 std::pair<int, int> checked_valences(const Scheme& scheme, RuleKind kind) {
@@ -264,11 +266,7 @@ std::vector<Spot> checked_spots(const Scheme& scheme, RuleKind kind) {
   return spots;
 }
 
-bool uses_any(const Formula& formula, const std::set<std::string>& names) {
-  const std::vector<std::string>& used = formula.expression.names();
-  return std::any_of(used.begin(), used.end(),
-                     [&](const std::string& name) { return names.count(name) > 0; });
-}
+using scheme::uses_any;
 
 bool uses_any(const Parameter& parameter, const std::set<std::string>& names) {
   return names.count(parameter.name) > 0 || (parameter.low && uses_any(*parameter.low, names)) ||
@@ -301,6 +299,12 @@ bool is_of_case(const Rule& rule, const Error& fault) {
 
 }  // namespace
 
+bool uses_any(const Formula& formula, const std::set<std::string>& names) {
+  const std::vector<std::string>& used = formula.expression.names();
+  return std::any_of(used.begin(), used.end(),
+                     [&](const std::string& name) { return names.count(name) > 0; });
+}
+
 Error missing_rule(const Scheme& scheme, RuleKind kind, int n, std::optional<int> quads) {
   const bool by_mask = scheme.mask || scheme.factors;
   std::string hint = fmt::format("add a table [{}]", rule_name(kind));
@@ -321,12 +325,12 @@ Result<const RuleCase*> applicable_case(const Scheme& scheme, RuleKind kind, int
                                         std::optional<int> quads) {
   const Rule* rule = rule_of(scheme, kind);
   if (rule == nullptr) return nullptr;
-  const ExactBudget budget(kExactWork);
+  const number::ExactBudget budget(kExactWork);
   const Spot at{kind, n, quads};
-  Scope<Exact> scope = at.scope(scheme);
+  Scope<number::Exact> scope = at.scope(scheme);
   for (const RuleCase& rule_case : *rule) {
     if (!rule_case.when) return &rule_case;
-    Result<Exact> guard = scope(*rule_case.when);
+    Result<number::Exact> guard = scope(*rule_case.when);
     if (!guard) return needed_by(at, guard.error());
     if (!guard->is_zero()) return &rule_case;
   }
@@ -334,7 +338,7 @@ Result<const RuleCase*> applicable_case(const Scheme& scheme, RuleKind kind, int
 }
 
 Status check_rule(const Scheme& scheme, RuleKind kind, int n, std::optional<int> quads) {
-  const ExactBudget budget(kExactWork);
+  const number::ExactBudget budget(kExactWork);
   const Spot at{kind, n, quads};
   for (const Parameter& parameter : scheme.parameters)
     if (Status status = check_parameter(scheme, parameter, at); !status) return status;
@@ -342,7 +346,7 @@ Status check_rule(const Scheme& scheme, RuleKind kind, int n, std::optional<int>
 }
 
 Status check_ranges(const Scheme& scheme) {
-  const ExactBudget budget(kExactWork);
+  const number::ExactBudget budget(kExactWork);
   std::set<const Parameter*> left;
   for (const Parameter& parameter : scheme.parameters) left.insert(&parameter);
   for (int i = 0; i < kRuleKinds; ++i) {
@@ -359,8 +363,8 @@ Status check_ranges(const Scheme& scheme) {
 }
 
 void check_rules(const Scheme& scheme, const std::set<std::string>& valueless,
-                 const std::function<bool(RuleKind)>& is_left_out, Faults& faults) {
-  const ExactBudget budget(kExactWork);
+                 const std::function<bool(RuleKind)>& is_left_out, base::Faults& faults) {
+  const number::ExactBudget budget(kExactWork);
   std::set<std::pair<int, int>> places;  // of faults
   const auto note = [&](const Status& status) {
     if (!status && places.insert({status.error().line, status.error().column}).second)
@@ -385,4 +389,4 @@ void check_rules(const Scheme& scheme, const std::set<std::string>& valueless,
   }
 }
 
-}  // namespace limn
+}  // namespace limn::scheme

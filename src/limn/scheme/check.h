@@ -12,7 +12,7 @@
 #include "limn/base/faults.h"
 #include "limn/scheme/scheme.h"
 
-namespace limn {
+namespace limn::scheme {
 
 /// The name of the number of quads at a vertex, in the formulas of stages that begin linearly.
 inline constexpr std::string_view kQuads = "q";
@@ -28,7 +28,7 @@ inline constexpr double kExactWork = 2e6;
 /// which something is wrong is a fault, at the first valence where it is. What uses a name in
 /// `valueless`, and rules for which `is_left_out(kind)`, are passed over.
 void check_rules(const Scheme& scheme, const std::set<std::string>& valueless,
-                 const std::function<bool(RuleKind)>& is_left_out, Faults& faults);
+                 const std::function<bool(RuleKind)>& is_left_out, base::Faults& faults);
 
 /// That each parameter lies in its range, where check_rules looks at it: the first that does not.
 [[nodiscard]] Status check_ranges(const Scheme& scheme);
@@ -44,8 +44,11 @@ void check_rules(const Scheme& scheme, const std::set<std::string>& valueless,
 [[nodiscard]] Result<const RuleCase*> applicable_case(const Scheme& scheme, RuleKind kind, int n,
                                                       std::optional<int> quads = {});
 
+/// Whether the formula names one of these.
+[[nodiscard]] bool uses_any(const Formula& formula, const std::set<std::string>& names);
+
 /// The error that names a missing rule or case; `what` as "the vertex rule at valence 5".
 [[nodiscard]] Error missing_rule(const Scheme& scheme, RuleKind kind, int n,
                                  std::optional<int> quads = {});
 
-}  // namespace limn
+}  // namespace limn::scheme

@@ -8,7 +8,7 @@
 #include "limn/scheme/placement.h"
 #include "limn/scheme/scope.h"
 
-namespace limn {
+namespace limn::scheme {
 namespace {
 
 /// Σ count · weight as text; nothing where a role is repeated.
@@ -33,9 +33,9 @@ bool is_rounded(const Scheme& scheme, RuleKind kind, const RuleCase& one, const 
     if (*applies != &one) continue;
     std::optional<long long> valence;
     if (rule_has_valence(kind)) valence = n;
-    const Result<Exact> value = Scope<Exact>(scheme, valence, std::nullopt)(sum);
+    const Result<number::Exact> value = Scope<number::Exact>(scheme, valence, std::nullopt)(sum);
     if (!value || !(std::abs(value->approx() - 1) <= kDecimalTolerance)) return false;
-    off = off || !(*value == Exact(1));
+    off = off || !(*value == number::Exact(1));
   }
   return off;
 }
@@ -61,4 +61,4 @@ void divide_by_sums(Scheme& scheme) {
   }
 }
 
-}  // namespace limn
+}  // namespace limn::scheme

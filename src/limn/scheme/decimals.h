@@ -4,7 +4,7 @@
 
 #include "limn/scheme/scheme.h"
 
-namespace limn {
+namespace limn::scheme {
 
 /// How far from 1 such weights may sum.
 inline constexpr double kDecimalTolerance = 1e-3;
@@ -16,4 +16,4 @@ inline constexpr double kDecimalTolerance = 1e-3;
 /// scheme's names are known and its roles can be placed.
 void divide_by_sums(Scheme& scheme);
 
-}  // namespace limn
+}  // namespace limn::scheme

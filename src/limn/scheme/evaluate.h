@@ -9,7 +9,7 @@
 #include "limn/number/arithmetic.h"
 #include "limn/scheme/expression.h"
 
-namespace limn {
+namespace limn::scheme {
 
 /// Runs the program of an expression; use `evaluate`.
 template <class Number>
@@ -39,7 +39,7 @@ template <class Number, class Lookup>
 
 template <class Number>
 Result<Number> ExpressionRun<Number>::apply_unary(Op op, const Number& a) {
-  using A = Arithmetic<Number>;
+  using A = number::Arithmetic<Number>;
   switch (op) {
     case Op::negate: return A::subtract(A::from(Rational(0)), a);
     case Op::cosine: return A::cos(a);
@@ -54,7 +54,7 @@ Result<Number> ExpressionRun<Number>::apply_unary(Op op, const Number& a) {
 
 template <class Number>
 Result<Number> ExpressionRun<Number>::compare(Op op, const Number& a, const Number& b) {
-  using A = Arithmetic<Number>;
+  using A = number::Arithmetic<Number>;
   const Result<Number> difference = A::subtract(a, b);
   if (!difference) return difference.error();
   const Result<int> sign = A::sign(*difference);
@@ -73,7 +73,7 @@ Result<Number> ExpressionRun<Number>::compare(Op op, const Number& a, const Numb
 
 template <class Number>
 Result<Number> ExpressionRun<Number>::apply_integer(Op op, const Number& a, const Number& b) {
-  using A = Arithmetic<Number>;
+  using A = number::Arithmetic<Number>;
   const Result<long long> right = A::integer(b);
   if (op == Op::modulo) {
     const Result<long long> left = A::integer(a);
@@ -94,7 +94,7 @@ Result<Number> ExpressionRun<Number>::apply_integer(Op op, const Number& a, cons
 
 template <class Number>
 Result<Number> ExpressionRun<Number>::apply_binary(Op op, const Number& a, const Number& b) {
-  using A = Arithmetic<Number>;
+  using A = number::Arithmetic<Number>;
   switch (op) {
     case Op::add: return A::add(a, b);
     case Op::subtract: return A::subtract(a, b);
@@ -118,7 +118,7 @@ Result<Number> ExpressionRun<Number>::apply_binary(Op op, const Number& a, const
 template <class Number>
 template <class Lookup>
 Result<Number> ExpressionRun<Number>::of(const Expression& expression, Lookup& lookup) {
-  using A = Arithmetic<Number>;
+  using A = number::Arithmetic<Number>;
   std::vector<Number> stack;
   stack.reserve(expression.program_.size());
   for (const Expression::Instruction& step : expression.program_) {
@@ -155,4 +155,4 @@ Result<Number> ExpressionRun<Number>::of(const Expression& expression, Lookup& l
   return std::move(stack.back());
 }
 
-}  // namespace limn
+}  // namespace limn::scheme

@@ -26,6 +26,11 @@
 
 namespace limn {
 
+namespace scheme {
+template <class Number>
+class ExpressionRun;  // evaluate.h
+}  // namespace scheme
+
 /// Whether "0.375" is a number, 375/1000, or a fault.
 enum class Decimals : bool { refused, admitted };
 /// What is said of one that is refused.
@@ -50,7 +55,7 @@ class Expression {
  private:
   friend class ExpressionParser;
   template <class Number>
-  friend class ExpressionRun;
+  friend class scheme::ExpressionRun;
   enum class Op : unsigned char {
     constant,
     name,

@@ -5,7 +5,7 @@
 
 #include "limn/scheme/scheme.h"
 
-namespace limn {
+namespace limn::scheme {
 
 /// The formula of a let or a parameter; nullptr: there is none of that name.
 template <class MaybeConstScheme>
@@ -60,4 +60,4 @@ void each_mask_formula(const Scheme& scheme, Visit&& visit) {
   if (scheme.factors->kernel) visit_rows(*scheme.factors->kernel);
 }
 
-}  // namespace limn
+}  // namespace limn::scheme

@@ -6,7 +6,7 @@
 
 #include "limn/scheme/stages.h"
 
-namespace limn {
+namespace limn::scheme {
 namespace {
 
 Scheme on_lattice(const Scheme& scheme, Lattice lattice) {
@@ -42,4 +42,4 @@ Status check_one_lattice(const Scheme& scheme) {
                            scheme.name)};
 }
 
-}  // namespace limn
+}  // namespace limn::scheme

@@ -7,7 +7,7 @@
 
 #include "limn/scheme/scheme.h"
 
-namespace limn {
+namespace limn::scheme {
 
 /// "triangle" or "quad".
 [[nodiscard]] std::string_view lattice_name(Lattice lattice);
@@ -25,4 +25,4 @@ namespace limn {
 /// says so.
 [[nodiscard]] Status check_one_lattice(const Scheme& scheme);
 
-}  // namespace limn
+}  // namespace limn::scheme

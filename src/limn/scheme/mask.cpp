@@ -19,7 +19,8 @@ Error at(const Place& place, std::string message, std::string hint = {}) {
 }
 
 Result<Rational> rational_value(const Scheme& scheme, const Formula& formula) {
-  Result<Exact> value = Scope<Exact>(scheme, std::nullopt, std::nullopt)(formula);
+  Result<number::Exact> value =
+      scheme::Scope<number::Exact>(scheme, std::nullopt, std::nullopt)(formula);
   if (!value) return value.error();
   if (!value->is_rational())
     return at(formula.place, fmt::format("a mask needs rational numbers, found {} = {:.6g}",
@@ -155,18 +156,18 @@ bool interpolates(const Mask& mask) {
   });
 }
 
-Laurent smoothing_direction(LatticeVector step, const LatticeMatrix& dilation) {
+Laurent scheme::smoothing_direction(LatticeVector step, const LatticeMatrix& dilation) {
   const int box = arity(dilation);
   return scaled(centred_box(step, box), Rational(1, box));
 }
 
-Result<Mask> mask_from_rows(const Scheme& scheme, const Rows& rows) {
+Result<Mask> scheme::mask_from_rows(const Scheme& scheme, const Rows& rows) {
   Result<Laurent> polynomial = polynomial_from_rows(scheme, rows);
   if (!polynomial) return polynomial.error();
   return checked(scheme, std::move(*polynomial), rows.place);
 }
 
-Result<Mask> mask_from_factors(const Scheme& scheme, const Factors& factors) {
+Result<Mask> scheme::mask_from_factors(const Scheme& scheme, const Factors& factors) {
   const Split& split = *scheme.split;
   std::vector<std::pair<LatticeVector, int>> directions;
   if (factors.stages) {
@@ -184,7 +185,7 @@ Result<Mask> mask_from_factors(const Scheme& scheme, const Factors& factors) {
     return too_far(factors.place);
   Laurent polynomial{{{0, 0}, Rational(split.dilation.growth())}};
   for (const auto& [step, count] : directions) {
-    const Laurent smoothing = smoothing_direction(step, split.dilation);
+    const Laurent smoothing = scheme::smoothing_direction(step, split.dilation);
     for (int i = 0; i < count; ++i) polynomial = product(polynomial, smoothing);
   }
   if (factors.kernel) {

@@ -12,10 +12,10 @@
 #include "limn/mesh/lattice.h"
 #include "limn/scheme/placement.h"
 
-namespace limn {
+namespace limn::scheme {
 namespace {
 
-constexpr int kSide = 64;  // of the torus; masks reach less than half of it
+constexpr int kMaskSide = 64;  // of the torus; masks reach less than half of it
 
 /// The new vertex that the anchor named by h gives birth to.
 Index birth_of(RuleKind kind, const Mesh& mesh, const Births& births, Index h) {
@@ -86,14 +86,14 @@ std::string name_of(RuleKind kind, Lattice lattice, const Mesh& mesh,
 std::optional<std::vector<Weight>> weights_of(const Mask& mask, RuleKind kind, const Mesh& mesh,
                                               const Births& births, const Place& place) {
   const Index h = 0;
-  const Twelfths birth =
-      torus_birth_place(mesh, kSide, kSide, births, birth_of(kind, mesh, births, h));
+  const mesh::Twelfths birth =
+      mesh::torus_birth_place(mesh, kMaskSide, kMaskSide, births, birth_of(kind, mesh, births, h));
   std::map<Index, Rational> values;
   std::set<Index> wanted;
   for (Index v = 0; v < mesh.vertex_count(); ++v) {
-    const Twelfths old{12 * (v % kSide), 12 * (v / kSide)};
+    const mesh::Twelfths old{12 * (v % kMaskSide), 12 * (v / kMaskSide)};
     const auto found = mask.coefficients.find(
-        mask_offset(mask.dilation, torus_difference(old, birth, kSide, kSide)));
+        mask_offset(mask.dilation, mesh::torus_difference(old, birth, kMaskSide, kMaskSide)));
     if (found == mask.coefficients.end()) continue;
     values[v] = found->second;
     wanted.insert(v);
@@ -135,7 +135,7 @@ Status add_rules_from_mask(Scheme& scheme) {
     kinds.push_back(split.births.thirds ? RuleKind::edge_third : RuleKind::edge);
   if (split.births.faces) kinds.push_back(RuleKind::face);
   if (split.births.corners) kinds.push_back(RuleKind::corner);
-  const Mesh mesh = torus(split.lattice, kSide, kSide);
+  const Mesh mesh = mesh::torus(split.lattice, kMaskSide, kMaskSide);
   const Births births = split.apply(mesh, 0).births;
   std::array<std::optional<Rule>, kRuleKinds> rules;
   for (const RuleKind kind : kinds) {
@@ -155,4 +155,4 @@ Status add_rules_from_mask(Scheme& scheme) {
   return Done{};
 }
 
-}  // namespace limn
+}  // namespace limn::scheme

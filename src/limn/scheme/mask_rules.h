@@ -4,10 +4,10 @@
 #include "limn/mesh/lattice.h"
 #include "limn/scheme/mask.h"
 
-namespace limn {
+namespace limn::scheme {
 
 /// Twice the offset, in the refined lattice, of a new vertex that lies `way` from an old one.
-[[nodiscard]] inline LatticeVector mask_offset(const LatticeMatrix& dilation, Twelfths way) {
+[[nodiscard]] inline LatticeVector mask_offset(const LatticeMatrix& dilation, mesh::Twelfths way) {
   const LatticeVector offset = dilation.apply(way);
   return {offset[0] / 6, offset[1] / 6};
 }
@@ -28,4 +28,4 @@ namespace limn {
 /// says so.
 [[nodiscard]] Status add_rules_from_mask(Scheme& scheme);
 
-}  // namespace limn
+}  // namespace limn::scheme

@@ -10,7 +10,7 @@
 #include "limn/scheme/check.h"
 #include "limn/scheme/scope.h"
 
-namespace limn {
+namespace limn::scheme {
 namespace {
 
 /// How a value depends on one parameter: as a polynomial of at most this degree.
@@ -32,7 +32,7 @@ Error unknown_parameter(const Scheme& scheme, const std::string& name) {
   return {fmt::format("scheme '{}' has no parameter '{}'", scheme.name, name),
           known.empty()
               ? "it has no parameters"
-              : did_you_mean(name, known, fmt::format("it has {}", fmt::join(known, ", ")))};
+              : base::did_you_mean(name, known, fmt::format("it has {}", fmt::join(known, ", ")))};
 }
 
 /// Puts the expression in place; nothing is checked yet. `set`: the names that were set so far.
@@ -63,17 +63,22 @@ Status assign(Scheme& scheme, const std::string& assignment, std::set<std::strin
 /// The number that the formula is, if it is one whatever names stand for.
 std::optional<Rational> constant_of(const Scheme& scheme, const Formula& formula) {
   if (!formula.expression.names().empty()) return std::nullopt;
-  const ExactBudget budget(kExactWork);
-  const Result<Exact> value = Scope<Exact>(scheme, std::nullopt, std::nullopt)(formula);
+  const number::ExactBudget budget(kExactWork);
+  const Result<number::Exact> value =
+      Scope<number::Exact>(scheme, std::nullopt, std::nullopt)(formula);
   if (!value || !value->is_rational()) return std::nullopt;
   return value->rational();
 }
 
 }  // namespace
+}  // namespace limn::scheme
+
+namespace limn::number {
 
 /// Fails where the value is no polynomial of the parameter, or might be none.
 template <>
-struct Arithmetic<Degree> {
+struct Arithmetic<scheme::Degree> {
+  using Degree = scheme::Degree;
   static Degree from(const Rational& q) { return {0, q}; }
   static Degree pi() { return {}; }
   static Result<Degree> add(const Degree& a, const Degree& b) {
@@ -107,6 +112,9 @@ struct Arithmetic<Degree> {
   }
 };
 
+}  // namespace limn::number
+
+namespace limn::scheme {
 namespace detail {
 
 Status assign_parameters(Scheme& scheme, const std::vector<std::string>& assignments) {
@@ -117,8 +125,9 @@ Status assign_parameters(Scheme& scheme, const std::vector<std::string>& assignm
 }
 
 Error in_assignments(const std::vector<std::string>& assignments, Error fault) {
-  fault.message = fmt::format(
-      "-p {}: {}", printable(fmt::format("{}", fmt::join(assignments, " -p "))), fault.message);
+  fault.message =
+      fmt::format("-p {}: {}", base::printable(fmt::format("{}", fmt::join(assignments, " -p "))),
+                  fault.message);
   if (fault.line == 0) fault.column = 0;
   return fault;
 }
@@ -190,4 +199,4 @@ Result<Scheme> ParameterSetter::with(const std::vector<std::string>& assignments
   return changed;
 }
 
-}  // namespace limn
+}  // namespace limn::scheme

@@ -11,7 +11,7 @@
 #include "limn/base/rational.h"
 #include "limn/scheme/scheme.h"
 
-namespace limn {
+namespace limn::scheme {
 
 /// Sets parameters as `set_parameters` does, with the same answers, but proves nothing twice: where
 /// all weights are polynomials of degree d in a parameter, the sum of a rule's weights is one, too,
@@ -60,4 +60,4 @@ namespace detail {
                                                    const std::string& parameter);
 
 }  // namespace detail
-}  // namespace limn
+}  // namespace limn::scheme

@@ -11,7 +11,7 @@
 
 #include "limn/mesh/lattice.h"
 
-namespace limn {
+namespace limn::scheme {
 namespace {
 
 constexpr Index kSide = 32;      // of the torus: more than twice the reach of the longest walk
@@ -27,7 +27,7 @@ struct Arena {
 };
 
 Arena make_arena(Lattice lattice, bool boundary) {
-  Arena arena{torus(lattice, kSide, kSide), 0};
+  Arena arena{mesh::torus(lattice, kSide, kSide), 0};
   if (!boundary) return arena;
   const Index per_row = kSide * (lattice == Lattice::triangle ? 2 : 1);
   const Polygons whole = arena.mesh.polygons(std::vector<Point3>(kSide * kSide));
@@ -183,7 +183,7 @@ bool same_end_on_triangles(const Moves& a, const Moves& b, bool reads_face) {
   static const std::vector<Mesh> trees = [] {
     std::vector<Mesh> result;
     for (int depth = 0; depth <= kDeepestTree; ++depth)
-      result.push_back(tree(Lattice::triangle, depth));
+      result.push_back(mesh::tree(Lattice::triangle, depth));
     return result;
   }();
   const auto crossings = [](const Moves& word) {
@@ -364,4 +364,4 @@ Result<Placement> place(RuleKind kind, Lattice lattice, const Walk& walk) {
   return known.try_emplace(key, compute_placement(kind, lattice, walk)).first->second;
 }
 
-}  // namespace limn
+}  // namespace limn::scheme

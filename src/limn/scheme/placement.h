@@ -12,7 +12,7 @@
 #include "limn/base/rational.h"
 #include "limn/scheme/role.h"
 
-namespace limn {
+namespace limn::scheme {
 
 /// Where a walk that leaves the mesh would have ended: the affine extension of the start flag's
 /// own face, v + along·(v' − v) + aside·(w − v), with v' the other end of the flag's edge
@@ -55,4 +55,4 @@ struct AnchorFlags {
 /// repeated step in a rule that has no n.
 [[nodiscard]] Result<Placement> place(RuleKind kind, Lattice lattice, const Walk& walk);
 
-}  // namespace limn
+}  // namespace limn::scheme

@@ -57,7 +57,7 @@ std::string rules_of(const Split& split) {
 }
 
 /// Which rules the split calls for: missing ones and ones that it has no use for.
-void check_rules_fit(const Scheme& scheme, const Unread& unread, Faults& faults) {
+void check_rules_fit(const Scheme& scheme, const scheme::Unread& unread, base::Faults& faults) {
   const Split& split = *scheme.split;
   const bool given_by_mask = scheme.mask || scheme.factors;
   for (int i = 0; i < kRuleKinds; ++i) {
@@ -66,7 +66,7 @@ void check_rules_fit(const Scheme& scheme, const Unread& unread, Faults& faults)
     const bool optional = kind >= RuleKind::boundary_vertex || stands_in_for(kind, split);
     if (unread.something && !scheme.rule(kind)) continue;  // it may be that rule, by another name
     if (used && !optional && !given_by_mask && !scheme.rule(kind))
-      faults.add(missing_rule(scheme, kind, regular_valence(kind, split.lattice)));
+      faults.add(scheme::missing_rule(scheme, kind, regular_valence(kind, split.lattice)));
     if (!used && scheme.rule(kind)) {
       const Place& place = scheme.rule(kind)->front().place;
       faults.add(
@@ -79,12 +79,6 @@ void check_rules_fit(const Scheme& scheme, const Unread& unread, Faults& faults)
 /// Whether the weights are checked, which is nearly all of the cost, or have been.
 enum class Weights { checked, trusted };
 
-bool uses_any(const Formula& formula, const std::set<std::string>& names) {
-  const std::vector<std::string>& used = formula.expression.names();
-  return std::any_of(used.begin(), used.end(),
-                     [&](const std::string& name) { return names.count(name) > 0; });
-}
-
 /// Names that the scheme's own file defines, and those whose values depend on them.
 std::set<std::string> own_names(const Scheme& scheme) {
   std::vector<std::pair<std::string, const Formula*>> definitions;
@@ -94,7 +88,7 @@ std::set<std::string> own_names(const Scheme& scheme) {
   for (std::size_t before = 1; before != names.size();) {
     before = names.size();
     for (const auto& [name, value] : definitions)
-      if (value->place.file == scheme.file || uses_any(*value, names)) names.insert(name);
+      if (value->place.file == scheme.file || scheme::uses_any(*value, names)) names.insert(name);
   }
   return names;
 }
@@ -102,27 +96,27 @@ std::set<std::string> own_names(const Scheme& scheme) {
 /// Whether a rule is as the extended scheme has it: it was checked there, which may cost seconds.
 bool is_as_extended(const Scheme& scheme, const Rule& rule, const std::set<std::string>& own) {
   return std::all_of(rule.begin(), rule.end(), [&](const RuleCase& one) {
-    return one.place.file != scheme.file && !(one.when && uses_any(*one.when, own)) &&
+    return one.place.file != scheme.file && !(one.when && scheme::uses_any(*one.when, own)) &&
            std::none_of(one.weights.begin(), one.weights.end(),
-                        [&](const Weight& weight) { return uses_any(weight.value, own); });
+                        [&](const Weight& weight) { return scheme::uses_any(weight.value, own); });
   });
 }
 
 /// Whether two rules have the same weights on the regular lattice, role by role.
 bool says_the_same(const Scheme& scheme, RuleKind one, RuleKind other) {
   const int n = regular_valence(one, scheme.split->lattice);
-  const Result<const RuleCase*> a = applicable_case(scheme, one, n);
-  const Result<const RuleCase*> b = applicable_case(scheme, other, n);
+  const Result<const RuleCase*> a = scheme::applicable_case(scheme, one, n);
+  const Result<const RuleCase*> b = scheme::applicable_case(scheme, other, n);
   if (!a || !b || *a == nullptr || *b == nullptr) return false;
   const auto weighs = [&](const RuleCase& from, const RuleCase& in) {
-    Scope<Exact> scope(scheme, n, std::nullopt);
+    scheme::Scope<number::Exact> scope(scheme, n, std::nullopt);
     return std::all_of(from.weights.begin(), from.weights.end(), [&](const Weight& weight) {
-      Result<Exact> rest = scope(weight.value);
+      Result<number::Exact> rest = scope(weight.value);
       for (const Weight& same : in.weights)
         if (rest && same.walk == weight.walk) {
-          const Result<Exact> value = scope(same.value);
+          const Result<number::Exact> value = scope(same.value);
           if (!value) return false;
-          rest = Exact::subtract(*rest, *value);
+          rest = number::Exact::subtract(*rest, *value);
         }
       return rest.ok() && rest->is_zero();
     });
@@ -132,7 +126,7 @@ bool says_the_same(const Scheme& scheme, RuleKind one, RuleKind other) {
 
 /// The rule for smooth triangles, and that there is a use for it.
 void check_smooth_triangles(const Scheme& scheme, const std::set<std::string>& valueless,
-                            Faults& faults) {
+                            base::Faults& faults) {
   const Split& split = *scheme.split;
   if (!split.any_polygons || !split.halves_edges()) {
     const Place& place = scheme.smooth_triangles->front().place;
@@ -143,7 +137,7 @@ void check_smooth_triangles(const Scheme& scheme, const std::set<std::string>& v
   }
   Scheme smooth = scheme;
   use_smooth_triangles(smooth);
-  check_rules(
+  scheme::check_rules(
       smooth, valueless, [](RuleKind kind) { return kind != RuleKind::edge_side; }, faults);
   if (faults.none() && !says_the_same(smooth, RuleKind::edge_side, RuleKind::edge)) {
     const Place& place = scheme.smooth_triangles->back().place;
@@ -154,7 +148,7 @@ void check_smooth_triangles(const Scheme& scheme, const std::set<std::string>& v
 }
 
 /// That facts are of one lattice where meshes have both kinds of faces.
-void check_lattices_of_facts(const Scheme& scheme, Faults& faults) {
+void check_lattices_of_facts(const Scheme& scheme, base::Faults& faults) {
   const bool both = scheme.stages && scheme.stages->is_mixed();
   for (const Fact& fact : scheme.facts)
     if (both != fact.lattice.has_value() && !(scheme.stages && scheme.stages->only))
@@ -165,38 +159,38 @@ void check_lattices_of_facts(const Scheme& scheme, Faults& faults) {
 
 /// From the parameters of a scheme of stages follows its split. Where something is wrong already it
 /// may be what these depend on.
-void check_stages(Scheme& scheme, Faults& faults, Weights weights) {
+void check_stages(Scheme& scheme, base::Faults& faults, Weights weights) {
   if (!faults.none()) return;
   check_lattices_of_facts(scheme, faults);
-  if (Status status = settle_stages(scheme); !status) return faults.add(status.error());
+  if (Status status = scheme::settle_stages(scheme); !status) return faults.add(status.error());
   if (weights == Weights::checked)
-    check_rules(
+    scheme::check_rules(
         scheme, {}, [](RuleKind) { return false; }, faults);
 }
 
 /// All that can be judged of what was read. `base`: the split of the scheme that it extends, if
 /// any.
-void check_scheme(Scheme& scheme, const Unread& unread, const Split* base, Faults& faults,
-                  Weights weights = Weights::checked) {
-  const ExactBudget budget(kExactWork);
-  check_names(scheme, unread, faults);
+void check_scheme(Scheme& scheme, const scheme::Unread& unread, const Split* base,
+                  base::Faults& faults, Weights weights = Weights::checked) {
+  const number::ExactBudget budget(scheme::kExactWork);
+  scheme::check_names(scheme, unread, faults);
   if (scheme.stages) return check_stages(scheme, faults, weights);
   check_lattices_of_facts(scheme, faults);
   if (scheme.split == nullptr) return;
-  const std::set<std::string> valueless = valueless_names(scheme, unread);
+  const std::set<std::string> valueless = scheme::valueless_names(scheme, unread);
   if (scheme.mask || scheme.factors) {
     if (!faults.none()) return;
-    if (Status status = add_rules_from_mask(scheme); !status) {
+    if (Status status = scheme::add_rules_from_mask(scheme); !status) {
       faults.add(status.error());
       return;
     }
   }
   check_rules_fit(scheme, unread, faults);
-  if (scheme.has_decimals && faults.none()) divide_by_sums(scheme);
+  if (scheme.has_decimals && faults.none()) scheme::divide_by_sums(scheme);
   if (weights == Weights::trusted) return;
   const std::set<std::string> own = own_names(scheme);
   const bool extends = base == scheme.split && !scheme.has_decimals;
-  check_rules(
+  scheme::check_rules(
       scheme, valueless,
       [&](RuleKind kind) {
         return unread.rule(kind) || !has_use_for(*scheme.split, kind) ||
@@ -219,7 +213,7 @@ std::string text_of(const Chain& chain) {
 }
 
 std::optional<Scheme> parse_in_chain(const SchemeText& file, const SchemeLoader& load, Chain chain,
-                                     Weights weights, Faults& faults) {
+                                     Weights weights, base::Faults& faults) {
   if (chain.size() > kDeepestExtension) {
     faults.add({fmt::format("more than {} schemes extend one another", kDeepestExtension)});
     return std::nullopt;
@@ -232,7 +226,8 @@ std::optional<Scheme> parse_in_chain(const SchemeText& file, const SchemeLoader&
     return std::nullopt;
   }
   const Split* base_split = nullptr;
-  const auto extended = [&](const std::string& name, Faults& of_base) -> std::optional<Scheme> {
+  const auto extended = [&](const std::string& name,
+                            base::Faults& of_base) -> std::optional<Scheme> {
     const Result<SchemeText> base = load(name, file.path.empty() ? "." : file.path);
     if (!base) of_base.add(base.error());
     std::optional<Scheme> scheme =
@@ -240,7 +235,7 @@ std::optional<Scheme> parse_in_chain(const SchemeText& file, const SchemeLoader&
     if (scheme) base_split = scheme->split;
     return scheme;
   };
-  Draft draft = read_scheme_text(file.text, file.path, extended, faults);
+  scheme::Draft draft = scheme::read_scheme_text(file.text, file.path, extended, faults);
   if (draft.unread.everything) return std::nullopt;
   Scheme& scheme = draft.scheme;
   if (scheme.name.empty()) scheme.name = std::filesystem::path(file.path).stem().string();
@@ -251,14 +246,14 @@ std::optional<Scheme> parse_in_chain(const SchemeText& file, const SchemeLoader&
 
 Result<Scheme> parse_first(const SchemeText& file, const SchemeLoader& load,
                            Weights weights = Weights::checked) {
-  const ExactBudget budget(kExactWork);  // of all the files together
+  const number::ExactBudget budget(scheme::kExactWork);  // of all the files together
   std::vector<SourceText> texts{{file.path, file.text}};
   const SchemeLoader noting = [&](const std::string& name, const std::string& from) {
     Result<SchemeText> found = load(name, from);
     if (found) texts.push_back({name, found->text});
     return found;
   };
-  Faults faults;
+  base::Faults faults;
   std::optional<Scheme> scheme = parse_in_chain(file, noting, {}, weights, faults);
   if (!scheme) return faults.joined();
   scheme->texts = std::move(texts);
@@ -266,7 +261,7 @@ Result<Scheme> parse_first(const SchemeText& file, const SchemeLoader& load,
 }
 
 Error unknown_scheme(const std::string& name) {
-  const std::string near = did_you_mean(name, shipped_schemes());
+  const std::string near = base::did_you_mean(name, shipped_schemes());
   return {fmt::format("no shipped scheme and no file is called '{}'", name),
           near.empty() ? "`limn schemes` lists the shipped ones; else give the path of a .toml file"
                        : near};
@@ -274,7 +269,7 @@ Error unknown_scheme(const std::string& name) {
 
 /// A scheme file is small, and a file: a device or a pipe may never end.
 Result<std::string> read_scheme_file(const std::string& path) {
-  return read_file(path, {.bytes = kMostSchemeBytes, .pipes = false});
+  return base::read_file(path, {.bytes = scheme::kMostSchemeBytes, .pipes = false});
 }
 
 /// The same for every way to write the path; the path itself where there is no such file.
@@ -288,7 +283,7 @@ std::string file_id(const std::string& path) {
 
 Result<SchemeText> load_scheme_text(const std::string& name, const std::string& from) {
   namespace fs = std::filesystem;
-  for (const ShippedFile& shipped : shipped_files())
+  for (const scheme::ShippedFile& shipped : scheme::shipped_files())
     if (shipped.name == name)
       return SchemeText{std::string(shipped.text), name + ".toml", "shipped " + name};
   if (name.find('\0') != std::string::npos)
@@ -351,8 +346,8 @@ Result<Scheme> find_scheme(const std::string& name_or_path) {
   return parse_first(*text, load_scheme_text);
 }
 
-Result<Scheme> shipped_scheme(const std::string& name) {
-  for (const ShippedFile& file : shipped_files())
+Result<Scheme> scheme::shipped_scheme(const std::string& name) {
+  for (const scheme::ShippedFile& file : scheme::shipped_files())
     if (file.name == name)
       return parse_first({std::string(file.text), name + ".toml", "shipped " + name},
                          load_scheme_text, Weights::trusted);
@@ -361,7 +356,7 @@ Result<Scheme> shipped_scheme(const std::string& name) {
 
 std::vector<std::string> shipped_schemes() {
   std::vector<std::string> names;
-  for (const ShippedFile& file : shipped_files()) names.emplace_back(file.name);
+  for (const scheme::ShippedFile& file : scheme::shipped_files()) names.emplace_back(file.name);
   std::sort(names.begin(), names.end());  // the files are in the order of NAME.toml
   return names;
 }
@@ -369,11 +364,12 @@ std::vector<std::string> shipped_schemes() {
 Status set_parameters(Scheme& scheme, const std::vector<std::string>& assignments) {
   if (assignments.empty()) return Done{};
   Scheme changed = scheme;
-  if (Status status = detail::assign_parameters(changed, assignments); !status) return status;
-  Faults faults;
+  if (Status status = scheme::detail::assign_parameters(changed, assignments); !status)
+    return status;
+  base::Faults faults;
   check_scheme(changed, {}, nullptr, faults);
   // the others mostly follow from the same value
-  if (!faults.none()) return detail::in_assignments(assignments, faults.list().front());
+  if (!faults.none()) return scheme::detail::in_assignments(assignments, faults.list().front());
   scheme = std::move(changed);
   return Done{};
 }

@@ -3,8 +3,8 @@
 
 #include <cstdint>
 
-namespace limn {
+namespace limn::scheme {
 
 inline constexpr std::uint64_t kMostSchemeBytes = std::uint64_t{1} << 20;
 
-}  // namespace limn
+}  // namespace limn::scheme

@@ -11,7 +11,7 @@
 #include "limn/scheme/evaluate.h"
 #include "limn/scheme/scheme.h"
 
-namespace limn {
+namespace limn::scheme {
 
 /// Resolves the names of an expression: n, k and (by `give`) q where they are given, parameters,
 /// lets. A let or a parameter may use these, and others of both; a circle is an error. Each is
@@ -38,7 +38,7 @@ class Scope {
   static constexpr std::size_t kDeepest = 64;  // so that a hostile file cannot exhaust the stack
 
   Result<Number> evaluate(const Formula& formula) {
-    Result<Number> value = limn::evaluate<Number>(
+    Result<Number> value = limn::scheme::evaluate<Number>(
         formula.expression, [this](const std::string& name) { return lookup(name); });
     if (!value && !located_) locate(value.error(), formula);
     return value;
@@ -71,7 +71,7 @@ class Scope {
 
 template <class Number>
 Result<Number> Scope<Number>::lookup(const std::string& name) {
-  using A = Arithmetic<Number>;
+  using A = number::Arithmetic<Number>;
   if (name == "n" && n_) return A::from(Rational(*n_));
   if (name == "k" && k_) return A::from(Rational(*k_));
   if (const auto given = given_.find(name); given != given_.end()) return given->second;
@@ -96,4 +96,4 @@ Result<Number> Scope<Number>::lookup(const std::string& name) {
   return value;
 }
 
-}  // namespace limn
+}  // namespace limn::scheme

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <set>
 
-namespace limn {
+namespace limn::scheme {
 namespace {
 
 /// Whether the expression uses the name, itself or by way of a let or a parameter.
@@ -43,4 +43,4 @@ bool has_rules_seen_from(const Scheme& scheme) {
   return false;
 }
 
-}  // namespace limn
+}  // namespace limn::scheme

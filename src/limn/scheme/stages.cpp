@@ -8,7 +8,7 @@
 #include "limn/scheme/check.h"
 #include "limn/scheme/scope.h"
 
-namespace limn {
+namespace limn::scheme {
 
 Walk pair_walk(std::string_view role) {
   for (const NamedRole& named : named_roles(RuleKind::vertex, Lattice::quad))
@@ -35,7 +35,8 @@ Status settle_stages(Scheme& scheme) {
   const bool linear = stages.first == Stages::First::linear;
   scheme.split = split_of_stages(stages);  // before they are counted: ranges depend on it
   if (Status status = check_ranges(scheme); !status) return status;
-  const Result<Exact> value = Scope<Exact>(scheme, std::nullopt, std::nullopt)(stages.times);
+  const Result<number::Exact> value =
+      Scope<number::Exact>(scheme, std::nullopt, std::nullopt)(stages.times);
   if (!value) return value.error();
   const bool whole = value->is_rational() && is_integer(value->rational());
   const bool odd = whole && linear && numerator(value->rational()) % 2 != 0;
@@ -55,4 +56,4 @@ Status settle_stages(Scheme& scheme) {
   return Done{};
 }
 
-}  // namespace limn
+}  // namespace limn::scheme

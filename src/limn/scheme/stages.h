@@ -3,7 +3,7 @@
 
 #include "limn/scheme/scheme.h"
 
-namespace limn {
+namespace limn::scheme {
 
 /// The words of [stages] in scheme files: what is done first, and what then.
 inline constexpr std::string_view kBilinear = "bilinear", kLinear = "linear", kAverage = "average";
@@ -24,4 +24,4 @@ void restrict_stages(Scheme& scheme, Lattice lattice);
 /// linear cut no even one. Precondition: scheme.stages.
 [[nodiscard]] Status settle_stages(Scheme& scheme);
 
-}  // namespace limn
+}  // namespace limn::scheme

@@ -8,7 +8,7 @@
 #include "limn/scheme/scope.h"
 #include "limn/tune/solve.h"
 
-namespace limn {
+namespace limn::search {
 namespace {
 
 /// An answer, why it is not yes, and by how much it is missed.
@@ -64,7 +64,7 @@ Answer verdict_at(Relation relation, const Eigencomponents& found) {
 Result<double> side_value(const Scheme& scheme, const Expression& side,
                           const Eigencomponents& found) {
   const std::optional<double> values[] = {found.position, found.cup, found.tangent, found.saddle};
-  Scope<double> scope(scheme, found.valence, std::nullopt);
+  scheme::Scope<double> scope(scheme, found.valence, std::nullopt);
   for (std::size_t i = 0; i < kComponents.size(); ++i) {
     const auto& names = side.names();
     const std::string name(kComponents[i].name);
@@ -181,4 +181,4 @@ void check_demands(const Study& study, SchemeReading& reading, Proofs which, Out
   }
 }
 
-}  // namespace limn
+}  // namespace limn::search

@@ -3,7 +3,7 @@
 
 #include "limn/search/point.h"
 
-namespace limn {
+namespace limn::search {
 
 /// Proofs cost most, so they come when all else holds.
 enum class Proofs { later, now };
@@ -12,4 +12,4 @@ enum class Proofs { later, now };
 /// need no proof, or those that do. What is undecided does not hold.
 void check_demands(const Study& study, SchemeReading& reading, Proofs which, Outcome& outcome);
 
-}  // namespace limn
+}  // namespace limn::search

@@ -8,7 +8,7 @@
 #include <pagmo/problem.hpp>
 #endif
 
-namespace limn {
+namespace limn::search {
 
 #ifdef LIMN_HAS_PAGMO
 namespace {
@@ -116,4 +116,4 @@ Result<std::unique_ptr<Method>> make_evolution(const MethodChoice&, const Search
 
 #endif
 
-}  // namespace limn
+}  // namespace limn::search

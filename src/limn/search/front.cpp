@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace limn {
+namespace limn::search {
 namespace {
 
 struct Candidate {
@@ -74,4 +74,4 @@ std::vector<std::size_t> spread(const Study& study, const std::vector<Evaluated>
   return chosen;
 }
 
-}  // namespace limn
+}  // namespace limn::search

@@ -5,7 +5,7 @@
 
 #include "limn/search/store.h"
 
-namespace limn {
+namespace limn::search {
 
 /// Numbers of the feasible points that no other feasible point is as good as in every objective and
 /// better in one; with one objective, those that reach the optimum. Of points with equal objectives
@@ -21,4 +21,4 @@ namespace limn {
                                               const std::vector<std::size_t>& front,
                                               std::size_t count);
 
-}  // namespace limn
+}  // namespace limn::search

@@ -6,7 +6,7 @@
 
 #include "limn/base/time_budget.h"
 
-namespace limn {
+namespace limn::search {
 
 KeptSearch::KeptSearch(const Study& study, Store& store, Search search)
     : study_(study), store_(store), search_(std::move(search)), start_(steady_seconds()) {
@@ -92,4 +92,4 @@ StudyRun KeptSearch::end() && {
   return std::move(run_);
 }
 
-}  // namespace limn
+}  // namespace limn::search

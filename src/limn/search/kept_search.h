@@ -16,7 +16,7 @@
 #include "limn/search/search.h"
 #include "limn/search/store.h"
 
-namespace limn {
+namespace limn::search {
 
 /// Where a run stands.
 struct StudyProgress {
@@ -71,4 +71,4 @@ class KeptSearch {
   mutable std::mutex mutex_;  // guards known_, run_ and progress_ while points are evaluated
 };
 
-}  // namespace limn
+}  // namespace limn::search

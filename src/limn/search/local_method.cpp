@@ -7,7 +7,7 @@
 #include <nlopt.h>
 #endif
 
-namespace limn {
+namespace limn::search {
 
 #ifdef LIMN_HAS_NLOPT
 namespace {
@@ -108,4 +108,4 @@ Result<std::unique_ptr<Method>> make_local(const MethodChoice&, const SearchSpac
 
 #endif
 
-}  // namespace limn
+}  // namespace limn::search

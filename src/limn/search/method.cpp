@@ -1,6 +1,6 @@
 #include "limn/search/method.h"
 
-namespace limn {
+namespace limn::search {
 
 Result<std::unique_ptr<Method>> make_method(const MethodChoice& choice, const SearchSpace& space) {
   switch (choice.kind) {
@@ -12,4 +12,4 @@ Result<std::unique_ptr<Method>> make_method(const MethodChoice& choice, const Se
   }
 }
 
-}  // namespace limn
+}  // namespace limn::search

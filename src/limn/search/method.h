@@ -12,7 +12,7 @@
 
 #include "limn/search/point.h"
 
-namespace limn {
+namespace limn::search {
 
 /// What a method searches.
 struct SearchSpace {
@@ -57,4 +57,4 @@ class Method {
 /// dimension ≤ 200.
 [[nodiscard]] std::vector<UnitPoint> sobol_points(std::size_t dimension, std::size_t count);
 
-}  // namespace limn
+}  // namespace limn::search

@@ -12,7 +12,7 @@
 #include "limn/scheme/scope.h"
 #include "limn/search/demands.h"
 
-namespace limn {
+namespace limn::search {
 namespace {
 
 /// Beyond every objective of a feasible point.
@@ -30,7 +30,8 @@ std::string new_definition(const Study& study, const Point& point, const std::st
     if (!coordinate.valence) return to_string(point[i]);
     numbers.emplace_back(*coordinate.valence, point[i]);
   }
-  return definition_by_valence(numbers, find_definition(study.scheme, name)->expression);
+  return scheme::definition_by_valence(numbers,
+                                       scheme::find_definition(study.scheme, name)->expression);
 }
 
 std::vector<std::string> freed_names(const Study& study) {
@@ -110,12 +111,14 @@ std::string point_text(const Study& study, const Point& point, const std::string
                        const std::string& notes) {
   std::string text =
       fmt::format("title   = {}\nextends = {}\n",
-                  toml_string(derived_title(study.scheme, "of a study")), toml_string(extends));
-  if (!notes.empty()) text += fmt::format("notes   = {}\n", toml_string(notes));
+                  scheme::toml_string(scheme::derived_title(study.scheme, "of a study")),
+                  scheme::toml_string(extends));
+  if (!notes.empty()) text += fmt::format("notes   = {}\n", scheme::toml_string(notes));
   std::vector<std::pair<std::string, std::string>> definitions;
   for (const std::string& name : freed_names(study))
     definitions.emplace_back(name, new_definition(study, point, name));
-  return text + weights_toml(study.scheme) + definitions_toml(study.scheme, definitions);
+  return text + scheme::weights_toml(study.scheme) +
+         scheme::definitions_toml(study.scheme, definitions);
 }
 
 Outcome evaluate_point(const Study& study, const Point& point) {
@@ -135,4 +138,4 @@ std::vector<double> fitness(const Study& study, const Outcome& outcome) {
   return values;
 }
 
-}  // namespace limn
+}  // namespace limn::search

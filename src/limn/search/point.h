@@ -10,7 +10,7 @@
 #include "limn/base/truth.h"
 #include "limn/search/study.h"
 
-namespace limn {
+namespace limn::search {
 
 /// Places in the unit cube, one for each coordinate, from 0 to 1.
 using UnitPoint = std::vector<Rational>;
@@ -60,4 +60,4 @@ struct Outcome {
 /// the point is not feasible.
 [[nodiscard]] std::vector<double> fitness(const Study& study, const Outcome& outcome);
 
-}  // namespace limn
+}  // namespace limn::search

@@ -16,13 +16,12 @@
 #include "limn/scheme/file/scheme_files.h"
 #include "limn/search/quantity_table.h"
 
-namespace limn {
+namespace limn::search {
 namespace {
 
 using Kind = QuantityRow::Kind;
 
 constexpr int kMostLevels = 8;
-constexpr int kLargestValence = 2000;
 
 std::string_view trimmed(std::string_view text) {
   const std::size_t begin = text.find_first_not_of(" \t");
@@ -73,7 +72,7 @@ Result<double> read_number(const Part& part) {
   if (!expression)
     return at_column(expression.error(), part.column + std::max(expression.error().column, 1) - 1);
   const Result<double> value =
-      evaluate<double>(*expression, [](const std::string& name) -> Result<double> {
+      scheme::evaluate<double>(*expression, [](const std::string& name) -> Result<double> {
         return Error{fmt::format("a number was expected, not the name '{}'", name)};
       });
   if (!value) return at_column(value.error(), part.column + std::max(value.error().column, 1) - 1);
@@ -108,7 +107,7 @@ Result<const QuantityRow*> find_row(std::string_view name) {
     known.emplace_back(row.name);
   }
   return at_column(Error{fmt::format("there is no quantity '{}'", name),
-                         did_you_mean(name, known, "`limn study --quantities` lists them")},
+                         base::did_you_mean(name, known, "`limn study --quantities` lists them")},
                    1);
 }
 
@@ -137,7 +136,7 @@ struct ArgumentReader {
 
   Status read_mesh_at(const Part& part) {
     const std::string path = path_from(folder, part.text);
-    const Result<std::string> bytes = read_file(path);
+    const Result<std::string> bytes = base::read_file(path);
     if (!bytes) return at_column(named(bytes.error()), part.column);
     Result<Polygons> polygons = read_mesh(path);
     if (!polygons) return at_column(named(polygons.error()), part.column);
@@ -210,4 +209,4 @@ Result<double> Quantity::operator()(SchemeReading& scheme) const {
   return Error{fmt::format("{} is not finite", text_)};
 }
 
-}  // namespace limn
+}  // namespace limn::search

@@ -12,7 +12,10 @@
 #include "limn/mesh/polygons.h"
 #include "limn/search/scheme_reading.h"
 
-namespace limn {
+namespace limn::search {
+
+/// The largest valence that a study may name.
+inline constexpr int kLargestValence = 2000;
 
 /// What stands between the parentheses, read and loaded.
 struct QuantityArguments {
@@ -66,4 +69,4 @@ class Quantity {
   QuantityArguments arguments_;
 };
 
-}  // namespace limn
+}  // namespace limn::search

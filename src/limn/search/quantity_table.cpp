@@ -12,7 +12,7 @@
 #include "limn/study/fairness_record.h"
 #include "limn/surface/refine_surface.h"
 
-namespace limn {
+namespace limn::search {
 namespace {
 
 using Kind = QuantityRow::Kind;
@@ -33,7 +33,7 @@ Result<double> artifact_energy(SchemeReading& scheme, const Arguments& at) {
 Result<double> worst_artifact(SchemeReading& scheme, const Arguments& at) {
   if (!scheme.artifacts()) return scheme.artifacts().error();
   if (!(at.numbers[0] > 0)) return Error{"a wave has more than 0 edges"};
-  return wave_artifacts(*scheme.artifacts(), at.numbers[0]).worst;
+  return study::wave_artifacts(*scheme.artifacts(), at.numbers[0]).worst;
 }
 
 Result<double> density(SchemeReading& scheme, const Arguments& at) {
@@ -113,25 +113,25 @@ Result<double> saddle_gap(SchemeReading& scheme, const Arguments&) {
 
 // ----------------------------------------------------------------------------- the surfaces
 
-Result<FairnessLevel> fairness(SchemeReading& scheme, const Arguments& at) {
+Result<study::FairnessLevel> fairness(SchemeReading& scheme, const Arguments& at) {
   Result<Mesh> mesh = Mesh::build(*at.mesh);
   if (!mesh) return mesh.error();
-  FairnessOptions options;
+  study::FairnessOptions options;
   options.levels = static_cast<int>(at.numbers[0]);
-  const Result<FairnessRecord> record =
-      approx_fairness({}, scheme.scheme(), *mesh, at.mesh->positions, options);
+  const Result<study::FairnessRecord> record =
+      study::approx_fairness({}, scheme.scheme(), *mesh, at.mesh->positions, options);
   if (!record) return record.error();
   return record->last();
 }
 
 Result<double> thin_plate(SchemeReading& scheme, const Arguments& at) {
-  const Result<FairnessLevel> level = fairness(scheme, at);
+  const Result<study::FairnessLevel> level = fairness(scheme, at);
   if (!level) return level.error();
   return level->energies.thin_plate;
 }
 
 Result<double> curvature_variation(SchemeReading& scheme, const Arguments& at) {
-  const Result<FairnessLevel> level = fairness(scheme, at);
+  const Result<study::FairnessLevel> level = fairness(scheme, at);
   if (!level) return level.error();
   return level->energies.curvature_variation;
 }
@@ -157,7 +157,7 @@ Result<double> distance(SchemeReading& scheme, const Arguments& at) {
   const Result<Polygons> own =
       limit_surface(scheme.scheme(), *at.mesh, static_cast<int>(at.numbers[0]));
   if (!own) return own.error();
-  const Result<SurfaceDistance> apart = approx_surface_distance(*own, *at.reference);
+  const Result<mesh::SurfaceDistance> apart = mesh::approx_surface_distance(*own, *at.reference);
   if (!apart) return apart.error();
   return 100 * apart->largest / apart->diagonal;
 }
@@ -253,4 +253,4 @@ const std::vector<QuantityRow>& quantities() {
   return rows;
 }
 
-}  // namespace limn
+}  // namespace limn::search

@@ -7,7 +7,7 @@
 
 #include "limn/base/parallel.h"
 
-namespace limn {
+namespace limn::search {
 namespace {
 
 /// The missing points of a generation on all threads. False: it was stopped before they were done.
@@ -15,7 +15,7 @@ Result<bool> evaluate_missing(const Study& study, KeptSearch& search, const Stud
   const std::vector<std::size_t> missing = search.missing();
   std::mutex mutex;  // guards failure, and lets progress be told one at a time
   std::optional<Error> failure;
-  parallel_for<std::size_t>(
+  base::parallel_for<std::size_t>(
       0, missing.size(),
       [&](std::size_t first, std::size_t last) {
         for (std::size_t i = first; i < last && !asked(options.stop); ++i) {
@@ -71,4 +71,4 @@ Result<StudyForecast> forecast_study(const Study& study, int sample) {
   return forecast;
 }
 
-}  // namespace limn
+}  // namespace limn::search

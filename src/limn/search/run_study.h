@@ -7,7 +7,7 @@
 #include "limn/base/time_budget.h"
 #include "limn/search/kept_search.h"
 
-namespace limn {
+namespace limn::search {
 
 struct StudyOptions {
   Stop stop = {};  ///< asked before each point; what is in hand is finished and kept
@@ -31,4 +31,4 @@ struct StudyForecast {
 /// Evaluates up to `sample` points, spread over the first generation, and keeps nothing.
 [[nodiscard]] Result<StudyForecast> forecast_study(const Study& study, int sample = 8);
 
-}  // namespace limn
+}  // namespace limn::search

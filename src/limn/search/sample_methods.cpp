@@ -4,7 +4,7 @@
 
 #include "limn/search/method.h"
 
-namespace limn {
+namespace limn::search {
 namespace {
 
 /// Methods that do not look at what they are told: the points are made one after the other.
@@ -85,4 +85,4 @@ std::vector<UnitPoint> sobol_points(std::size_t dimension, std::size_t count) {
   return points;
 }
 
-}  // namespace limn
+}  // namespace limn::search

@@ -6,7 +6,7 @@
 #include "limn/regular/regular_mask.h"
 #include "limn/regular/smoothness/regularity.h"
 
-namespace limn {
+namespace limn::search {
 namespace {
 
 Result<ArtifactAnalysis> artifacts_of(const Result<Mask>& mask) {
@@ -73,4 +73,4 @@ const Result<certify::Certificate>& SchemeReading::certificate() {
   return *certificate_;
 }
 
-}  // namespace limn
+}  // namespace limn::search

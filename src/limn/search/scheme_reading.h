@@ -13,7 +13,7 @@
 #include "limn/spectrum/eigencomponents.h"
 #include "limn/spectrum/frequency_blocks.h"
 
-namespace limn {
+namespace limn::search {
 
 /// How hard a study looks at one scheme. Everything is bounded by work, never by time, so that a
 /// scheme has the same numbers in every run.
@@ -67,4 +67,4 @@ class SchemeReading {
   std::optional<Result<certify::Certificate>> certificate_;
 };
 
-}  // namespace limn
+}  // namespace limn::search

@@ -4,7 +4,7 @@
 #include <set>
 #include <utility>
 
-namespace limn {
+namespace limn::search {
 namespace {
 
 /// A method that asks only for what it knows so many times in a row has come to its end.
@@ -77,4 +77,4 @@ void Search::tell(const std::vector<Outcome>& outcomes) {
   method_->tell(worth);
 }
 
-}  // namespace limn
+}  // namespace limn::search

@@ -17,7 +17,7 @@
 #include "limn/search/method.h"
 #include "limn/search/point.h"
 
-namespace limn {
+namespace limn::search {
 
 /// Points that do not depend on one another's outcomes.
 struct Generation {
@@ -53,4 +53,4 @@ class Search {
   long long told_ = 0;
 };
 
-}  // namespace limn
+}  // namespace limn::search

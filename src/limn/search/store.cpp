@@ -9,7 +9,7 @@
 
 #include <fmt/core.h>
 
-namespace limn {
+namespace limn::search {
 
 #ifdef LIMN_HAS_SQLITE
 namespace {
@@ -236,4 +236,4 @@ const Outcome* Store::find(const std::string&) const { return nullptr; }
 
 #endif
 
-}  // namespace limn
+}  // namespace limn::search

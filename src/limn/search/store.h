@@ -12,7 +12,7 @@
 
 #include "limn/search/point.h"
 
-namespace limn {
+namespace limn::search {
 
 /// A point, where the search asked for it, and what was found.
 struct Evaluated {
@@ -50,4 +50,4 @@ class Store {
   std::map<std::string, Outcome> known_;
 };
 
-}  // namespace limn
+}  // namespace limn::search

@@ -10,7 +10,7 @@
 #include "limn/scheme/file/scheme_files.h"
 #include "limn/search/study_reader.h"
 
-namespace limn {
+namespace limn::search {
 namespace {
 
 constexpr std::uint64_t kMostBytes = 1 << 18;
@@ -27,7 +27,7 @@ std::string Coordinate::label() const {
 }
 
 Result<Study> read_study(const std::string& path) {
-  const Result<std::string> text = read_file(path, {.bytes = kMostBytes, .pipes = true});
+  const Result<std::string> text = base::read_file(path, {.bytes = kMostBytes, .pipes = true});
   if (!text) return text.error();
   return parse_study(*text, path);
 }
@@ -78,4 +78,4 @@ std::vector<std::string> Study::files() const {
   return list;
 }
 
-}  // namespace limn
+}  // namespace limn::search

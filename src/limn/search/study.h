@@ -15,7 +15,7 @@
 #include "limn/search/scheme_reading.h"
 #include "limn/tune/freed_scheme.h"
 
-namespace limn {
+namespace limn::search {
 
 /// One number that the search moves, low < high.
 struct Coordinate {
@@ -101,4 +101,4 @@ struct Study {
 [[nodiscard]] Result<Study> parse_study(std::string_view text, const std::string& path);
 [[nodiscard]] Result<Study> read_study(const std::string& path);
 
-}  // namespace limn
+}  // namespace limn::search

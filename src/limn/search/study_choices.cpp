@@ -8,7 +8,7 @@
 
 // How a study is searched: its method, its effort, the schemes that are drawn beside.
 
-namespace limn {
+namespace limn::search {
 namespace {
 
 constexpr long long kMostPoints = 10'000'000;
@@ -120,4 +120,4 @@ void StudyReader::read_landmark(const toml::node& node) {
   study_.landmarks.push_back({std::move(label), std::move(*found)});
 }
 
-}  // namespace limn
+}  // namespace limn::search

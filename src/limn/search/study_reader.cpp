@@ -10,21 +10,23 @@
 #include "limn/base/near_word.h"
 #include "limn/scheme/formulas.h"
 #include "limn/scheme/scope.h"
+#include "limn/search/quantity.h"
 #include "limn/tune/freed_scheme.h"
 
-namespace limn {
+namespace limn::search {
 namespace {
 
-constexpr int kLeastValence = 3, kLargestValence = 2000;
+constexpr int kLeastValence = 3;
 constexpr std::size_t kMostValences = 200, kMostCoordinates = 200;
 constexpr int kEndBits = 40;  // of ends that are no fractions
 
 /// Of a formula at a valence: exactly, or else the fraction of few digits next to the double.
 Result<Rational> rational_value(const Scheme& scheme, const Formula& formula,
                                 std::optional<int> n) {
-  const Result<Exact> exact = Scope<Exact>(scheme, n, std::nullopt)(formula);
+  const Result<number::Exact> exact =
+      scheme::Scope<number::Exact>(scheme, n, std::nullopt)(formula);
   if (exact && exact->is_rational()) return exact->rational();
-  const Result<double> value = Scope<double>(scheme, n, std::nullopt)(formula);
+  const Result<double> value = scheme::Scope<double>(scheme, n, std::nullopt)(formula);
   if (!value) return value.error();
   const double scale = std::ldexp(1.0, kEndBits);
   if (!(std::abs(*value) < 1e6)) return Rational(*value);
@@ -40,7 +42,7 @@ const toml::node* entry(const toml::table& table, std::string_view key) { return
 
 }  // namespace
 
-StudyReader::StudyReader(std::string path, Faults& faults) : in_(path, faults) {
+StudyReader::StudyReader(std::string path, base::Faults& faults) : in_(path, faults) {
   study_.folder = std::filesystem::path(path).parent_path().string();
   study_.file = std::move(path);
 }
@@ -159,7 +161,7 @@ void StudyReader::add_coordinate(const toml::node& node, const Formula& low, con
     return in_.fail(node, fmt::format("the range of '{}' is empty: {} to {}", coordinate.label(),
                                       to_string(coordinate.low), to_string(coordinate.high)));
   const Result<Rational> own = rational_value(
-      study_.scheme, *find_definition(study_.scheme, coordinate.name), coordinate.valence);
+      study_.scheme, *scheme::find_definition(study_.scheme, coordinate.name), coordinate.valence);
   if (own && *own >= coordinate.low && *own <= coordinate.high) coordinate.own = *own;
   for (const Coordinate& other : study_.coordinates)
     if (other.name == coordinate.name && other.valence == coordinate.valence)
@@ -246,7 +248,7 @@ std::optional<double> StudyReader::read_bound(const toml::node& node) {
   const Formula formula = in_.formula(node, "a bound");
   if (!in_.unharmed_since(before)) return std::nullopt;
   const Result<double> value =
-      evaluate<double>(formula.expression, [](const std::string& name) -> Result<double> {
+      scheme::evaluate<double>(formula.expression, [](const std::string& name) -> Result<double> {
         return Error{fmt::format("a bound is a number, without names as '{}'", name)};
       });
   if (value) return *value;
@@ -349,10 +351,10 @@ Study StudyReader::run(std::string_view text) {
 }
 
 Result<Study> parse_study(std::string_view text, const std::string& path) {
-  Faults faults;
+  base::Faults faults;
   Study study = StudyReader(path, faults).run(text);
   if (!faults.none()) return faults.joined();
   return study;
 }
 
-}  // namespace limn
+}  // namespace limn::search

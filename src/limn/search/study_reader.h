@@ -9,12 +9,12 @@
 #include "limn/scheme/file/toml_reader.h"
 #include "limn/search/study.h"
 
-namespace limn {
+namespace limn::search {
 
 /// Reads what it can; all faults are added.
 class StudyReader {
  public:
-  StudyReader(std::string path, Faults& faults);
+  StudyReader(std::string path, base::Faults& faults);
   [[nodiscard]] Study run(std::string_view text);
 
  private:
@@ -40,9 +40,9 @@ class StudyReader {
   /// Fails at the text of a string, `column` bytes (from 1) into it.
   void fail_in(const toml::node& node, const Error& error);
 
-  TomlReader in_;
+  scheme::TomlReader in_;
   Study study_;
   bool has_scheme_ = false;
 };
 
-}  // namespace limn
+}  // namespace limn::search

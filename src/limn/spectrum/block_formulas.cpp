@@ -7,31 +7,31 @@
 
 #include "limn/number/closed_roots.h"
 
-namespace limn {
+namespace limn::spectrum {
 namespace {
 
 constexpr std::size_t kLargestSquare = 12;  // whose determinant is expanded
 constexpr int kEverySlope = 2;              // half sectors in a sector
 
 /// e^{iπω/n}
-Indeterminate half_sector() { return variable("half-sector"); }
+number::Indeterminate half_sector() { return number::variable("half-sector"); }
 
 /// Sums that stop at the first error.
 class Sum {
  public:
-  void add(const Result<Symbolic>& term) {
+  void add(const Result<number::Symbolic>& term) {
     if (!sum_) return;
-    sum_ = term ? Symbolic::add(*sum_, *term) : term;
+    sum_ = term ? number::Symbolic::add(*sum_, *term) : term;
   }
-  [[nodiscard]] const Result<Symbolic>& value() const { return sum_; }
+  [[nodiscard]] const Result<number::Symbolic>& value() const { return sum_; }
 
  private:
-  Result<Symbolic> sum_ = Symbolic(0);
+  Result<number::Symbolic> sum_ = number::Symbolic(0);
 };
 
-Result<Symbolic> turned(const Symbolic& value, int half_sectors) {
+Result<number::Symbolic> turned(const number::Symbolic& value, int half_sectors) {
   if (half_sectors == 0) return value;
-  return Symbolic::multiply(value, Polynomial({{half_sector(), half_sectors}}, 1));
+  return number::Symbolic::multiply(value, number::Polynomial({{half_sector(), half_sectors}}, 1));
 }
 
 /// Sets of rows, each of which depends on itself and earlier ones alone: the strongly connected
@@ -62,11 +62,11 @@ std::vector<std::vector<std::size_t>> connected_parts(const SymbolicMatrix& matr
 }
 
 /// By rows, with the determinants of the upper rows for every set of columns.
-Result<Symbolic> determinant(const SymbolicMatrix& matrix) {
+Result<number::Symbolic> determinant(const SymbolicMatrix& matrix) {
   const std::size_t size = matrix.size();
   if (size > kLargestSquare)
     return Error{fmt::format("a block of {} orbits is too large for formulas", size)};
-  std::vector<Symbolic> minors(std::size_t{1} << size);
+  std::vector<number::Symbolic> minors(std::size_t{1} << size);
   minors[0] = 1;
   for (std::size_t columns = 1; columns < minors.size(); ++columns) {
     const auto row = static_cast<std::size_t>(__builtin_popcountll(columns)) - 1;
@@ -74,10 +74,10 @@ Result<Symbolic> determinant(const SymbolicMatrix& matrix) {
     for (std::size_t j = 0; j < size; ++j) {
       const std::size_t bit = std::size_t{1} << j;
       if ((columns & bit) == 0 || matrix[row][j].is_zero()) continue;
-      const Symbolic& minor = minors[columns ^ bit];
+      const number::Symbolic& minor = minors[columns ^ bit];
       if (minor.is_zero()) continue;
       const bool odd = __builtin_popcountll(columns & ~(2 * bit - 1)) % 2 != 0;
-      sum.add(Symbolic::multiply(odd ? matrix[row][j].negated() : matrix[row][j], minor));
+      sum.add(number::Symbolic::multiply(odd ? matrix[row][j].negated() : matrix[row][j], minor));
     }
     if (!sum.value()) return sum.value();
     minors[columns] = *sum.value();
@@ -85,38 +85,40 @@ Result<Symbolic> determinant(const SymbolicMatrix& matrix) {
   return minors.back();
 }
 
-Result<Polynomial> characteristic_polynomial(const SymbolicMatrix& matrix,
-                                             const std::vector<std::size_t>& part,
-                                             const Indeterminate& unknown) {
-  SymbolicMatrix square(part.size(), std::vector<Symbolic>(part.size()));
+Result<number::Polynomial> characteristic_polynomial(const SymbolicMatrix& matrix,
+                                                     const std::vector<std::size_t>& part,
+                                                     const number::Indeterminate& unknown) {
+  SymbolicMatrix square(part.size(), std::vector<number::Symbolic>(part.size()));
   for (std::size_t i = 0; i < part.size(); ++i)
     for (std::size_t j = 0; j < part.size(); ++j) {
-      const Symbolic negated = matrix[part[i]][part[j]].negated();
-      const Result<Symbolic> entry =
-          Symbolic::add(negated, i == j ? Symbolic(Polynomial(unknown)) : Symbolic(0));
+      const number::Symbolic negated = matrix[part[i]][part[j]].negated();
+      const Result<number::Symbolic> entry = number::Symbolic::add(
+          negated, i == j ? number::Symbolic(number::Polynomial(unknown)) : number::Symbolic(0));
       if (!entry) return entry.error();
       square[i][j] = *entry;
     }
-  const Result<Symbolic> value = determinant(square);
+  const Result<number::Symbolic> value = determinant(square);
   if (!value) return value.error();
   return value->numerator();
 }
 
 /// Phases as cosines. A mirror maps the block of ω to that of -ω, so that z and 1/z come alike.
-Result<Polynomial> with_cosines(const Polynomial& a, const SymbolicFrequency& frequency,
-                                const Symbolic& n) {
-  std::map<int, Polynomial> powers = a.powers_of(half_sector());
+Result<number::Polynomial> with_cosines(const number::Polynomial& a,
+                                        const SymbolicFrequency& frequency,
+                                        const number::Symbolic& n) {
+  std::map<int, number::Polynomial> powers = a.powers_of(half_sector());
   Sum sum;
   for (const auto& [j, coefficient] : powers) {
     const auto mirrored = powers.find(-j);
     if (mirrored == powers.end() || !(mirrored->second == coefficient))
       return Error{"the scheme has no mirror symmetry, which formulas need"};
     if (j < 0) continue;
-    Result<Symbolic> angle =
-        Symbolic::multiply(Polynomial(pi_indeterminate()) * Polynomial(j), frequency.value);
-    if (angle) angle = Symbolic::divide(*angle, n);
-    if (angle) angle = symbolic_cos(*angle);
-    if (angle) angle = Symbolic::multiply(*angle, coefficient * Polynomial(j == 0 ? 1 : 2));
+    Result<number::Symbolic> angle = number::Symbolic::multiply(
+        number::Polynomial(number::pi_indeterminate()) * number::Polynomial(j), frequency.value);
+    if (angle) angle = number::Symbolic::divide(*angle, n);
+    if (angle) angle = number::symbolic_cos(*angle);
+    if (angle)
+      angle = number::Symbolic::multiply(*angle, coefficient * number::Polynomial(j == 0 ? 1 : 2));
     sum.add(angle);
   }
   if (!sum.value()) return sum.value().error();
@@ -147,7 +149,7 @@ std::vector<RingPart> ring_parts(const SymbolicMatrix& matrix, const std::vector
   return parts;
 }
 
-void append(FrequencyFormulas& formulas, int ring, const ClosedRoots& roots) {
+void append(FrequencyFormulas& formulas, int ring, const number::ClosedRoots& roots) {
   for (const ClosedRoot& root : roots.roots) {
     const auto same = std::find_if(
         formulas.eigenvalues.begin(), formulas.eigenvalues.end(),
@@ -157,7 +159,7 @@ void append(FrequencyFormulas& formulas, int ring, const ClosedRoots& roots) {
     else
       formulas.eigenvalues.push_back({ring, root, std::nullopt});
   }
-  for (const ClosedRoots::Left& left : roots.left)
+  for (const number::ClosedRoots::Left& left : roots.left)
     formulas.left.push_back({ring, left.degree, left.polynomial});
 }
 
@@ -174,7 +176,7 @@ Result<BlockFormulas> BlockFormulas::make(const SectorPattern& pattern, Symbolic
       if (!value) return value.error();
       result.repeated_.back() = std::move(*value);
     } else {
-      Result<Symbolic> value = weights.plain(name);
+      Result<number::Symbolic> value = weights.plain(name);
       if (!value) return value.error();
       result.plain_.back() = std::move(*value);
     }
@@ -194,30 +196,30 @@ Result<SymbolicMatrix> BlockFormulas::block(const SymbolicFrequency& frequency) 
   const bool constant = frequency.number == 0;
   const int shift = pattern_.has_center && constant ? 1 : 0;
   const std::size_t size = pattern_.orbits.size() + static_cast<std::size_t>(shift);
-  SymbolicMatrix block(size, std::vector<Symbolic>(size));
+  SymbolicMatrix block(size, std::vector<number::Symbolic>(size));
   for (const SectorTerm& term : pattern_.terms) {
     const bool central = term.row == kCenter || term.column == kCenter;
     if ((central || term.every_sector) && !constant) continue;
-    Result<Symbolic> value = term_value(term, frequency);
-    Symbolic& entry = block[static_cast<std::size_t>(term.row + shift)]
-                           [static_cast<std::size_t>(term.column + shift)];
-    if (value) value = Symbolic::add(entry, *value);
+    Result<number::Symbolic> value = term_value(term, frequency);
+    number::Symbolic& entry = block[static_cast<std::size_t>(term.row + shift)]
+                                   [static_cast<std::size_t>(term.column + shift)];
+    if (value) value = number::Symbolic::add(entry, *value);
     if (!value) return value.error();
     entry = std::move(*value);
   }
   return block;
 }
 
-Result<Symbolic> BlockFormulas::term_value(const SectorTerm& term,
-                                           const SymbolicFrequency& frequency) const {
-  Result<Symbolic> value = Symbolic(Polynomial(Rational(term.coefficient)));
+Result<number::Symbolic> BlockFormulas::term_value(const SectorTerm& term,
+                                                   const SymbolicFrequency& frequency) const {
+  Result<number::Symbolic> value = number::Symbolic(number::Polynomial(Rational(term.coefficient)));
   for (const int name : term.names)
-    if (value) value = Symbolic::multiply(*value, plain_[static_cast<std::size_t>(name)]);
-  if (value && term.every_sector) value = Symbolic::multiply(*value, n_);
+    if (value) value = number::Symbolic::multiply(*value, plain_[static_cast<std::size_t>(name)]);
+  if (value && term.every_sector) value = number::Symbolic::multiply(*value, n_);
   if (value && term.repeated >= 0) {
-    const Result<Symbolic> sum = along(term, frequency);
+    const Result<number::Symbolic> sum = along(term, frequency);
     if (!sum) return sum.error();
-    value = Symbolic::multiply(*value, *sum);
+    value = number::Symbolic::multiply(*value, *sum);
   }
   if (value && frequency.number != 0) value = turned(*value, half_sectors(term));
   return value;
@@ -232,8 +234,8 @@ int BlockFormulas::half_sectors(const SectorTerm& term) const {
 }
 
 /// Σ w(k) e^{2πi slope ω k/n}
-Result<Symbolic> BlockFormulas::along(const SectorTerm& term,
-                                      const SymbolicFrequency& frequency) const {
+Result<number::Symbolic> BlockFormulas::along(const SectorTerm& term,
+                                              const SymbolicFrequency& frequency) const {
   const RepeatedWeight& weight = repeated_[static_cast<std::size_t>(term.repeated)];
   const bool level = term.slope == 0 || frequency.number == 0;
   const std::optional<int> omega = level ? 0 : frequency.number;
@@ -242,9 +244,12 @@ Result<Symbolic> BlockFormulas::along(const SectorTerm& term,
     for (const auto& [m, coefficient] : *harmonics) {
       if (omega != m) continue;
       const bool is_half = harmonics == &weight.half_harmonics;
-      const Result<Symbolic> there = turned(coefficient, is_half && !level ? -term.slope : 0);
-      const Result<Symbolic> whole = there ? Symbolic::multiply(*there, n_) : there;
-      sum.add(m == 0 || !whole ? whole : Symbolic::multiply(*whole, Polynomial(Rational(1, 2))));
+      const Result<number::Symbolic> there =
+          turned(coefficient, is_half && !level ? -term.slope : 0);
+      const Result<number::Symbolic> whole = there ? number::Symbolic::multiply(*there, n_) : there;
+      sum.add(m == 0 || !whole
+                  ? whole
+                  : number::Symbolic::multiply(*whole, number::Polynomial(Rational(1, 2))));
     }
   const int step = level ? 0 : kEverySlope * term.slope;
   for (const auto& [j, extra] : weight.first) sum.add(turned(extra, step * j));
@@ -258,14 +263,14 @@ Result<FrequencyFormulas> BlockFormulas::eigenvalues(const SymbolicFrequency& fr
   if (!matrix) return matrix.error();
   for (const RingPart& rings : ring_parts(*matrix, pattern_.orbits))
     for (const std::vector<std::size_t>& part : connected_parts(*matrix, rings.first, rings.last)) {
-      Result<Polynomial> polynomial = characteristic_polynomial(*matrix, part, unknown_);
+      Result<number::Polynomial> polynomial = characteristic_polynomial(*matrix, part, unknown_);
       if (polynomial) polynomial = with_cosines(*polynomial, frequency, n_);
       if (!polynomial) return polynomial.error();
-      const Result<ClosedRoots> roots = closed_roots(*polynomial, unknown_);
+      const Result<number::ClosedRoots> roots = number::closed_roots(*polynomial, unknown_);
       if (!roots) return roots.error();
       append(formulas, rings.ring, *roots);
     }
   return formulas;
 }
 
-}  // namespace limn
+}  // namespace limn::spectrum

@@ -7,15 +7,15 @@
 #include "limn/spectrum/eigen_formula.h"
 #include "limn/spectrum/symbolic_weights.h"
 
-namespace limn {
+namespace limn::spectrum {
 
 /// A rotational frequency: a number, or an indeterminate for all others.
 struct SymbolicFrequency {
   std::optional<int> number;
-  Symbolic value;
+  number::Symbolic value;
 };
 
-using SymbolicMatrix = std::vector<std::vector<Symbolic>>;
+using SymbolicMatrix = std::vector<std::vector<number::Symbolic>>;
 
 /// A pattern's terms as formulas. The pattern must outlive it.
 class BlockFormulas {
@@ -38,19 +38,19 @@ class BlockFormulas {
   [[nodiscard]] Result<FrequencyFormulas> eigenvalues(const SymbolicFrequency& frequency) const;
 
  private:
-  BlockFormulas(const SectorPattern& pattern, Symbolic n, const std::string& unknown)
-      : pattern_(pattern), n_(std::move(n)), unknown_(variable(unknown)) {}
-  [[nodiscard]] Result<Symbolic> term_value(const SectorTerm& term,
-                                            const SymbolicFrequency& frequency) const;
+  BlockFormulas(const SectorPattern& pattern, number::Symbolic n, const std::string& unknown)
+      : pattern_(pattern), n_(std::move(n)), unknown_(number::variable(unknown)) {}
+  [[nodiscard]] Result<number::Symbolic> term_value(const SectorTerm& term,
+                                                    const SymbolicFrequency& frequency) const;
   [[nodiscard]] int half_sectors(const SectorTerm& term) const;
-  [[nodiscard]] Result<Symbolic> along(const SectorTerm& term,
-                                       const SymbolicFrequency& frequency) const;
+  [[nodiscard]] Result<number::Symbolic> along(const SectorTerm& term,
+                                               const SymbolicFrequency& frequency) const;
 
   const SectorPattern& pattern_;
-  Symbolic n_;
-  Indeterminate unknown_;
-  std::vector<Symbolic> plain_;
+  number::Symbolic n_;
+  number::Indeterminate unknown_;
+  std::vector<number::Symbolic> plain_;
   std::vector<RepeatedWeight> repeated_;
 };
 
-}  // namespace limn
+}  // namespace limn::spectrum

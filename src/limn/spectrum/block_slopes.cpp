@@ -12,7 +12,7 @@
 #include "limn/spectrum/eigencomponents.h"
 #include "limn/spectrum/sector_pattern.h"
 
-namespace limn {
+namespace limn::spectrum {
 namespace {
 
 constexpr double kElsewhere = 0.0618;  // to another place, of no meaning
@@ -24,27 +24,29 @@ class JetScopes {
             const std::vector<double>& values)
       : scheme_(scheme), variables_(variables), values_(values) {}
 
-  [[nodiscard]] Scope<Jet> at(std::optional<long long> n, std::optional<long long> k) const {
-    Scope<Jet> scope(scheme_, n, k);
+  [[nodiscard]] scheme::Scope<number::Jet> at(std::optional<long long> n,
+                                              std::optional<long long> k) const {
+    scheme::Scope<number::Jet> scope(scheme_, n, k);
     for (std::size_t j = 0; j < variables_.size(); ++j)
-      scope.give(variables_[j], Jet::variable(values_[j], j, variables_.size()));
+      scope.give(variables_[j], number::Jet::variable(values_[j], j, variables_.size()));
     return scope;
   }
   /// A weight that is one number: of the centre at valence n, or of a regular rule.
-  [[nodiscard]] Result<Jet> single(const NamedWeight& name, int n) const {
+  [[nodiscard]] Result<number::Jet> single(const NamedWeight& name, int n) const {
     const std::optional<long long> valence = !name.regular ? std::optional<long long>(n)
                                              : *name.regular > 0
                                                  ? std::optional<long long>(*name.regular)
                                                  : std::nullopt;
-    Scope<Jet> scope = at(valence, name.k ? std::optional<long long>(*name.k) : std::nullopt);
+    scheme::Scope<number::Jet> scope =
+        at(valence, name.k ? std::optional<long long>(*name.k) : std::nullopt);
     return shared(name, scope(name.weight->value));
   }
   /// The n weights of a repeated role.
-  [[nodiscard]] Result<std::vector<Jet>> repeated(const NamedWeight& name, int n) const {
-    std::vector<Jet> jets;
+  [[nodiscard]] Result<std::vector<number::Jet>> repeated(const NamedWeight& name, int n) const {
+    std::vector<number::Jet> jets;
     for (int k = 0; k < n; ++k) {
-      Scope<Jet> scope = at(n, k);
-      Result<Jet> jet = shared(name, scope(name.weight->value));
+      scheme::Scope<number::Jet> scope = at(n, k);
+      Result<number::Jet> jet = shared(name, scope(name.weight->value));
       if (!jet) return jet.error();
       jets.push_back(*std::move(jet));
     }
@@ -52,9 +54,9 @@ class JetScopes {
   }
 
  private:
-  static Result<Jet> shared(const NamedWeight& name, Result<Jet> jet) {
+  static Result<number::Jet> shared(const NamedWeight& name, Result<number::Jet> jet) {
     if (!jet) return jet;
-    return Jet(to_double(name.share)) * *jet;
+    return number::Jet(to_double(name.share)) * *jet;
   }
 
   const Scheme& scheme_;
@@ -67,7 +69,7 @@ struct ComplexJet {
   std::complex<double> value;
   std::vector<std::complex<double>> slopes;
 
-  void add(const Jet& jet, std::complex<double> factor) {
+  void add(const number::Jet& jet, std::complex<double> factor) {
     value += jet.value * factor;
     for (std::size_t j = 0; j < slopes.size(); ++j) slopes[j] += jet.slope(j) * factor;
   }
@@ -88,11 +90,11 @@ class Entries {
       single_.emplace_back();
       repeated_.emplace_back();
       if (name.repeated) {
-        Result<std::vector<Jet>> jets = scopes.repeated(name, n_);
+        Result<std::vector<number::Jet>> jets = scopes.repeated(name, n_);
         if (!jets) return jets.error();
         repeated_.back() = *std::move(jets);
       } else {
-        Result<Jet> jet = scopes.single(name, n_);
+        Result<number::Jet> jet = scopes.single(name, n_);
         if (!jet) return jet.error();
         single_.back() = *std::move(jet);
       }
@@ -121,7 +123,7 @@ class Entries {
   [[nodiscard]] ComplexJet value_of(const SectorTerm& term, int omega) const {
     ComplexJet sum{0.0, std::vector<std::complex<double>>(variables_)};
     if (term.every_sector && omega != 0) return sum;
-    Jet factor(term.coefficient);
+    number::Jet factor(term.coefficient);
     for (const int name : term.names) factor = factor * single_[static_cast<std::size_t>(name)];
     const std::complex<double> first =
         term.every_sector ? std::complex<double>(n_) : turn(term.angle, omega, n_);
@@ -129,7 +131,7 @@ class Entries {
       sum.add(factor, first);
       return sum;
     }
-    const std::vector<Jet>& jets = repeated_[static_cast<std::size_t>(term.repeated)];
+    const std::vector<number::Jet>& jets = repeated_[static_cast<std::size_t>(term.repeated)];
     for (int k = 0; k < n_; ++k)
       sum.add(factor * jets[static_cast<std::size_t>(k)],
               first * (term.every_sector ? 1.0 : turn(term.slope * k, omega, n_)));
@@ -139,11 +141,11 @@ class Entries {
   const SectorPattern& pattern_;
   int n_;
   std::size_t variables_;
-  std::vector<Jet> single_;                 // by name; of repeated ones 0
-  std::vector<std::vector<Jet>> repeated_;  // by name; of others empty
+  std::vector<number::Jet> single_;                 // by name; of repeated ones 0
+  std::vector<std::vector<number::Jet>> repeated_;  // by name; of others empty
 };
 
-bool is_zero(const Jet& jet) {
+bool is_zero(const number::Jet& jet) {
   return jet.value == 0 &&
          std::all_of(jet.slopes.begin(), jet.slopes.end(), [](double s) { return s == 0; });
 }
@@ -164,8 +166,8 @@ Result<const SectorPattern*> SlopeAnalysis::pattern_at(int n, const std::vector<
   for (double& value : elsewhere) value += kElsewhere;
   // a weight that is 0 wherever it is looked at is none: the fewer there are, the fewer the rings
   const RegularNames named = [&](const NamedWeight& name) {
-    const Result<Jet> here = JetScopes(*scheme_, variables_, values).single(name, n);
-    const Result<Jet> there = JetScopes(*scheme_, variables_, elsewhere).single(name, n);
+    const Result<number::Jet> here = JetScopes(*scheme_, variables_, values).single(name, n);
+    const Result<number::Jet> there = JetScopes(*scheme_, variables_, elsewhere).single(name, n);
     return !here || !is_zero(*here) || !there || !is_zero(*there);
   };
   const Result<int> rings = control_rings(*scheme_, *cases, named);
@@ -191,16 +193,16 @@ Result<BlockSlopes> SlopeAnalysis::blocks(int n, const std::vector<double>& valu
   return result;
 }
 
-Result<Jet> eigenvalue_jet(const BlockSlopes& slopes, const Eigenvalue& eigenvalue) {
+Result<number::Jet> eigenvalue_jet(const BlockSlopes& slopes, const Eigenvalue& eigenvalue) {
   const Eigenvectors vectors = approx_eigenvectors(slopes.blocks, eigenvalue);
   if (vectors.right.cols() != 1 || eigenvalue.jordan != 1 || eigenvalue.multiplicity != 1)
     return Error{fmt::format("the eigenvalue {:.9g} of frequency {} is not simple",
                              eigenvalue.value.real(), eigenvalue.frequency)};
-  Jet jet(eigenvalue.value.real());
+  number::Jet jet(eigenvalue.value.real());
   for (const Eigen::MatrixXcd& slope :
        slopes.slopes[static_cast<std::size_t>(eigenvalue.frequency)])
     jet.slopes.push_back((vectors.left * slope * vectors.right)(0, 0).real());
   return jet;
 }
 
-}  // namespace limn
+}  // namespace limn::spectrum

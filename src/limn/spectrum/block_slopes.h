@@ -10,7 +10,7 @@
 #include "limn/number/jet.h"
 #include "limn/spectrum/frequency_blocks.h"
 
-namespace limn {
+namespace limn::spectrum {
 
 /// Blocks and how they change.
 struct BlockSlopes {
@@ -48,6 +48,7 @@ class SlopeAnalysis {
 
 /// A real eigenvalue as a jet: its derivative is left · (derivative of the block) · right
 /// [BGSK §3]. Fails where it is not simple: it may then have no derivative.
-[[nodiscard]] Result<Jet> eigenvalue_jet(const BlockSlopes& slopes, const Eigenvalue& eigenvalue);
+[[nodiscard]] Result<number::Jet> eigenvalue_jet(const BlockSlopes& slopes,
+                                                 const Eigenvalue& eigenvalue);
 
-}  // namespace limn
+}  // namespace limn::spectrum

@@ -204,7 +204,7 @@ class SpectrumReader::Work {
     pattern_ = block.array().abs() > kZeroBelow;
     if (pattern_.rows() == known_.rows() && (pattern_ == known_).all()) return;
     known_ = pattern_;
-    connected_ = connected_parts(known_);
+    connected_ = spectrum::connected_parts(known_);
     rings_.assign(connected_.parts.size(), 0);
     Eigen::Index first = 0;
     for (Eigen::Index end = shift(); end < block.rows();) {
@@ -273,7 +273,7 @@ class SpectrumReader::Work {
       ends.push_back(ends_[i]);
     }
     if (!linked) return 1;
-    const std::vector<Eigen::Index> rows = rows_between(connected_, ends);
+    const std::vector<Eigen::Index> rows = spectrum::rows_between(connected_, ends);
     return with_scalar(Matrix(block(rows, rows)), value, [&](const auto& matrix, auto lambda) {
       return jordan_size(matrix, lambda, static_cast<int>(equal.size()));
     });
@@ -283,9 +283,9 @@ class SpectrumReader::Work {
   std::vector<std::pair<std::size_t, std::size_t>> partners_;  // orbits that the mirror exchanges
   Eigen::MatrixXcd block_;
   Eigen::MatrixXd real_block_;
-  BoolMatrix pattern_, known_;
-  ConnectedParts connected_;  // of known_
-  std::vector<int> rings_;    // by part
+  spectrum::BoolMatrix pattern_, known_;
+  spectrum::ConnectedParts connected_;  // of known_
+  std::vector<int> rings_;              // by part
   Values values_;
   std::vector<Eigen::Index> ends_;  // a row of its part for each eigenvalue
   Solver solver_;

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace limn {
+namespace limn::spectrum {
 
 ConnectedParts connected_parts(const BoolMatrix& entries) {
   const Eigen::Index size = entries.rows();
@@ -36,4 +36,4 @@ std::vector<Eigen::Index> rows_between(const ConnectedParts& connected,
   return rows;
 }
 
-}  // namespace limn
+}  // namespace limn::spectrum

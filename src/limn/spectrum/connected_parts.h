@@ -6,7 +6,7 @@
 #include <Eigen/Dense>
 #include <vector>
 
-namespace limn {
+namespace limn::spectrum {
 
 /// (i, j): entry (i, j) is not 0; or, of `reaches`, a path of such entries leads from i to j.
 using BoolMatrix = Eigen::Array<bool, Eigen::Dynamic, Eigen::Dynamic>;
@@ -25,4 +25,4 @@ struct ConnectedParts {
 [[nodiscard]] std::vector<Eigen::Index> rows_between(const ConnectedParts& connected,
                                                      const std::vector<Eigen::Index>& ends);
 
-}  // namespace limn
+}  // namespace limn::spectrum

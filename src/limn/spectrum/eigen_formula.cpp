@@ -19,26 +19,28 @@ constexpr std::size_t kFewValences = 2;  // are treated one by one
 /// The formulas where one set of rule cases applies.
 class CaseFormulas {
  public:
-  CaseFormulas(const Scheme& scheme, const NamesKept& kept, int rings)
+  CaseFormulas(const Scheme& scheme, const spectrum::NamesKept& kept, int rings)
       : scheme_(scheme), kept_(kept), rings_(rings) {}
 
   /// Appends them for the valences given, in rising order.
-  Status append(const CenterCases& cases, const std::vector<int>& valences,
+  Status append(const spectrum::CenterCases& cases, const std::vector<int>& valences,
                 std::vector<ValenceFormulas>& list) const {
     if (Status status = check_stages(); !status) return status;
-    const RegularNames named = [&](const NamedWeight& name) {
-      SymbolicWeights weights(scheme_, kept_);
-      const Result<Symbolic> value = weights.plain(name);
+    const spectrum::RegularNames named = [&](const spectrum::NamedWeight& name) {
+      spectrum::SymbolicWeights weights(scheme_, kept_);
+      const Result<number::Symbolic> value = weights.plain(name);
       return !value || !value->is_zero();
     };
-    const Result<int> rings = rings_ > 0 ? rings_ : control_rings(scheme_, cases, named);
+    const Result<int> rings = rings_ > 0 ? rings_ : spectrum::control_rings(scheme_, cases, named);
     if (!rings) return rings.error();
-    const Result<SectorPattern> pattern = sector_pattern(scheme_, cases, *rings, named);
+    const Result<spectrum::SectorPattern> pattern =
+        spectrum::sector_pattern(scheme_, cases, *rings, named);
     if (!pattern) return pattern.error();
     std::vector<int> single = valences;
     if (valences.size() > kFewValences) {
-      SymbolicWeights weights(scheme_, kept_);
-      const Result<BlockFormulas> blocks = BlockFormulas::make(*pattern, weights, kept_.unknown);
+      spectrum::SymbolicWeights weights(scheme_, kept_);
+      const Result<spectrum::BlockFormulas> blocks =
+          spectrum::BlockFormulas::make(*pattern, weights, kept_.unknown);
       if (!blocks) return blocks.error();
       const auto from = std::lower_bound(valences.begin(), valences.end(), weights.least_valence());
       single.assign(valences.begin(), from);
@@ -57,24 +59,26 @@ class CaseFormulas {
   [[nodiscard]] Status check_stages() const {
     if (!scheme_.stages) return Done{};
     const int regular = regular_valence(RuleKind::vertex, scheme_.split->lattice);
-    const Result<const RuleCase*> pair = applicable_case(scheme_, RuleKind::vertex, regular);
+    const Result<const RuleCase*> pair =
+        scheme::applicable_case(scheme_, RuleKind::vertex, regular);
     if (!pair) return pair.error();
-    if (*pair == nullptr) return missing_rule(scheme_, RuleKind::vertex, regular);
-    SymbolicWeights weights(scheme_, kept_, regular);
+    if (*pair == nullptr) return scheme::missing_rule(scheme_, RuleKind::vertex, regular);
+    spectrum::SymbolicWeights weights(scheme_, kept_, regular);
     for (const Weight& weight : (*pair)->weights) {
-      const Result<Symbolic> value = weights.plain({RuleKind::vertex, &weight, 1, false, false});
+      const Result<number::Symbolic> value =
+          weights.plain({RuleKind::vertex, &weight, 1, false, false});
       if (!value) return value.error();
       if (!value->is_rational())
-        return Error{
-            fmt::format("what two averagings make on {}s depends on a parameter, of "
-                        "which there are no formulas: '{}'",
-                        lattice_name(scheme_.split->lattice), weight.value.expression.text())};
+        return Error{fmt::format(
+            "what two averagings make on {}s depends on a parameter, of "
+            "which there are no formulas: '{}'",
+            scheme::lattice_name(scheme_.split->lattice), weight.value.expression.text())};
     }
     return Done{};
   }
 
-  Status append_general(const SectorPattern& pattern, const BlockFormulas& blocks,
-                        const std::vector<int>& valences,
+  Status append_general(const spectrum::SectorPattern& pattern,
+                        const spectrum::BlockFormulas& blocks, const std::vector<int>& valences,
                         std::vector<ValenceFormulas>& list) const {
     ValenceFormulas formulas{{}, pattern.rings, {}};
     for (const int valence : valences) {
@@ -87,9 +91,11 @@ class CaseFormulas {
     const int special = blocks.highest_harmonic();
     for (int omega = 0; omega <= special + 1; ++omega) {
       const bool general = omega > special;
-      const SymbolicFrequency frequency =
-          general ? SymbolicFrequency{std::nullopt, Polynomial(whole_number(kept_.frequency))}
-                  : SymbolicFrequency{omega, omega};
+      const spectrum::SymbolicFrequency frequency =
+          general
+              ? spectrum::SymbolicFrequency{std::nullopt, number::Polynomial(number::whole_number(
+                                                              kept_.frequency))}
+              : spectrum::SymbolicFrequency{omega, omega};
       Result<FrequencyFormulas> found = blocks.eigenvalues(frequency);
       if (!found) return found.error();
       found->frequency = omega;
@@ -100,10 +106,11 @@ class CaseFormulas {
     return Done{};
   }
 
-  Status append_single(const SectorPattern& pattern, int n,
+  Status append_single(const spectrum::SectorPattern& pattern, int n,
                        std::vector<ValenceFormulas>& list) const {
-    SymbolicWeights weights(scheme_, kept_, n);
-    const Result<BlockFormulas> blocks = BlockFormulas::make(pattern, weights, kept_.unknown);
+    spectrum::SymbolicWeights weights(scheme_, kept_, n);
+    const Result<spectrum::BlockFormulas> blocks =
+        spectrum::BlockFormulas::make(pattern, weights, kept_.unknown);
     if (!blocks) return blocks.error();
     ValenceFormulas formulas{{{n, n}}, pattern.rings, {}};
     for (int omega = 0; omega <= n / 2; ++omega) {
@@ -117,7 +124,7 @@ class CaseFormulas {
   }
 
   const Scheme& scheme_;
-  const NamesKept& kept_;
+  const spectrum::NamesKept& kept_;
   int rings_;
 };
 
@@ -146,8 +153,8 @@ std::string free_name(const Scheme& scheme, const std::vector<std::string>& cand
   return candidates.back();
 }
 
-NamesKept names_kept(const Scheme& scheme, const std::set<std::string>& evaluated) {
-  NamesKept kept;
+spectrum::NamesKept names_kept(const Scheme& scheme, const std::set<std::string>& evaluated) {
+  spectrum::NamesKept kept;
   kept.frequency = free_name(scheme, {"omega", "frequency", "frequency_"});
   kept.unknown = free_name(scheme, {"lambda", "mu", "eigenvalue", "eigenvalue_"});
   for (const Parameter& parameter : scheme.parameters) {
@@ -163,31 +170,32 @@ NamesKept names_kept(const Scheme& scheme, const std::set<std::string>& evaluate
 std::set<std::string> lets_of_n(const Scheme& scheme) {
   std::set<std::string> found;
   for (const auto& [let, value] : scheme.lets)
-    if (let != kQuads && depends_on(scheme, value, "n") && !depends_on(scheme, value, "k"))
+    if (let != scheme::kQuads && depends_on(scheme, value, "n") && !depends_on(scheme, value, "k"))
       found.insert(let);
   return found;
 }
 
 /// Parameters by the names that they have in regular rules.
-std::vector<RegularName> regular_names(const Scheme& scheme, const NamesKept& kept) {
+std::vector<RegularName> regular_names(const Scheme& scheme, const spectrum::NamesKept& kept) {
   std::set<int> valences;
   for (int i = 0; i < kRuleKinds; ++i)
     if (const auto kind = static_cast<RuleKind>(i); rule_has_valence(kind))
       valences.insert(regular_valence(kind, scheme.split->lattice));
   std::vector<RegularName> names;
   for (const std::string& parameter : kept.depending_on_n)
-    for (const int n : valences) names.push_back({regular_name(parameter, n), parameter, n});
+    for (const int n : valences)
+      names.push_back({spectrum::regular_name(parameter, n), parameter, n});
   return names;
 }
 
 /// Numbers for n, omega and the parameters, at which formulas are compared.
 class Sample {
  public:
-  Sample(const Scheme& scheme, const NamesKept& kept, int n, int omega)
+  Sample(const Scheme& scheme, const spectrum::NamesKept& kept, int n, int omega)
       : scope_(scheme, n, std::nullopt) {
     double shift = 0;
     const auto give = [&](const std::string& name, const Formula& value, int at) {
-      Scope<double> there(scheme, at, std::nullopt);
+      scheme::Scope<double> there(scheme, at, std::nullopt);
       const Result<double> number = there(value);
       scope_.give(name, (number ? *number : 0) + (shift += 1e-3));
     };
@@ -207,20 +215,20 @@ class Sample {
   }
 
  private:
-  Scope<double> scope_;
+  scheme::Scope<double> scope_;
 };
 
 constexpr int kSamples = 2;
 
-Sample sample(const Scheme& scheme, const NamesKept& kept, const ValenceFormulas& formulas,
-              const FrequencyFormulas& frequency, int number) {
+Sample sample(const Scheme& scheme, const spectrum::NamesKept& kept,
+              const ValenceFormulas& formulas, const FrequencyFormulas& frequency, int number) {
   const ValenceSpan span = formulas.valences.back();
   const int n = std::min(span.last.value_or(kLargestGuardedValence), span.first + 4 + 3 * number);
   const int omega = std::max(frequency.frequency, frequency.and_above ? std::min(2, n / 2) : 0);
   return {scheme, kept, n, omega};
 }
 
-void sort(const Scheme& scheme, const NamesKept& kept, const ValenceFormulas& formulas,
+void sort(const Scheme& scheme, const spectrum::NamesKept& kept, const ValenceFormulas& formulas,
           FrequencyFormulas& frequency) {
   Sample at = sample(scheme, kept, formulas, frequency, 0);
   const auto rank = [&](const EigenFormula& one) {
@@ -237,12 +245,12 @@ void sort(const Scheme& scheme, const NamesKept& kept, const ValenceFormulas& fo
 }
 
 /// Formulas for all valences, of those names kept.
-Result<std::vector<ValenceFormulas>> all_formulas(const Scheme& scheme, const NamesKept& kept,
-                                                  int rings) {
-  std::map<CenterCases, std::vector<int>> valences;
+Result<std::vector<ValenceFormulas>> all_formulas(const Scheme& scheme,
+                                                  const spectrum::NamesKept& kept, int rings) {
+  std::map<spectrum::CenterCases, std::vector<int>> valences;
   std::optional<Error> missing;
-  for (int n = kSmallestValence; n <= kLargestGuardedValence; ++n) {
-    const Result<CenterCases> cases = center_cases(scheme, n);
+  for (int n = scheme::kSmallestValence; n <= kLargestGuardedValence; ++n) {
+    const Result<spectrum::CenterCases> cases = spectrum::center_cases(scheme, n);
     if (cases)
       valences[*cases].push_back(n);
     else if (!missing)
@@ -274,7 +282,7 @@ const EigenFormula* same_value(const EigenFormula& one, const FrequencyFormulas&
   return nullptr;
 }
 
-void append_by_lets(const Scheme& scheme, const NamesKept& kept,
+void append_by_lets(const Scheme& scheme, const spectrum::NamesKept& kept,
                     std::vector<ValenceFormulas>& formulas,
                     const std::vector<ValenceFormulas>& by_lets) {
   if (formulas.size() != by_lets.size()) return;
@@ -314,9 +322,9 @@ bool uses(const std::vector<ValenceFormulas>& formulas, const std::string& name)
 
 Result<EigenFormulas> eigen_formulas(const Scheme& scheme, const std::set<std::string>& evaluated,
                                      int rings) {
-  const NamesKept kept = names_kept(scheme, evaluated);
+  const spectrum::NamesKept kept = names_kept(scheme, evaluated);
   Result<std::vector<ValenceFormulas>> formulas = all_formulas(scheme, kept, rings);
-  NamesKept with_lets = kept;
+  spectrum::NamesKept with_lets = kept;
   with_lets.lets = lets_of_n(scheme);
   if (!with_lets.lets.empty()) {
     // a let may have no formula (n % 2), and then stays a name

@@ -20,10 +20,10 @@ template <class Matrix>
 void solve(const Matrix& block, typename Matrix::Scalar lambda, Eigen::Index part,
            Eigenvectors& vectors) {
   const Eigen::Index size = block.rows();
-  vectors.right = null_space<Matrix>(block - lambda * Matrix::Identity(size, size), 1)
+  vectors.right = spectrum::null_space<Matrix>(block - lambda * Matrix::Identity(size, size), 1)
                       .template cast<std::complex<double>>();
   const Matrix inner = block.topLeftCorner(part, part) - lambda * Matrix::Identity(part, part);
-  const Matrix left = null_space<Matrix>(inner.transpose(), 1);
+  const Matrix left = spectrum::null_space<Matrix>(inner.transpose(), 1);
   vectors.left = Eigen::MatrixXcd::Zero(left.cols(), size);
   vectors.left.leftCols(part) = left.transpose().template cast<std::complex<double>>();
 }

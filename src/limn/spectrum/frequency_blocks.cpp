@@ -21,15 +21,15 @@ constexpr double kTwoPi = 2 * std::numbers::pi;
 /// The named weights at one valence: one number each, or n of a repeated role.
 using Weights = std::vector<std::vector<double>>;
 
-Result<Weights> evaluated(const Scheme& scheme, const SectorPattern& pattern, int n) {
+Result<Weights> evaluated(const Scheme& scheme, const spectrum::SectorPattern& pattern, int n) {
   Weights weights(pattern.names.size());
   std::vector<double> shares;
   shares.reserve(pattern.names.size());
-  for (const NamedWeight& name : pattern.names) shares.push_back(to_double(name.share));
+  for (const spectrum::NamedWeight& name : pattern.names) shares.push_back(to_double(name.share));
   // each scope evaluates a let that several weights use once
-  const auto evaluate = [&](Scope<double> scope, bool repeated) -> Status {
+  const auto evaluate = [&](scheme::Scope<double> scope, bool repeated) -> Status {
     for (std::size_t i = 0; i < pattern.names.size(); ++i) {
-      const NamedWeight& name = pattern.names[i];
+      const spectrum::NamedWeight& name = pattern.names[i];
       if (name.repeated != repeated) continue;
       const Result<double> value = scope(name.weight->value);
       if (!value) return value.error();
@@ -39,7 +39,7 @@ Result<Weights> evaluated(const Scheme& scheme, const SectorPattern& pattern, in
   };
   if (Status status = evaluate({scheme, n, std::nullopt}, false); !status) return status.error();
   const bool any = std::any_of(pattern.names.begin(), pattern.names.end(),
-                               [](const NamedWeight& name) { return name.repeated; });
+                               [](const spectrum::NamedWeight& name) { return name.repeated; });
   for (int k = 0; any && k < n; ++k)
     if (Status status = evaluate({scheme, n, k}, true); !status) return status.error();
   return weights;
@@ -63,8 +63,9 @@ Status check_sums(const Scheme& scheme, const FrequencyBlocks& blocks) {
 /// A pattern's terms at one valence, frequency after frequency.
 class TermsAt {
  public:
-  TermsAt(const SectorPattern& pattern, const Weights& weights, int n) : pattern_(pattern), n_(n) {
-    for (const SectorTerm& term : pattern.terms) {
+  TermsAt(const spectrum::SectorPattern& pattern, const Weights& weights, int n)
+      : pattern_(pattern), n_(n) {
+    for (const spectrum::SectorTerm& term : pattern.terms) {
       double factor = term.coefficient;
       for (const int name : term.names) factor *= weights[static_cast<std::size_t>(name)].front();
       factors_.push_back(factor);
@@ -75,7 +76,7 @@ class TermsAt {
     for (std::size_t name = 0; name < weights.size(); ++name) {
       const std::vector<double>& values = weights[name];
       totals_.push_back(std::accumulate(values.begin(), values.end(), 0.0));
-      transforms_.push_back(pattern.names[name].repeated ? ring_transform(values)
+      transforms_.push_back(pattern.names[name].repeated ? spectrum::ring_transform(values)
                                                          : std::vector<std::complex<double>>());
     }
   }
@@ -91,8 +92,9 @@ class TermsAt {
       if (pattern_.names[name].repeated)
         sums_[name] = transforms_[name][static_cast<std::size_t>(omega)];
     for (std::size_t i = 0; i < pattern_.terms.size(); ++i) {
-      const SectorTerm& term = pattern_.terms[i];
-      if (!with_center && (term.row == kCenter || term.column == kCenter)) continue;
+      const spectrum::SectorTerm& term = pattern_.terms[i];
+      if (!with_center && (term.row == spectrum::kCenter || term.column == spectrum::kCenter))
+        continue;
       block(term.row + shift, term.column + shift) += factors_[i] * along(term, omega, phases_[i]);
     }
     return block;
@@ -117,7 +119,7 @@ class TermsAt {
   }
 
   /// What the positions of a term sum to, without its factor.
-  [[nodiscard]] std::complex<double> along(const SectorTerm& term, int omega,
+  [[nodiscard]] std::complex<double> along(const spectrum::SectorTerm& term, int omega,
                                            std::complex<double> first) const {
     if (term.every_sector && omega != 0) return 0.0;
     if (term.repeated < 0) return term.every_sector ? n_ : first;
@@ -127,7 +129,7 @@ class TermsAt {
     return first * (term.slope > 0 ? sums_[name] : std::conj(sums_[name]));
   }
 
-  const SectorPattern& pattern_;
+  const spectrum::SectorPattern& pattern_;
   int n_;
   int at_ = -1;  // the frequency of phases_
   std::vector<std::complex<double>> steps_, phases_;
@@ -146,16 +148,16 @@ FrequencyAnalysis::~FrequencyAnalysis() = default;
 FrequencyAnalysis::FrequencyAnalysis(FrequencyAnalysis&&) noexcept = default;
 FrequencyAnalysis& FrequencyAnalysis::operator=(FrequencyAnalysis&&) noexcept = default;
 
-Result<const SectorPattern*> FrequencyAnalysis::pattern_at(int n) {
-  Result<CenterCases> cases = center_cases(*scheme_, n);
+Result<const spectrum::SectorPattern*> FrequencyAnalysis::pattern_at(int n) {
+  Result<spectrum::CenterCases> cases = spectrum::center_cases(*scheme_, n);
   if (!cases) return cases.error();
-  std::unique_ptr<SectorPattern>& pattern = patterns_[*cases];
+  std::unique_ptr<spectrum::SectorPattern>& pattern = patterns_[*cases];
   if (pattern) return pattern.get();
-  const Result<int> rings = rings_ > 0 ? rings_ : control_rings(*scheme_, *cases);
+  const Result<int> rings = rings_ > 0 ? rings_ : spectrum::control_rings(*scheme_, *cases);
   if (!rings) return rings.error();
-  Result<SectorPattern> made = sector_pattern(*scheme_, *cases, *rings);
+  Result<spectrum::SectorPattern> made = spectrum::sector_pattern(*scheme_, *cases, *rings);
   if (!made) return made.error();
-  pattern = std::make_unique<SectorPattern>(std::move(*made));
+  pattern = std::make_unique<spectrum::SectorPattern>(std::move(*made));
   return pattern.get();
 }
 
@@ -168,14 +170,14 @@ Result<FrequencyBlocks> FrequencyAnalysis::blocks(int n, int frequencies) {
 }
 
 Result<FrequencyBlocks> FrequencyAnalysis::blocks(int n, const std::vector<int>& frequencies) {
-  if (const int least = least_valence(*scheme_->split); n < least)
+  if (const int least = spectrum::least_valence(*scheme_->split); n < least)
     return Error{fmt::format("valence {} is below {}: {}", n, least,
                              scheme_->split->is_dual()
                                  ? "under a dual split it is the number of a face's corners"
                                  : "an interior vertex has two faces or more")};
-  const Result<const SectorPattern*> pattern = pattern_at(n);
+  const Result<const spectrum::SectorPattern*> pattern = pattern_at(n);
   if (!pattern) return pattern.error();
-  const SectorPattern& p = **pattern;
+  const spectrum::SectorPattern& p = **pattern;
   const Result<Weights> weights = evaluated(*scheme_, p, n);
   if (!weights) return weights.error();
   FrequencyBlocks result{n, p.rings, p.has_center, p.orbits, {}};

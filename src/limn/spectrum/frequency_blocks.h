@@ -41,7 +41,9 @@ struct FrequencyBlocks {
   std::vector<Eigen::MatrixXcd> blocks;
 };
 
+namespace spectrum {
 struct SectorPattern;  // sector_pattern.h
+}
 
 /// That FrequencyAnalysis::blocks makes all ⌊n/2⌋ + 1 blocks.
 inline constexpr int kAllFrequencies = std::numeric_limits<int>::max();
@@ -69,12 +71,12 @@ class FrequencyAnalysis {
   [[nodiscard]] Result<FrequencyBlocks> blocks(int n, const std::vector<int>& frequencies);
 
  private:
-  Result<const SectorPattern*> pattern_at(int n);
+  Result<const spectrum::SectorPattern*> pattern_at(int n);
 
   const Scheme* scheme_;
   int rings_;
   /// A star's refinement for each set of rule cases that applies at its centre.
-  std::map<std::vector<const RuleCase*>, std::unique_ptr<SectorPattern>> patterns_;
+  std::map<std::vector<const RuleCase*>, std::unique_ptr<spectrum::SectorPattern>> patterns_;
 };
 
 // Eigenvalues of frequency blocks, with their rings, multiplicities and Jordan blocks.

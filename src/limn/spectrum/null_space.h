@@ -4,7 +4,7 @@
 #include <Eigen/Dense>
 #include <algorithm>
 
-namespace limn {
+namespace limn::spectrum {
 
 /// An orthonormal basis, as columns, of the vectors x with matrix·x = 0, where entries are of order
 /// 1 and exact to about 1e-13; of at least so many columns.
@@ -17,4 +17,4 @@ template <class Matrix>
   return svd.matrixV().rightCols(std::max(nullity, least));
 }
 
-}  // namespace limn
+}  // namespace limn::spectrum

@@ -7,7 +7,7 @@
 
 #include <unsupported/Eigen/FFT>
 
-namespace limn {
+namespace limn::spectrum {
 namespace {
 
 using Spectrum = std::vector<std::complex<double>>;
@@ -67,4 +67,4 @@ std::vector<std::complex<double>> ring_transform(const std::vector<double>& valu
   return values.size() < kQuickTransform ? one_by_one(values) : by_chirp(values);
 }
 
-}  // namespace limn
+}  // namespace limn::spectrum

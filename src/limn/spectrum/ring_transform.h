@@ -4,7 +4,7 @@
 #include <complex>
 #include <vector>
 
-namespace limn {
+namespace limn::spectrum {
 
 /// sums[ω] = Σ_k values[k] e^{2πiωk/n} for ω = 0 … ⌊n/2⌋, n = values.size() ≥ 1; the sum of n-ω is
 /// the conjugate of ω's. For small n one by one, and from kQuickTransform on by Bluestein's
@@ -15,4 +15,4 @@ namespace limn {
 /// Below, n² products are as quick, and round less.
 inline constexpr std::size_t kQuickTransform = 512;
 
-}  // namespace limn
+}  // namespace limn::spectrum

@@ -9,7 +9,7 @@
 #include "limn/refine/rule_tables.h"
 #include "limn/spectrum/sector_pattern.h"
 
-namespace limn {
+namespace limn::spectrum {
 
 /// Sectors of the star that is refined: no regular valence, and wide enough that stencils at the
 /// centre's neighbours do not meet round it.
@@ -25,16 +25,17 @@ class Namer {
   };
   std::vector<Position> positions;  // by WeightForm's index
 
-  Row<WeightForm> row(const RuleCase* rule_case, RuleKind kind, Lattice lattice) {
-    Row<WeightForm> row;
+  refine::Row<refine::WeightForm> row(const RuleCase* rule_case, RuleKind kind, Lattice lattice) {
+    refine::Row<refine::WeightForm> row;
     if (rule_case == nullptr) return row;
-    const auto program = std::make_shared<Program>(compile(*rule_case, kind, lattice));
-    for (const Step& step : *program) {
+    const auto program =
+        std::make_shared<refine::Program>(refine::compile(*rule_case, kind, lattice));
+    for (const refine::Step& step : *program) {
       const bool repeated = step.walk.repeated;
       const int name = static_cast<int>(names.size());
       names.push_back({kind, step.weight, step.share, repeated, step.per_sector});
       for (int k = 0; k < (repeated ? kSectors : 1); ++k) {
-        row.weights.push_back(WeightForm::name(static_cast<int>(positions.size())));
+        row.weights.push_back(refine::WeightForm::name(static_cast<int>(positions.size())));
         positions.push_back({name, repeated ? k : -1});
       }
     }
@@ -43,12 +44,13 @@ class Namer {
   }
 
   /// A row of a scheme of stages: `pair` is the case of its pairs of averagings at the centre.
-  Row<WeightForm> stage_row(const Stages& stages, const RuleCase& pair, RuleKind kind) {
+  refine::Row<refine::WeightForm> stage_row(const Stages& stages, const RuleCase& pair,
+                                            RuleKind kind) {
     if (sectors_name_ < 0) {
       static const Weight sectors{"sectors", {}, {Expression::parse("n").value(), {}}};
       sectors_name_ = add(RuleKind::vertex, sectors, false);
     }
-    Row<WeightForm> row;
+    refine::Row<refine::WeightForm> row;
     if (kind == RuleKind::face) row.weights.push_back(stage_form(kind, stages.corner, true));
     if (kind != RuleKind::vertex) return row;
     row.weights.resize(kPairRoles.size());
@@ -63,22 +65,22 @@ class Namer {
   [[nodiscard]] int sectors_name() const { return sectors_name_; }
 
   /// A row of a regular rule.
-  Result<Row<WeightForm>> regular_row(const Scheme& scheme, RuleKind kind, int n,
-                                      const RegularNames& named) {
-    const Result<const RuleCase*> rule_case = applicable_case(scheme, kind, n);
+  Result<refine::Row<refine::WeightForm>> regular_row(const Scheme& scheme, RuleKind kind, int n,
+                                                      const RegularNames& named) {
+    const Result<const RuleCase*> rule_case = scheme::applicable_case(scheme, kind, n);
     if (!rule_case) return rule_case.error();
-    Row<WeightForm> row;
+    refine::Row<refine::WeightForm> row;
     if (*rule_case == nullptr) {
       if (stands_in_for(kind, *scheme.split)) return row;
-      return missing_rule(scheme, kind, n);
+      return scheme::missing_rule(scheme, kind, n);
     }
-    const auto program =
-        std::make_shared<Program>(compile(**rule_case, kind, scheme.split->lattice));
-    for (const Step& step : *program)
+    const auto program = std::make_shared<refine::Program>(
+        refine::compile(**rule_case, kind, scheme.split->lattice));
+    for (const refine::Step& step : *program)
       for (int k = 0; k < (step.walk.repeated ? n : 1); ++k) {
         NamedWeight name{kind, step.weight, step.share, false, false, n, std::nullopt};
         if (step.walk.repeated) name.k = k;
-        row.weights.push_back(named(name) ? form_of(name) : WeightForm());
+        row.weights.push_back(named(name) ? form_of(name) : refine::WeightForm());
       }
     row.program = program;
     return row;
@@ -89,12 +91,12 @@ class Namer {
     names.push_back({kind, &weight, 1, false, per_sector});
     return static_cast<int>(names.size()) - 1;
   }
-  WeightForm stage_form(RuleKind kind, const Weight& weight, bool per_sector) {
+  refine::WeightForm stage_form(RuleKind kind, const Weight& weight, bool per_sector) {
     positions.push_back({add(kind, weight, per_sector), -1});
-    return WeightForm::name(static_cast<int>(positions.size()) - 1);
+    return refine::WeightForm::name(static_cast<int>(positions.size()) - 1);
   }
 
-  WeightForm form_of(const NamedWeight& name) {
+  refine::WeightForm form_of(const NamedWeight& name) {
     const auto same = std::find_if(names.begin(), names.end(), [&](const NamedWeight& other) {
       return other.weight == name.weight && other.share == name.share &&
              other.regular == name.regular && other.k == name.k;
@@ -102,15 +104,15 @@ class Namer {
     if (same == names.end()) {
       names.push_back(name);
       positions.push_back({static_cast<int>(names.size()) - 1, -1});
-      return WeightForm::name(static_cast<int>(positions.size()) - 1);
+      return refine::WeightForm::name(static_cast<int>(positions.size()) - 1);
     }
     const int number = static_cast<int>(same - names.begin());
     const auto position = std::find_if(positions.begin(), positions.end(),
                                        [&](const Position& p) { return p.name == number; });
-    return WeightForm::name(static_cast<int>(position - positions.begin()));
+    return refine::WeightForm::name(static_cast<int>(position - positions.begin()));
   }
 
   int sectors_name_ = -1;
 };
 
-}  // namespace limn
+}  // namespace limn::spectrum

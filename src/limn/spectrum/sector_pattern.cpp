@@ -16,7 +16,7 @@
 #include "limn/scheme/lattice_schemes.h"
 #include "limn/spectrum/sector_names.h"
 
-namespace limn {
+namespace limn::spectrum {
 namespace {
 
 constexpr int kMostRings = 7;   // that control the surface, and one more
@@ -37,9 +37,9 @@ class OrbitPositions {
   OrbitPositions(const Split& split, int rings) : center_(!split.is_dual()) {
     for (int ring = 1; ring <= rings; ++ring) {
       first_orbit_.push_back(static_cast<int>(orbits_.size()));
-      const int size =
-          (split_star_size(split, kSectors, ring) - split_star_size(split, kSectors, ring - 1)) /
-          kSectors;
+      const int size = (refine::split_star_size(split, kSectors, ring) -
+                        refine::split_star_size(split, kSectors, ring - 1)) /
+                       kSectors;
       const double middle = center_ ? 0 : ring - 1;  // dual: the corner's diagonal
       for (int k = 0; k < size; ++k) orbits_.push_back({ring, (k - middle) / size});
     }
@@ -65,10 +65,10 @@ class OrbitPositions {
   std::vector<int> first_orbit_;  // of each ring
 };
 
-Result<Row<WeightForm>> constant_row(const Scheme& scheme, RuleKind kind, int n) {
-  Result<Row<double>> numbers = tabulate_row<double>(scheme, kind, n);
+Result<refine::Row<refine::WeightForm>> constant_row(const Scheme& scheme, RuleKind kind, int n) {
+  Result<refine::Row<double>> numbers = refine::tabulate_row<double>(scheme, kind, n);
   if (!numbers) return numbers.error();
-  Row<WeightForm> row;
+  refine::Row<refine::WeightForm> row;
   row.program = numbers->program;
   row.weights.assign(numbers->weights.begin(), numbers->weights.end());
   return row;
@@ -81,7 +81,7 @@ class RowTerms {
       : namer_(namer), places_(places), row_(row), row_angle_(row_angle) {}
 
   /// False where what was found has no such pattern.
-  [[nodiscard]] bool add(Index vertex, const WeightForm& form) {
+  [[nodiscard]] bool add(Index vertex, const refine::WeightForm& form) {
     const OrbitPosition place = places_.of(vertex);
     const int sector = place.sector > kSectors / 2 ? place.sector - kSectors : place.sector;
     for (const auto& [indices, coefficient] : form.terms()) {
@@ -167,7 +167,8 @@ class RowTerms {
   /// Names of stages that come per sector are each of a sum over the sectors. All but the last of
   /// these sums are of the centre's value, the same in each; so is the last where the term weighs
   /// the centre. They have counted this star's sectors, in place of n.
-  void add_of_stages(int column, int sector, const WeightForm::Names& indices, double coefficient) {
+  void add_of_stages(int column, int sector, const refine::WeightForm::Names& indices,
+                     double coefficient) {
     std::vector<int> names;
     names.reserve(indices.size());
     for (const int index : indices)
@@ -244,19 +245,19 @@ class RowTerms {
 
 /// A star refined once, in forms whose coefficients are polynomials in the centre's weights.
 struct StarForms {
-  StarStep step;
+  refine::StarStep step;
   Namer namer;
-  std::vector<LinearForm<WeightForm>> forms;  // of step.images
+  std::vector<refine::LinearForm<refine::WeightForm>> forms;  // of step.images
 };
 
 Result<StarForms> refined_star(const Scheme& scheme, const CenterCases& cases, int rings,
                                const RegularNames& named) {
   const Split& split = *scheme.split;
   const std::vector<RuleKind> kinds = center_rules(split);
-  StarForms star{star_step(split, kSectors, rings), {}, {}};
-  RuleTables<WeightForm> tables(
-      scheme, Boundary::left_out,
-      [&](RuleKind kind, int n, std::optional<int>) -> Result<Row<WeightForm>> {
+  StarForms star{refine::star_step(split, kSectors, rings), {}, {}};
+  refine::RuleTables<refine::WeightForm> tables(
+      scheme, refine::Boundary::left_out,
+      [&](RuleKind kind, int n, std::optional<int>) -> Result<refine::Row<refine::WeightForm>> {
         if (scheme.stages)
           return n == kSectors ? star.namer.stage_row(*scheme.stages, *cases.front(), kind)
                                : constant_row(scheme, kind, n);
@@ -267,10 +268,11 @@ Result<StarForms> refined_star(const Scheme& scheme, const CenterCases& cases, i
         return star.namer.row(cases[static_cast<std::size_t>(at - kinds.begin())], kind,
                               split.lattice);
       });
-  const StarStep& step = star.step;
+  const refine::StarStep& step = star.step;
   if (Status status = tables.prepare(step.coarse, step.fine.births); !status) return status.error();
-  star.forms = refine_values_at(scheme, step.coarse, step.fine.births, tables,
-                                unit_forms<WeightForm>(step.coarse.vertex_count()), step.images);
+  star.forms = refine::refine_values_at(
+      scheme, step.coarse, step.fine.births, tables,
+      refine::unit_forms<refine::WeightForm>(step.coarse.vertex_count()), step.images);
   return star;
 }
 
@@ -286,15 +288,15 @@ std::vector<RuleKind> center_rules(const Split& split) {
 }
 
 Result<CenterCases> center_cases(const Scheme& scheme, int n) {
-  if (Status status = check_one_lattice(scheme); !status) return status.error();
+  if (Status status = scheme::check_one_lattice(scheme); !status) return status.error();
   CenterCases cases;
   const std::vector<RuleKind> kinds =
       scheme.stages ? std::vector{RuleKind::vertex} : center_rules(*scheme.split);
   for (const RuleKind kind : kinds) {
-    const Result<const RuleCase*> found = applicable_case(scheme, kind, n);
+    const Result<const RuleCase*> found = scheme::applicable_case(scheme, kind, n);
     if (!found) return found.error();
     if (*found == nullptr && !stands_in_for(kind, *scheme.split))
-      return missing_rule(scheme, kind, n);
+      return scheme::missing_rule(scheme, kind, n);
     cases.push_back(*found);
   }
   return cases;
@@ -347,7 +349,7 @@ Result<int> control_rings(const Scheme& scheme, const CenterCases& cases,
 Result<SectorPattern> sector_pattern(const Scheme& scheme, const CenterCases& cases, int rings,
                                      const RegularNames& named) {
   const Split& split = *scheme.split;
-  if (rings < least_star_rings(split)) return not_invariant(scheme, rings);
+  if (rings < refine::least_star_rings(split)) return not_invariant(scheme, rings);
   const Result<StarForms> star = refined_star(scheme, cases, rings, named);
   if (!star) return star.error();
   const OrbitPositions places(split, rings);
@@ -368,4 +370,4 @@ Result<SectorPattern> sector_pattern(const Scheme& scheme, const CenterCases& ca
   return pattern;
 }
 
-}  // namespace limn
+}  // namespace limn::spectrum

@@ -9,7 +9,7 @@
 #include "limn/refine/weight_form.h"
 #include "limn/spectrum/frequency_blocks.h"
 
-namespace limn {
+namespace limn::spectrum {
 
 /// The cases of the rules at the star's centre that apply at one valence; nullptr: none does.
 using CenterCases = std::vector<const RuleCase*>;
@@ -68,4 +68,4 @@ struct SectorPattern {
 [[nodiscard]] Result<SectorPattern> sector_pattern(const Scheme& scheme, const CenterCases& cases,
                                                    int rings, const RegularNames& named = {});
 
-}  // namespace limn
+}  // namespace limn::spectrum

@@ -8,7 +8,7 @@
 #include "limn/scheme/check.h"
 #include "limn/scheme/scope.h"
 
-namespace limn {
+namespace limn::spectrum {
 namespace {
 
 Error no_sum(const NamedWeight& name, const std::string& why) {
@@ -36,7 +36,7 @@ struct Apart {
   bool bounded = true;
 
   /// k + c > 0 or n - k + c > 0 was supposed.
-  void suppose(const Polynomial& positive) {
+  void suppose(const number::Polynomial& positive) {
     constexpr int kMost = 50;
     Rational constant = 0;
     bool from_start = false;
@@ -55,15 +55,17 @@ struct Apart {
 };
 
 /// Σ harmonics[m] cos(πm halves/n)
-Result<Symbolic> harmonic_sum(const std::map<int, Symbolic>& harmonics, int halves,
-                              const Symbolic& n) {
-  Result<Symbolic> sum = Symbolic(0);
+Result<number::Symbolic> harmonic_sum(const std::map<int, number::Symbolic>& harmonics, int halves,
+                                      const number::Symbolic& n) {
+  Result<number::Symbolic> sum = number::Symbolic(0);
   for (const auto& [m, coefficient] : harmonics) {
-    Result<Symbolic> angle =
-        Symbolic::divide(Symbolic(Polynomial(pi_indeterminate()) * Polynomial(m * halves)), n);
-    if (angle) angle = symbolic_cos(*angle);
-    if (angle) angle = Symbolic::multiply(*angle, coefficient);
-    if (angle && sum) angle = Symbolic::add(*sum, *angle);
+    Result<number::Symbolic> angle =
+        number::Symbolic::divide(number::Symbolic(number::Polynomial(number::pi_indeterminate()) *
+                                                  number::Polynomial(m * halves)),
+                                 n);
+    if (angle) angle = number::symbolic_cos(*angle);
+    if (angle) angle = number::Symbolic::multiply(*angle, coefficient);
+    if (angle && sum) angle = number::Symbolic::add(*sum, *angle);
     if (!angle) return angle;
     sum = angle;
   }
@@ -71,20 +73,22 @@ Result<Symbolic> harmonic_sum(const std::map<int, Symbolic>& harmonics, int halv
 }
 
 /// At k = j; of j < 0, at k = n + j.
-Result<Symbolic> harmonic_at(const RepeatedWeight& weight, int j, const Symbolic& n) {
-  const Result<Symbolic> whole = harmonic_sum(weight.harmonics, 2 * j, n);
+Result<number::Symbolic> harmonic_at(const RepeatedWeight& weight, int j,
+                                     const number::Symbolic& n) {
+  const Result<number::Symbolic> whole = harmonic_sum(weight.harmonics, 2 * j, n);
   if (!whole) return whole;
-  const Result<Symbolic> half = harmonic_sum(weight.half_harmonics, 2 * j + 1, n);
-  return half ? Symbolic::add(*whole, *half) : half;
+  const Result<number::Symbolic> half = harmonic_sum(weight.half_harmonics, 2 * j + 1, n);
+  return half ? number::Symbolic::add(*whole, *half) : half;
 }
 
 /// What `weight` at position j (negative: from n down) has beyond its harmonics.
-Result<Symbolic> beyond_harmonics(const RepeatedWeight& weight, const Result<Symbolic>& value,
-                                  int j, const Symbolic& n) {
+Result<number::Symbolic> beyond_harmonics(const RepeatedWeight& weight,
+                                          const Result<number::Symbolic>& value, int j,
+                                          const number::Symbolic& n) {
   if (!value) return value;
-  const Result<Symbolic> harmonic = harmonic_at(weight, j, n);
+  const Result<number::Symbolic> harmonic = harmonic_at(weight, j, n);
   if (!harmonic) return harmonic.error();
-  return Symbolic::add(*value, harmonic->negated());
+  return number::Symbolic::add(*value, harmonic->negated());
 }
 
 }  // namespace
@@ -93,7 +97,7 @@ std::string regular_name(const std::string& name, int n) { return fmt::format("{
 
 SymbolicWeights::SymbolicWeights(const Scheme& scheme, const NamesKept& kept)
     : scheme_(scheme), kept_(kept) {
-  n_ = Polynomial(whole_number("n", [this](const Polynomial& positive) {
+  n_ = number::Polynomial(number::whole_number("n", [this](const number::Polynomial& positive) {
     for (const auto& [monomial, coefficient] : positive.terms())
       if (monomial.empty()) hold_from(-coefficient);
   }));
@@ -108,29 +112,32 @@ void SymbolicWeights::hold_from(const Rational& bound) {
                                       : std::max(least_valence_, floor_of(bound) + 1);
 }
 
-Result<Symbolic> SymbolicWeights::value(const NamedWeight& name, const std::optional<Symbolic>& n,
-                                        const std::optional<Symbolic>& k) const {
-  Scope<Symbolic> scope(scheme_, std::nullopt, std::nullopt);
+Result<number::Symbolic> SymbolicWeights::value(const NamedWeight& name,
+                                                const std::optional<number::Symbolic>& n,
+                                                const std::optional<number::Symbolic>& k) const {
+  scheme::Scope<number::Symbolic> scope(scheme_, std::nullopt, std::nullopt);
   if (n) scope.give("n", *n);
   if (k) scope.give("k", *k);
   if (!name.regular)
-    for (const std::string& let : kept_.lets) scope.give(let, Polynomial(variable(let)));
+    for (const std::string& let : kept_.lets)
+      scope.give(let, number::Polynomial(number::variable(let)));
   for (const std::string& one : kept_.parameters) {
     const bool regular = name.regular && kept_.depending_on_n.count(one) > 0;
     if (regular && *name.regular == 0) continue;  // an edge has no n; the error will say so
-    scope.give(one, Polynomial(variable(regular ? regular_name(one, *name.regular) : one)));
+    scope.give(one, number::Polynomial(
+                        number::variable(regular ? regular_name(one, *name.regular) : one)));
   }
-  const Result<Symbolic> found = scope(name.weight->value);
+  const Result<number::Symbolic> found = scope(name.weight->value);
   if (!found) return found.error();
-  return Symbolic::multiply(*found, Polynomial(name.share));
+  return number::Symbolic::multiply(*found, number::Polynomial(name.share));
 }
 
-Result<Symbolic> SymbolicWeights::plain(const NamedWeight& name) {
+Result<number::Symbolic> SymbolicWeights::plain(const NamedWeight& name) {
   if (!name.regular) return value(name, n_, std::nullopt);
-  std::optional<Symbolic> n;
-  std::optional<Symbolic> k;
-  if (rule_has_valence(name.kind)) n = Symbolic(*name.regular);
-  if (name.k) k = Symbolic(*name.k);
+  std::optional<number::Symbolic> n;
+  std::optional<number::Symbolic> k;
+  if (rule_has_valence(name.kind)) n = number::Symbolic(*name.regular);
+  if (name.k) k = number::Symbolic(*name.k);
   return value(name, n, k);
 }
 
@@ -142,10 +149,10 @@ Result<RepeatedWeight> SymbolicWeights::one_by_one(const NamedWeight& name) cons
   const int n = *number_;
   RepeatedWeight result;
   for (int k = 0; k < n; ++k) {
-    Result<Symbolic> weight = value(name, n_, Symbolic(k));
+    Result<number::Symbolic> weight = value(name, n_, number::Symbolic(k));
     if (!weight) return weight.error();
     if (2 * k == n) {  // half of it on either side, so that both come alike
-      weight = Symbolic::multiply(*weight, Polynomial(Rational(1, 2)));
+      weight = number::Symbolic::multiply(*weight, number::Polynomial(Rational(1, 2)));
       if (!weight) return weight.error();
       result.first.emplace(k, *weight);
       result.last.emplace(k, *weight);
@@ -170,40 +177,45 @@ Result<RepeatedWeight> SymbolicWeights::of_every_valence(const NamedWeight& name
 /// `halves`: as cosines of multiples of k + 1/2.
 Result<RepeatedWeight> SymbolicWeights::of_every_valence(const NamedWeight& name, bool halves) {
   Apart apart;
-  const Indeterminate k =
-      whole_number("k", [&](const Polynomial& positive) { apart.suppose(positive); });
-  const Polynomial place = halves ? Polynomial(k) - Polynomial(Rational(1, 2)) : Polynomial(k);
-  const Result<Symbolic> amid = value(name, n_, Symbolic(place));
+  const number::Indeterminate k = number::whole_number(
+      "k", [&](const number::Polynomial& positive) { apart.suppose(positive); });
+  const number::Polynomial place =
+      halves ? number::Polynomial(k) - number::Polynomial(Rational(1, 2)) : number::Polynomial(k);
+  const Result<number::Symbolic> amid = value(name, n_, number::Symbolic(place));
   if (!amid) return amid.error();
   if (!apart.bounded) return no_sum(name, "a comparison treats too many k apart");
 
   RepeatedWeight result;
-  const Indeterminate cosine =
-      cosine_indeterminate(1, product({{k, 1}}, power(n_.numerator().terms().begin()->first, -1)));
-  const std::map<int, Polynomial> powers = amid->numerator().powers_of(cosine);
+  const number::Indeterminate cosine = number::cosine_indeterminate(
+      1, number::product({{k, 1}}, number::power(n_.numerator().terms().begin()->first, -1)));
+  const std::map<int, number::Polynomial> powers = amid->numerator().powers_of(cosine);
   const bool plain = std::none_of(powers.begin(), powers.end(),
                                   [](const auto& one) { return one.second.depends_on("k"); });
   if (!plain || amid->denominator().depends_on("k") ||
       (!powers.empty() && powers.begin()->first < 0))
-    return no_sum(name, "amid k = 0 … n-1 it is " + sum_text(amid->numerator(), Notation::text));
+    return no_sum(name, "amid k = 0 … n-1 it is " +
+                            number::sum_text(amid->numerator(), number::Notation::text));
   int highest = 0;
-  for (const auto& [j, coefficient] : chebyshev_coefficients(amid->numerator(), cosine)) {
+  for (const auto& [j, coefficient] : number::chebyshev_coefficients(amid->numerator(), cosine)) {
     if (j % 2 != 0) return no_sum(name, "cos(pi*k/n) has not n for its period");
-    const Result<Symbolic> harmonic = Symbolic::divide(coefficient, amid->denominator());
+    const Result<number::Symbolic> harmonic =
+        number::Symbolic::divide(coefficient, amid->denominator());
     if (!harmonic) return harmonic.error();
     (halves ? result.half_harmonics : result.harmonics).emplace(j / 2, *harmonic);
     highest = std::max(highest, j / 2);
   }
   for (int j = 0; j < apart.first; ++j) {
-    const Result<Symbolic> rest = beyond_harmonics(result, value(name, n_, Symbolic(j)), j, n_);
+    const Result<number::Symbolic> rest =
+        beyond_harmonics(result, value(name, n_, number::Symbolic(j)), j, n_);
     if (!rest) return rest.error();
     result.first.emplace(j, *rest);
   }
   // comparisons at k = n-j suppose n so large that these and the first ones lie apart
   for (int j = 1; j <= apart.last; ++j) {
-    const Result<Symbolic> position = Symbolic::add(n_, -j);
+    const Result<number::Symbolic> position = number::Symbolic::add(n_, -j);
     if (!position) return position.error();
-    const Result<Symbolic> rest = beyond_harmonics(result, value(name, n_, *position), -j, n_);
+    const Result<number::Symbolic> rest =
+        beyond_harmonics(result, value(name, n_, *position), -j, n_);
     if (!rest) return rest.error();
     result.last.emplace(j, *rest);
   }
@@ -211,4 +223,4 @@ Result<RepeatedWeight> SymbolicWeights::of_every_valence(const NamedWeight& name
   return result;
 }
 
-}  // namespace limn
+}  // namespace limn::spectrum

@@ -11,14 +11,14 @@
 #include "limn/scheme/check.h"
 #include "limn/spectrum/sector_pattern.h"
 
-namespace limn {
+namespace limn::spectrum {
 
 /// The weights w(k), k = 0 … n-1, of a repeated role, as w(k) = Σ harmonics[m] cos(2πmk/n) plus
 /// Σ half_harmonics[m] cos(2πm(k + 1/2)/n) plus first[j] at k = j plus last[j] at k = n-j. So their
 /// Fourier sums have closed forms for every n.
 struct RepeatedWeight {
-  std::map<int, Symbolic> harmonics, half_harmonics;
-  std::map<int, Symbolic> first, last;
+  std::map<int, number::Symbolic> harmonics, half_harmonics;
+  std::map<int, number::Symbolic> first, last;
 };
 
 /// Which names of the scheme stay names.
@@ -43,18 +43,19 @@ class SymbolicWeights {
   SymbolicWeights(const SymbolicWeights&) = delete;
   SymbolicWeights& operator=(const SymbolicWeights&) = delete;
 
-  [[nodiscard]] const Symbolic& n() const { return n_; }
+  [[nodiscard]] const number::Symbolic& n() const { return n_; }
   /// From where on all that was evaluated so far holds.
   [[nodiscard]] int least_valence() const { return least_valence_; }
 
   /// Precondition: not repeated. Fails where the weight is no such formula.
-  [[nodiscard]] Result<Symbolic> plain(const NamedWeight& name);
+  [[nodiscard]] Result<number::Symbolic> plain(const NamedWeight& name);
   /// Precondition: repeated. Fails also where there is no such sum.
   [[nodiscard]] Result<RepeatedWeight> repeated(const NamedWeight& name);
 
  private:
-  [[nodiscard]] Result<Symbolic> value(const NamedWeight& name, const std::optional<Symbolic>& n,
-                                       const std::optional<Symbolic>& k) const;
+  [[nodiscard]] Result<number::Symbolic> value(const NamedWeight& name,
+                                               const std::optional<number::Symbolic>& n,
+                                               const std::optional<number::Symbolic>& k) const;
   [[nodiscard]] Result<RepeatedWeight> one_by_one(const NamedWeight& name) const;
   [[nodiscard]] Result<RepeatedWeight> of_every_valence(const NamedWeight& name);
   [[nodiscard]] Result<RepeatedWeight> of_every_valence(const NamedWeight& name, bool halves);
@@ -63,8 +64,8 @@ class SymbolicWeights {
   const Scheme& scheme_;
   const NamesKept& kept_;
   std::optional<int> number_;
-  Symbolic n_;
-  int least_valence_ = kSmallestValence;
+  number::Symbolic n_;
+  int least_valence_ = scheme::kSmallestValence;
 };
 
-}  // namespace limn
+}  // namespace limn::spectrum

@@ -4,7 +4,7 @@
 
 #include <fmt/core.h>
 
-namespace limn {
+namespace limn::study {
 
 std::string to_string(Stage stage) {
   const std::string plural = stage.count == 1 ? "" : "s";
@@ -56,4 +56,4 @@ Result<SamplingDensity> SamplingDensities::at(const ArtifactAnalysis& analysis, 
   return density;
 }
 
-}  // namespace limn
+}  // namespace limn::study

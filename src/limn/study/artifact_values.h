@@ -7,7 +7,7 @@
 
 #include "limn/regular/artifacts.h"
 
-namespace limn {
+namespace limn::study {
 
 /// A scheme's name and its analysis.
 struct NamedAnalysis {
@@ -72,4 +72,4 @@ class SamplingDensities {
   std::vector<Known> known_;
 };
 
-}  // namespace limn
+}  // namespace limn::study

@@ -4,7 +4,7 @@
 
 #include "limn/certify/certify.h"
 
-namespace limn {
+namespace limn::study {
 namespace {
 
 constexpr int kMostParts = 20'000;
@@ -23,4 +23,4 @@ std::vector<certify::Answer> c1_answers(const Scheme& scheme, int first, int las
   return answers;
 }
 
-}  // namespace limn
+}  // namespace limn::study

@@ -6,7 +6,7 @@
 #include "limn/certify/certificate/certificate.h"
 #include "limn/scheme/scheme.h"
 
-namespace limn {
+namespace limn::study {
 
 /// What certify (certify/certify.h) answers at the valences first … last, 3 ≤ first: undecided also
 /// where it fails, as for schemes without rules there, where limn was built without Arb, and where
@@ -14,4 +14,4 @@ namespace limn {
 /// hundredths of a second a valence.
 [[nodiscard]] std::vector<certify::Answer> c1_answers(const Scheme& scheme, int first, int last);
 
-}  // namespace limn
+}  // namespace limn::study

@@ -7,7 +7,7 @@
 #include "limn/regular/smoothness/regularity.h"
 #include "limn/study/c1_answers.h"
 
-namespace limn {
+namespace limn::study {
 namespace {
 
 constexpr double kTie = 1e-9;  // of directions that are alike the first is given
@@ -129,4 +129,4 @@ std::vector<std::string> missing_parts(const SchemeRecord& record) {
   return reasons;
 }
 
-}  // namespace limn
+}  // namespace limn::study

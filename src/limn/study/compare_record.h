@@ -13,7 +13,7 @@
 #include "limn/scheme/scheme.h"
 #include "limn/spectrum/eigencomponents.h"
 
-namespace limn {
+namespace limn::study {
 
 /// Artifacts of waves of one length: all waves of the limit surface but the signal together, in
 /// percent of it (ArtifactAnalysis::energy_percent), over one direction a degree.
@@ -65,4 +65,4 @@ struct RecordOptions {
 /// Why parts of the record are missing; every reason once.
 [[nodiscard]] std::vector<std::string> missing_parts(const SchemeRecord& record);
 
-}  // namespace limn
+}  // namespace limn::study

@@ -10,12 +10,12 @@
 #include "limn/refine/refine_estimate.h"
 #include "limn/surface/refine_surface.h"
 
-namespace limn {
+namespace limn::study {
 namespace {
 
 constexpr int kMostLevels = 12;  // of meshes that hardly grow
 // refined and limit points, normals, and what is fitted
-constexpr std::size_t kBytesPerVertex = 3 * sizeof(Point3) + sizeof(SecondForm);
+constexpr std::size_t kBytesPerVertex = 3 * sizeof(Point3) + sizeof(fairness::SecondForm);
 
 int default_levels(const Scheme& scheme, const Mesh& control) {
   int levels = 1;
@@ -54,8 +54,9 @@ Result<FairnessLevel> measured(const Scheme& scheme, const Mesh& control,
   result.vertices = fine.vertex_count();
   result.faces = fine.face_count();
   result.energies = *energies;
-  result.laplacian_energy = laplacian_energy(fine, positions);
-  result.laplacian_rounding = laplacian_rounding(fine, positions, result.laplacian_energy);
+  result.laplacian_energy = fairness::laplacian_energy(fine, positions);
+  result.laplacian_rounding =
+      fairness::laplacian_rounding(fine, positions, result.laplacian_energy);
   clear_rounding(result);
   result.scaled_laplacian =
       result.laplacian_energy * std::pow(scheme.split->dilation.growth(), level);
@@ -63,11 +64,11 @@ Result<FairnessLevel> measured(const Scheme& scheme, const Mesh& control,
 }
 
 template <class Value>
-Trend trend_over(const FairnessRecord& record, Value value, double negligible) {
+fairness::Trend trend_over(const FairnessRecord& record, Value value, double negligible) {
   std::vector<double> values;
   values.reserve(record.levels.size());
   for (const FairnessLevel& level : record.levels) values.push_back(value(level));
-  return trend_of(values, negligible);
+  return fairness::trend_of(values, negligible);
 }
 
 /// Changes that are none: what rounding makes, and what is far below the energies of a surface of
@@ -100,9 +101,9 @@ Result<FairnessRecord> approx_fairness(const std::string& label, const Scheme& s
                                        const FairnessOptions& options) {
   const int levels = options.levels > 0 ? options.levels : default_levels(scheme, control);
   const Status refinable =
-      check_refinable(scheme, control, levels, kBytesPerVertex, available_memory());
+      check_refinable(scheme, control, levels, kBytesPerVertex, base::available_memory());
   if (!refinable) return refinable.error();
-  if (Status squares = check_squares(points); !squares) return squares.error();
+  if (Status squares = mesh::check_squares(points); !squares) return squares.error();
   FairnessRecord record;
   record.scheme = label;
   record.split = scheme.split->name;
@@ -118,4 +119,4 @@ Result<FairnessRecord> approx_fairness(const std::string& label, const Scheme& s
   return record;
 }
 
-}  // namespace limn
+}  // namespace limn::study

@@ -10,7 +10,7 @@
 #include "limn/limit/limit_points.h"
 #include "limn/scheme/scheme.h"
 
-namespace limn {
+namespace limn::study {
 
 /// One level: the control mesh after so many steps, with its vertices on the limit surface. An
 /// energy that is no more than what rounding may change it by is 0.
@@ -33,7 +33,7 @@ struct FairnessRecord {
   std::string split;
   int growth = 0;                     ///< faces per old face
   std::vector<FairnessLevel> levels;  ///< 1, 2, …; the last is the best
-  Trend scaled_laplacian, area, thin_plate, curvature_variation;  ///< over the levels
+  fairness::Trend scaled_laplacian, area, thin_plate, curvature_variation;  ///< over the levels
   /// Vertices of the last level without a limit point; only with FairnessOptions::partial.
   std::vector<LimitPoints::Refused> refused = {};
 
@@ -57,4 +57,4 @@ inline constexpr double kFairnessVertices = 200000;
                                                      const std::vector<Point3>& points,
                                                      const FairnessOptions& options = {});
 
-}  // namespace limn
+}  // namespace limn::study

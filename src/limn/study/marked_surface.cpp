@@ -11,18 +11,17 @@
 
 #include "limn/base/memory.h"
 #include "limn/figure/space/space_curves.h"
+#include "limn/mesh/index.h"
 #include "limn/mesh/split/heritage.h"
 #include "limn/refine/crease_step.h"
 #include "limn/study/surface_scenes.h"
 #include "limn/surface/refine_surface.h"
 #include "limn/surface/surface_estimate.h"
 
-namespace limn {
+namespace limn::study {
 namespace {
 
-std::size_t at(Index i) { return static_cast<std::size_t>(i); }
-
-SpaceVector vector_of(const Point3& p) { return {p.x, p.y, p.z}; }
+using mesh::at;
 
 // --- where edges and faces of the control mesh are in the refined one -------------------------
 
@@ -43,13 +42,13 @@ Heritage heritage_of(const Split& split, Mesh mesh, int steps) {
   for (Index f = 0; f < mesh.face_count(); ++f) face_of[at(f)] = f;
   for (int step = 0; step < steps; ++step) {
     SplitResult fine = split.apply(mesh, step);
-    const std::vector<Index> old = old_halfedges(mesh, fine);
+    const std::vector<Index> old = mesh::old_halfedges(mesh, fine);
     std::vector<Index> on(at(fine.mesh.edge_count()), kNone);
     for (Index e = 0; e < fine.mesh.edge_count(); ++e) {
       const Index h = old[at(fine.mesh.halfedge_of_edge(e))];
       if (h != kNone) on[at(e)] = edge_of[at(mesh.edge(h))];
     }
-    std::vector<Index> parents = faces_between(mesh, fine.mesh, old);
+    std::vector<Index> parents = mesh::faces_between(mesh, fine.mesh, old);
     for (Index& parent : parents)
       if (parent != kNone) parent = face_of[at(parent)];
     edge_of = std::move(on);
@@ -102,8 +101,8 @@ std::vector<Band> bands_of(std::vector<double> values) {
 }
 
 /// The sharper the darker and the wider.
-SceneMarks marks_of(double sharpness, std::string name) {
-  SceneMarks marks;
+figure::SceneMarks marks_of(double sharpness, std::string name) {
+  figure::SceneMarks marks;
   marks.name = std::move(name);
   if (sharpness >= kInfinitelySharp) {
     marks.colour = {0.55, 0.02, 0.12};
@@ -116,8 +115,8 @@ SceneMarks marks_of(double sharpness, std::string name) {
   return marks;
 }
 
-SceneMarks seam_marks() {
-  SceneMarks marks;
+figure::SceneMarks seam_marks() {
+  figure::SceneMarks marks;
   marks.name = "seams of the texture";
   marks.colour = {0.10, 0.32, 0.80};
   marks.stroke = {1.1, {3, 2.5}};
@@ -142,12 +141,12 @@ class Work {
       : scheme_(scheme), control_(control), options_(options) {}
 
   Result<MarkedSurface> run(const std::vector<Point3>& points) {
-    if (Status takes = check_takes_sharpness(scheme_, options_.sharpness); !takes)
+    if (Status takes = refine::check_takes_sharpness(scheme_, options_.sharpness); !takes)
       return takes.error();
     if (Status status = check_size(); !status) return status.error();
     const TextureCoordinates* const texture = options_.texture;
     const bool has_texture = texture != nullptr && !texture->empty();
-    if (has_texture && options_.marks && keeps_old_edges(*scheme_.split))
+    if (has_texture && options_.marks && mesh::keeps_old_edges(*scheme_.split))
       seams_ = seams_of(control_, *texture);
     MeshAttributes attributes;
     SurfaceOptions wanted{
@@ -168,7 +167,7 @@ class Work {
     if (options_.sharpness.any()) surface->gaps.normals.clear();
     if (options_.marks) {
       add_marks(surface->limit, result.marks);
-      if (!keeps_old_edges(*scheme_.split)) add_lasting(*surface, result.marks);
+      if (!mesh::keeps_old_edges(*scheme_.split)) add_lasting(*surface, result.marks);
     }
     result.gaps = std::move(surface->gaps);
     return result;
@@ -190,7 +189,7 @@ class Work {
 
  private:
   [[nodiscard]] bool needs_heritage() const {
-    if (!keeps_old_edges(*scheme_.split)) return false;
+    if (!mesh::keeps_old_edges(*scheme_.split)) return false;
     const bool seams = std::find(seams_.begin(), seams_.end(), true) != seams_.end();
     return (options_.marks && (options_.sharpness.any() || seams)) ||
            options_.sharpness.has_holes();
@@ -198,25 +197,25 @@ class Work {
 
   [[nodiscard]] Status check_size() const {
     const DrawingEstimate drawing = estimate_drawing(scheme_, control_, options_.steps);
-    RefineEstimate needed =
-        estimate_with_limit(scheme_, control_, options_.steps, {.quick = false, .limit = true});
+    RefineEstimate needed = surface::estimate_with_limit(scheme_, control_, options_.steps,
+                                                         {.quick = false, .limit = true});
     constexpr double sides = 56;  // which a vertex has: a list of its own
     needed.peak_bytes += (kSurfaceBytes + sides) * needed.vertices;
     needed.peak_bytes = std::max(needed.peak_bytes, drawing.bytes);
-    return check_memory(needed, options_.steps, available_memory());
+    return check_memory(needed, options_.steps, base::available_memory());
   }
 
   /// A vertex for each side of each one, faces cut by fans.
-  [[nodiscard]] SmoothSurface sampled(const RefinedSurface& surface) const {
-    SmoothSurface sampled;
+  [[nodiscard]] figure::SmoothSurface sampled(const RefinedSurface& surface) const {
+    figure::SmoothSurface sampled;
     const Polygons& mesh = surface.polygons;
     const TextureCoordinates& texture = surface.attributes.texture;
     const bool textured = !texture.empty();
     std::vector<std::vector<std::array<Index, 3>>> sides(mesh.positions.size());
-    SpaceVector face_normal{};
+    figure::SpaceVector face_normal{};
     const auto vertex_of = [&](Index c) {
       const Index v = mesh.corners[at(c)];
-      const auto add = [&](const SpaceVector& normal) {
+      const auto add = [&](const figure::SpaceVector& normal) {
         sampled.vertices.push_back(vector_of(surface.limit[at(v)]));
         sampled.normals.push_back(normal);
         if (textured) sampled.texture.push_back(coordinates(texture, c));
@@ -246,35 +245,38 @@ class Work {
   }
 
   /// By area, of a face with its corners on the limit surface; none where no sharp tip needs it.
-  [[nodiscard]] SpaceVector normal_of(const RefinedSurface& surface, Index f) const {
-    SpaceVector normal{};
+  [[nodiscard]] figure::SpaceVector normal_of(const RefinedSurface& surface, Index f) const {
+    figure::SpaceVector normal{};
     if (!options_.sharpness.any()) return normal;
     const Polygons& mesh = surface.polygons;
     const Index first = mesh.face_begin[at(f)], end = mesh.face_begin[at(f) + 1];
     const auto from_first = [&](Index c) {
-      return sum(vector_of(surface.limit[at(mesh.corners[at(c)])]),
-                 vector_of(surface.limit[at(mesh.corners[at(first)])]), -1);
+      return figure::sum(vector_of(surface.limit[at(mesh.corners[at(c)])]),
+                         vector_of(surface.limit[at(mesh.corners[at(first)])]), -1);
     };
     for (Index c = first + 1; c + 1 < end; ++c)
-      normal = sum(normal, cross(from_first(c), from_first(c + 1)), 1);
+      normal = figure::sum(normal, figure::cross(from_first(c), from_first(c + 1)), 1);
     return normal;
   }
 
   /// The faces of the control mesh, each with a normal of its own.
-  [[nodiscard]] SmoothSurface flat(const std::vector<Point3>& points) const {
-    SmoothSurface flat;
+  [[nodiscard]] figure::SmoothSurface flat(const std::vector<Point3>& points) const {
+    figure::SmoothSurface flat;
     const bool textured =
         options_.textured && options_.texture != nullptr && !options_.texture->empty();
     for (Index f = 0; f < control_.face_count(); ++f) {
       if (options_.sharpness.has_holes() && options_.sharpness.holes[at(f)]) continue;
       const auto first = static_cast<int>(flat.vertices.size());
-      const SpaceVector origin = vector_of(points[at(control_.origin(control_.face_begin(f)))]);
-      SpaceVector normal{};
+      const figure::SpaceVector origin =
+          vector_of(points[at(control_.origin(control_.face_begin(f)))]);
+      figure::SpaceVector normal{};
       for (Index h = control_.face_begin(f); h < control_.face_begin(f + 1); ++h) {
         flat.vertices.push_back(vector_of(points[at(control_.origin(h))]));
-        const SpaceVector next = vector_of(points[at(control_.target(h))]);
-        normal =
-            sum(normal, cross(sum(flat.vertices.back(), origin, -1), sum(next, origin, -1)), 1);
+        const figure::SpaceVector next = vector_of(points[at(control_.target(h))]);
+        normal = figure::sum(normal,
+                             figure::cross(figure::sum(flat.vertices.back(), origin, -1),
+                                           figure::sum(next, origin, -1)),
+                             1);
         if (textured) flat.texture.push_back(coordinates(*options_.texture, h));
       }
       flat.normals.resize(flat.vertices.size(), normal);
@@ -304,9 +306,9 @@ class Work {
   };
 
   /// Those on edges of the control mesh, and its vertices, which keep their numbers.
-  void add_marks(const std::vector<Point3>& points, std::vector<SceneMarks>& marks) const {
+  void add_marks(const std::vector<Point3>& points, std::vector<figure::SceneMarks>& marks) const {
     std::vector<SharpEdge> edges;
-    std::vector<SpaceSegment> seams;
+    std::vector<figure::SpaceSegment> seams;
     for (const Heritage::Edge& edge : heritage_.edges) {
       const bool inside = !control_.is_boundary_edge(edge.control);
       const double sharp = sharpness_of_edge(control_, options_.sharpness, edge.control);
@@ -318,45 +320,46 @@ class Work {
     add_corners(points, marks);
     if (seams.empty()) return;
     marks.push_back(seam_marks());
-    marks.back().curves = joined(seams);
+    marks.back().curves = figure::joined(seams);
   }
 
   /// What is still sharp, where all that is sharp is so for ever.
-  static void add_lasting(const RefinedSurface& surface, std::vector<SceneMarks>& marks) {
+  static void add_lasting(const RefinedSurface& surface, std::vector<figure::SceneMarks>& marks) {
     std::vector<SharpEdge> edges;
     for (const SharpnessTags::Crease& crease : surface.sharp.creases)
       edges.push_back({crease.vertices[0], crease.vertices[1], crease.sharpness[0]});
     add_edges(surface.limit, edges, marks);
   }
 
-  static SpaceSegment segment(const std::vector<Point3>& points, Index from, Index to) {
+  static figure::SpaceSegment segment(const std::vector<Point3>& points, Index from, Index to) {
     return {from, to, vector_of(points[at(from)]), vector_of(points[at(to)])};
   }
 
   static void add_edges(const std::vector<Point3>& points, const std::vector<SharpEdge>& edges,
-                        std::vector<SceneMarks>& marks) {
+                        std::vector<figure::SceneMarks>& marks) {
     std::vector<double> values;
     values.reserve(edges.size());
     for (const SharpEdge& edge : edges) values.push_back(edge.sharpness);
     double low = 0;
     for (const Band& band : bands_of(values)) {
-      std::vector<SpaceSegment> segments;
+      std::vector<figure::SpaceSegment> segments;
       for (const SharpEdge& edge : edges)
         if (const double s = std::min(edge.sharpness, kInfinitelySharp); low < s && s <= band.most)
           segments.push_back(segment(points, edge.from, edge.to));
       marks.push_back(marks_of(band.most, "edges of sharpness " + band.name));
-      marks.back().curves = joined(segments);
+      marks.back().curves = figure::joined(segments);
       low = band.most;
     }
   }
 
-  void add_corners(const std::vector<Point3>& points, std::vector<SceneMarks>& marks) const {
+  void add_corners(const std::vector<Point3>& points,
+                   std::vector<figure::SceneMarks>& marks) const {
     std::vector<double> values;
     for (const double s : options_.sharpness.vertices)
       if (s > 0) values.push_back(s);
     double low = 0;
     for (const Band& band : bands_of(values)) {
-      SceneMarks kind = marks_of(band.most, "vertices of sharpness " + band.name);
+      figure::SceneMarks kind = marks_of(band.most, "vertices of sharpness " + band.name);
       for (std::size_t v = 0; v < options_.sharpness.vertices.size(); ++v) {
         const double s = std::min(options_.sharpness.vertices[v], kInfinitelySharp);
         if (low < s && s <= band.most) kind.points.push_back(vector_of(points[v]));
@@ -386,4 +389,4 @@ Result<MarkedSurface> marked_surface(const Scheme& scheme, const Mesh& control,
   return Work(scheme, control, options).run(points);
 }
 
-}  // namespace limn
+}  // namespace limn::study

@@ -9,7 +9,7 @@
 #include "limn/scheme/scheme.h"
 #include "limn/surface/refine_surface.h"
 
-namespace limn {
+namespace limn::study {
 
 /// What is wanted.
 struct MarkedOptions {
@@ -23,10 +23,10 @@ struct MarkedOptions {
 };
 
 struct MarkedSurface {
-  SmoothSurface surface;
+  figure::SmoothSurface surface;
   /// The control mesh's sharp edges, by sharpness, the sharpest last; its sharp vertices likewise;
   /// the seams of its texture. Boundaries are none. Curves of one kind that meet end there.
-  std::vector<SceneMarks> marks;
+  std::vector<figure::SceneMarks> marks;
   LimitGaps gaps;  ///< by vertices of the refined mesh
 };
 
@@ -45,4 +45,4 @@ struct MarkedSurface {
                                            const std::vector<Point3>& points,
                                            const MarkedOptions& options);
 
-}  // namespace limn
+}  // namespace limn::study

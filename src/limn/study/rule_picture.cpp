@@ -12,7 +12,7 @@
 #include "limn/number/exact.h"
 #include "limn/refine/rule_tables.h"
 
-namespace limn {
+namespace limn::study {
 namespace {
 
 using Place = RulePicture::Place;
@@ -49,7 +49,7 @@ void add_ring(Lattice lattice, int sectors, int r, const Direction& u, std::vect
 }
 
 Scene star_scene(Lattice lattice, int n) {
-  Scene scene{star(lattice, n, kRings), {{0, 0}}};
+  Scene scene{mesh::star(lattice, n, kRings), {{0, 0}}};
   const auto u = [n](int s) { return unit(s, n, 2 * std::numbers::pi); };
   for (int r = 1; r <= kRings; ++r) add_ring(lattice, n, r, u, scene.places);
   return scene;
@@ -60,7 +60,7 @@ Scene fan_scene(Lattice lattice, int n) {
   const int sectors = n - 1;
   const double regular = std::numbers::pi / (lattice == Lattice::triangle ? 3 : 2);
   const double total = std::min(std::numbers::pi, sectors * regular);
-  Scene scene{fan(lattice, sectors, kRings), {{0, 0}}};
+  Scene scene{mesh::fan(lattice, sectors, kRings), {{0, 0}}};
   const auto u = [&](int s) { return unit(s, sectors, total); };
   for (int r = 1; r <= kRings; ++r) {
     add_ring(lattice, sectors, r, u, scene.places);
@@ -71,7 +71,7 @@ Scene fan_scene(Lattice lattice, int n) {
 
 /// Of a face with n corners on quads: corner s lies between the directions of two edges' middles.
 Scene face_scene(int n) {
-  Scene scene{face_star(n, kRings), {}};
+  Scene scene{mesh::face_star(n, kRings), {}};
   const auto u = [n](double s) { return unit(s, n, 2 * std::numbers::pi); };
   for (int r = 1; r <= kRings; ++r)
     for (int s = 0; s < n; ++s)
@@ -135,7 +135,7 @@ Place made_at(const Scene& scene, RuleKind kind, const Split& split) {
   return combined(0.5, from, 0.5, to);
 }
 
-std::string weight_text(const Exact& value) {
+std::string weight_text(const number::Exact& value) {
   return value.is_rational() ? to_string(value.rational()) : fmt::format("{:.4g}", value.approx());
 }
 
@@ -183,17 +183,18 @@ Result<RulePicture> picture_of(const Scheme& scheme, RuleKind kind, const RuleCa
   const Split& split = *scheme.split;
   const int regular = regular_valence(kind, split.lattice);
   const Scene scene = scene_of(kind, split, rule_has_valence(kind) ? n : regular);
-  const Result<Row<Exact>> row = tabulate_row<Exact>(scheme, kind, n);
+  const Result<refine::Row<number::Exact>> row =
+      refine::tabulate_row<number::Exact>(scheme, kind, n);
   if (!row) return row.error();
   RulePicture picture;
   picture.kind = kind;
   if (one.when) picture.when = one.when->expression.text();
   if (rule_has_valence(kind)) picture.valence = n;
-  std::map<std::pair<bool, Index>, Exact> weights;
-  visit_stencil(scene.mesh, kind, scene.anchor, false, *row,
-                [&](Source source, const Exact& weight) {
-                  weights[{source.is_face, source.index}] += weight;
-                });
+  std::map<std::pair<bool, Index>, number::Exact> weights;
+  refine::visit_stencil(scene.mesh, kind, scene.anchor, false, *row,
+                        [&](refine::Source source, const number::Exact& weight) {
+                          weights[{source.is_face, source.index}] += weight;
+                        });
   std::set<Index> weighed;
   for (const auto& [source, weight] : weights) {
     const auto& [of_face, index] = source;
@@ -215,11 +216,12 @@ std::optional<int> shown_valence(const Scheme& scheme, RuleKind kind, const Rule
   std::vector<int> candidates{regular, 5, 3, 7};
   const bool at_corner = kind == RuleKind::boundary_vertex || kind == RuleKind::boundary_edge_end;
   if (at_corner) candidates.push_back(2);
-  for (int n = kSmallestValence; n <= kLargestCheckedValence; ++n) candidates.push_back(n);
+  for (int n = scheme::kSmallestValence; n <= scheme::kLargestCheckedValence; ++n)
+    candidates.push_back(n);
   const bool of_face = kind == RuleKind::face || kind == RuleKind::corner;
   if (of_face && !scheme.split->any_polygons) candidates = {regular};
   for (const int n : candidates)
-    if (const Result<const RuleCase*> found = applicable_case(scheme, kind, n);
+    if (const Result<const RuleCase*> found = scheme::applicable_case(scheme, kind, n);
         found && *found == &one)
       return n;
   return std::nullopt;
@@ -228,7 +230,7 @@ std::optional<int> shown_valence(const Scheme& scheme, RuleKind kind, const Rule
 }  // namespace
 
 Result<std::vector<RulePicture>> rule_pictures(const Scheme& scheme) {
-  const ExactBudget budget(kExactWork);
+  const number::ExactBudget budget(scheme::kExactWork);
   std::vector<RulePicture> pictures;
   for (int i = 0; i < kRuleKinds; ++i) {
     const auto kind = static_cast<RuleKind>(i);
@@ -244,4 +246,4 @@ Result<std::vector<RulePicture>> rule_pictures(const Scheme& scheme) {
   return pictures;
 }
 
-}  // namespace limn
+}  // namespace limn::study

@@ -7,7 +7,7 @@
 
 #include "limn/scheme/scheme.h"
 
-namespace limn {
+namespace limn::study {
 
 /// One case of a rule, at one valence at which it applies. Places are in the plane, y upwards,
 /// edges at the middle of length 1.
@@ -34,4 +34,4 @@ struct RulePicture {
 /// out. Fails where weights have no value there.
 [[nodiscard]] Result<std::vector<RulePicture>> rule_pictures(const Scheme& scheme);
 
-}  // namespace limn
+}  // namespace limn::study

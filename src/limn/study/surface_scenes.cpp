@@ -9,13 +9,11 @@
 #include "limn/surface/refine_surface.h"
 #include "limn/surface/surface_estimate.h"
 
-namespace limn {
+namespace limn::study {
 namespace {
 
-SpaceVector vector_of(const Point3& p) { return {p.x, p.y, p.z}; }
-
-std::vector<SpaceVector> vectors_of(const std::vector<Point3>& points) {
-  std::vector<SpaceVector> vectors;
+std::vector<figure::SpaceVector> vectors_of(const std::vector<Point3>& points) {
+  std::vector<figure::SpaceVector> vectors;
   vectors.reserve(points.size());
   for (const Point3& p : points) vectors.push_back(vector_of(p));
   return vectors;
@@ -32,7 +30,7 @@ std::vector<std::array<int, 3>> triangles_of(const Polygons& polygons) {
   return triangles;
 }
 
-SmoothSurface surface_of(const RefinedSurface& surface) {
+figure::SmoothSurface surface_of(const RefinedSurface& surface) {
   return {.vertices = vectors_of(surface.limit),
           .normals = vectors_of(surface.normals),
           .triangles = triangles_of(surface.polygons)};
@@ -40,12 +38,13 @@ SmoothSurface surface_of(const RefinedSurface& surface) {
 
 }  // namespace
 
-Result<SmoothSurface> limit_surface(const Scheme& scheme, const Mesh& control,
-                                    const std::vector<Point3>& points, int steps, LimitGaps* gaps) {
+Result<figure::SmoothSurface> limit_surface(const Scheme& scheme, const Mesh& control,
+                                            const std::vector<Point3>& points, int steps,
+                                            LimitGaps* gaps) {
   RefineEstimate needed =
-      estimate_with_limit(scheme, control, steps, {.quick = false, .limit = true});
+      surface::estimate_with_limit(scheme, control, steps, {.quick = false, .limit = true});
   needed.peak_bytes += needed.vertices * kSurfaceBytes;
-  if (Status status = check_memory(needed, steps, available_memory()); !status)
+  if (Status status = check_memory(needed, steps, base::available_memory()); !status)
     return status.error();
   Result<RefinedSurface> surface =
       refine_surface(scheme, control, points,
@@ -56,13 +55,13 @@ Result<SmoothSurface> limit_surface(const Scheme& scheme, const Mesh& control,
 }
 
 DrawingEstimate estimate_drawing(const Scheme& scheme, const Mesh& control, int steps) {
-  const RefineEstimate refined = estimate_with_limit(scheme, control, steps, {});
+  const RefineEstimate refined = surface::estimate_with_limit(scheme, control, steps, {});
   DrawingEstimate drawing{.vertices = refined.vertices};
   // Euler's formula on any surface of some size: as many triangles as leave two a vertex
   drawing.triangles = std::max(2 * refined.vertices, refined.faces);
   // the scene, a figure's two copies of it, and how it is seen; and what is scanned
   constexpr double copies = 4;
-  constexpr double vertex = 2 * sizeof(SpaceVector), triangle = sizeof(std::array<int, 3>);
+  constexpr double vertex = 2 * sizeof(figure::SpaceVector), triangle = sizeof(std::array<int, 3>);
   constexpr double scanned = 6 * sizeof(double);
   drawing.bytes = std::max(refined.peak_bytes + 2 * sizeof(Point3) * refined.vertices,
                            (copies * vertex + scanned) * drawing.vertices +
@@ -83,10 +82,10 @@ Status check_drawable(const Scheme& scheme, const Mesh& control, int steps) {
   return error;
 }
 
-Polygons polygons_of(const SmoothSurface& surface) {
+Polygons polygons_of(const figure::SmoothSurface& surface) {
   Polygons polygons;
   polygons.positions.reserve(surface.vertices.size());
-  for (const SpaceVector& at : surface.vertices)
+  for (const figure::SpaceVector& at : surface.vertices)
     polygons.positions.push_back({at[0], at[1], at[2]});
   for (const std::array<int, 3>& triangle : surface.triangles) {
     polygons.corners.insert(polygons.corners.end(), triangle.begin(), triangle.end());
@@ -95,8 +94,8 @@ Polygons polygons_of(const SmoothSurface& surface) {
   return polygons;
 }
 
-ControlNet control_net(const Mesh& mesh, const std::vector<Point3>& points) {
-  ControlNet net;
+figure::ControlNet control_net(const Mesh& mesh, const std::vector<Point3>& points) {
+  figure::ControlNet net;
   for (const Point3& p : points) net.vertices.push_back(vector_of(p));
   for (Index e = 0; e < mesh.edge_count(); ++e) {
     const Index h = mesh.halfedge_of_edge(e);
@@ -105,4 +104,4 @@ ControlNet control_net(const Mesh& mesh, const std::vector<Point3>& points) {
   return net;
 }
 
-}  // namespace limn
+}  // namespace limn::study

@@ -5,10 +5,12 @@
 
 #include <fmt/core.h>
 
-namespace limn {
+#include "limn/mesh/index.h"
+
+namespace limn::surface {
 namespace {
 
-std::size_t at(Index i) { return static_cast<std::size_t>(i); }
+using mesh::at;
 
 bool has_word(std::string_view label, std::string_view word) {
   for (std::size_t from = 0; from <= label.size();) {
@@ -123,4 +125,4 @@ Status apply_label_tags(const Mesh& mesh, const MeshAttributes& attributes, cons
   return Done{};
 }
 
-}  // namespace limn
+}  // namespace limn::surface

@@ -10,7 +10,7 @@
 #include "limn/mesh/mesh.h"
 #include "limn/mesh/sharpness/sharpness.h"
 
-namespace limn {
+namespace limn::surface {
 
 /// Statements about all edges, vertices or faces between or of named faces.
 struct LabelTags {
@@ -37,4 +37,4 @@ struct LabelTags {
 [[nodiscard]] Status apply_label_tags(const Mesh& mesh, const MeshAttributes& attributes,
                                       const LabelTags& tags, Sharpness& sharpness);
 
-}  // namespace limn
+}  // namespace limn::surface

@@ -6,18 +6,19 @@
 #include <fmt/core.h>
 
 #include "limn/base/large_vector.h"
+#include "limn/mesh/index.h"
 #include "limn/mesh/split/heritage.h"
 #include "limn/refine/crease_step.h"
 
 namespace limn {
 namespace {
 
-std::size_t at(Index i) { return static_cast<std::size_t>(i); }
+using mesh::at;
 
 /// Corners are sharpness, which is for splits that halve old edges in every step. Under others
 /// what ends at them is refined as a curve.
 TextureRule rule_for(const Split& split, TextureRule rule) {
-  const bool corners = keeps_old_edges(split) && split.halves_edges();
+  const bool corners = mesh::keeps_old_edges(split) && split.halves_edges();
   if (rule >= TextureRule::boundaries || corners) return rule;
   return TextureRule::none;
 }
@@ -32,9 +33,9 @@ bool has_lone_face(const Mesh& mesh) {
 
 Status check_takes_texture(const Scheme& scheme, const Mesh& mesh,
                            const TextureCoordinates& texture, TextureRule rule) {
-  if (texture.empty() || !has_seams(mesh, texture)) return Done{};
+  if (texture.empty() || !mesh::has_seams(mesh, texture)) return Done{};
   const Split& split = *scheme.split;
-  if (!keeps_old_edges(split))
+  if (!mesh::keeps_old_edges(split))
     return Error{fmt::format("{} cannot refine texture coordinates that have seams: the faces of "
                              "its split, {}, lie across old edges",
                              scheme.name, split.name),
@@ -57,7 +58,7 @@ Status check_takes_texture(const Scheme& scheme, const Mesh& mesh,
   return Done{};
 }
 
-namespace detail {
+namespace surface::detail {
 
 bool have_size_of(const Mesh& mesh, const MeshAttributes& attributes) {
   const auto is = [](std::size_t size, Index count) { return size == at(count); };
@@ -73,8 +74,8 @@ bool have_size_of(const Mesh& mesh, const MeshAttributes& attributes) {
                      });
 }
 
-std::vector<Column> packed(const std::vector<VertexNumbers>& numbers, Index vertex_count) {
-  std::vector<Column> columns((numbers.size() + 2) / 3);
+std::vector<refine::Column> packed(const std::vector<VertexNumbers>& numbers, Index vertex_count) {
+  std::vector<refine::Column> columns((numbers.size() + 2) / 3);
   for (std::size_t c = 0; c < columns.size(); ++c) {
     columns[c].resize(at(vertex_count));
     for (std::size_t i = 0; i < 3 && 3 * c + i < numbers.size(); ++i) {
@@ -87,10 +88,10 @@ std::vector<Column> packed(const std::vector<VertexNumbers>& numbers, Index vert
 }
 
 std::vector<VertexNumbers> unpacked(const std::vector<VertexNumbers>& numbers,
-                                    const std::vector<Column>& columns, std::size_t first) {
+                                    const std::vector<refine::Column>& columns, std::size_t first) {
   std::vector<VertexNumbers> result;
   for (std::size_t k = 0; k < numbers.size(); ++k) {
-    const Column& column = columns[first + k / 3];
+    const refine::Column& column = columns[first + k / 3];
     const std::span<const double> from = numbers_of(column);
     VertexNumbers one{numbers[k].name, numbers[k].type, std::vector<double>(column.size())};
     for (std::size_t v = 0; v < column.size(); ++v) one.values[v] = from[3 * v + k % 3];
@@ -99,14 +100,14 @@ std::vector<VertexNumbers> unpacked(const std::vector<VertexNumbers>& numbers,
   return result;
 }
 
-std::optional<Column> texture_column(const Split& split, const Mesh& mesh,
-                                     const TextureCoordinates& texture, TextureRule rule) {
+std::optional<refine::Column> texture_column(const Split& split, const Mesh& mesh,
+                                             const TextureCoordinates& texture, TextureRule rule) {
   rule = rule_for(split, rule);
-  if (rule == TextureRule::all || has_seams(mesh, texture)) return std::nullopt;
-  if (!faces_without(mesh, texture).empty()) return std::nullopt;
+  if (rule == TextureRule::all || mesh::has_seams(mesh, texture)) return std::nullopt;
+  if (!mesh::faces_without(mesh, texture).empty()) return std::nullopt;
   if (rule == TextureRule::boundaries && mesh.has_boundary()) return std::nullopt;
   if (rule != TextureRule::none && has_lone_face(mesh)) return std::nullopt;
-  Column column(at(mesh.vertex_count()));
+  refine::Column column(at(mesh.vertex_count()));
   for (Index h = 0; h < mesh.halfedge_count(); ++h) {
     const TexturePoint& p = texture.points[at(texture.of_corner[at(h)])];
     column[at(mesh.origin(h))] = {p.u, p.v, 0};
@@ -114,12 +115,12 @@ std::optional<Column> texture_column(const Split& split, const Mesh& mesh,
   return column;
 }
 
-TextureCoordinates texture_of_column(std::vector<Index> corners, const Column& column,
+TextureCoordinates texture_of_column(std::vector<Index> corners, const refine::Column& column,
                                      NumberType type) {
   TextureCoordinates result;
   result.type = type;
   result.of_corner = std::move(corners);
-  reserve_large(result.points, column.size());
+  base::reserve_large(result.points, column.size());
   for (const Point3& p : column) result.points.push_back({p.x, p.y});
   return result;
 }
@@ -129,28 +130,29 @@ Result<TextureCoordinates> refine_texture(const Scheme& scheme, const Mesh& cont
                                           const TextureCoordinates& texture, TextureRule rule,
                                           int levels, const std::vector<Index>& face_of) {
   rule = rule_for(*scheme.split, rule);
-  TextureMesh cut = make_texture_mesh(control, sharpness, texture, rule);
-  Columns columns;
+  mesh::TextureMesh cut = mesh::make_texture_mesh(control, sharpness, texture, rule);
+  refine::Columns columns;
   const bool linear = rule == TextureRule::all;
   (linear ? columns.linear : columns.smooth).push_back(std::move(cut.points));
-  ColumnOptions options;
+  refine::ColumnOptions options;
   options.straight_boundary = rule == TextureRule::boundaries;
-  Result<RefinedColumns> fine = refine_columns(scheme, std::move(cut.mesh), std::move(columns),
-                                               std::move(cut.sharpness), levels, options);
+  Result<refine::RefinedColumns> fine = refine::refine_columns(
+      scheme, std::move(cut.mesh), std::move(columns), std::move(cut.sharpness), levels, options);
   if (!fine) return fine.error();
   std::vector<bool> without;
-  if (const std::vector<bool> of_control = faces_without(control, texture); !of_control.empty())
+  if (const std::vector<bool> of_control = mesh::faces_without(control, texture);
+      !of_control.empty())
     for (const Index f : face_of) without.push_back(f == kNone || of_control[at(f)]);
-  const Column& points = (linear ? fine->columns.linear : fine->columns.smooth)[0];
-  return texture_of(fine->mesh.polygons(points), cut.first, without, texture.type);
+  const refine::Column& points = (linear ? fine->columns.linear : fine->columns.smooth)[0];
+  return mesh::texture_of(fine->mesh.polygons(points), cut.first, without, texture.type);
 }
 
 bool has_quick_texture(const Scheme& scheme, const Mesh& control, const Sharpness& sharpness,
                        const TextureCoordinates& texture, TextureRule rule) {
   rule = rule_for(*scheme.split, rule);
-  if (rule >= TextureRule::boundaries || !keeps_old_edges(*scheme.split)) return false;
-  const TextureMesh cut = make_texture_mesh(control, sharpness, texture, rule);
-  return check_takes_sharpness(scheme, cut.sharpness).ok() &&
+  if (rule >= TextureRule::boundaries || !mesh::keeps_old_edges(*scheme.split)) return false;
+  const mesh::TextureMesh cut = mesh::make_texture_mesh(control, sharpness, texture, rule);
+  return refine::check_takes_sharpness(scheme, cut.sharpness).ok() &&
          !why_no_fast_sharpness(scheme, cut.mesh, cut.sharpness);
 }
 
@@ -158,22 +160,24 @@ Result<TextureCoordinates> quick_texture(const Scheme& scheme, const Mesh& contr
                                          const Sharpness& sharpness,
                                          const TextureCoordinates& texture, TextureRule rule,
                                          int levels) {
-  TextureMesh cut = make_texture_mesh(control, sharpness, texture, rule_for(*scheme.split, rule));
+  mesh::TextureMesh cut =
+      mesh::make_texture_mesh(control, sharpness, texture, rule_for(*scheme.split, rule));
   Result<FastRefiner> refiner =
       FastRefiner::make(scheme, std::move(cut.mesh), levels, std::move(cut.sharpness));
   if (!refiner) return refiner.error();
-  std::vector<Point3> points = large_vector<Point3>(at(refiner->vertex_count()));
+  std::vector<Point3> points = base::large_vector<Point3>(at(refiner->vertex_count()));
   refiner->evaluate<double>(numbers_of(std::as_const(cut.points)), numbers_of(points));
   std::vector<bool> without;
-  if (const std::vector<bool> of_control = faces_without(control, texture); !of_control.empty()) {
+  if (const std::vector<bool> of_control = mesh::faces_without(control, texture);
+      !of_control.empty()) {
     for (const Index f : parents_of(*refiner)) without.push_back(of_control[at(f)]);
   }
-  return texture_of(refined_polygons(*refiner, std::move(points)), cut.first, without,
-                    texture.type);
+  return mesh::texture_of(refined_polygons(*refiner, std::move(points)), cut.first, without,
+                          texture.type);
 }
 
 std::vector<Index> parents_of(const FastRefiner& refiner) {
-  std::vector<Index> face_of = large_vector<Index>(at(refiner.face_count()));
+  std::vector<Index> face_of = base::large_vector<Index>(at(refiner.face_count()));
   refiner.write_parents(face_of);
   return face_of;
 }
@@ -191,5 +195,5 @@ void hand_down_labels(const MeshAttributes& control, const std::vector<Index>& f
   }
 }
 
-}  // namespace detail
+}  // namespace surface::detail
 }  // namespace limn

@@ -11,7 +11,7 @@
 #include "limn/scheme/scheme.h"
 #include "limn/surface/refine_surface.h"
 
-namespace limn {
+namespace limn::surface {
 
 namespace detail {
 
@@ -20,22 +20,22 @@ namespace detail {
 [[nodiscard]] bool have_size_of(const Mesh& mesh, const MeshAttributes& attributes);
 
 /// Numbers of vertices, three to a column; the last ones filled up with zeros.
-[[nodiscard]] std::vector<Column> packed(const std::vector<VertexNumbers>& numbers,
-                                         Index vertex_count);
+[[nodiscard]] std::vector<refine::Column> packed(const std::vector<VertexNumbers>& numbers,
+                                                 Index vertex_count);
 /// From `first` on, the columns of what `numbers` was before; they have other values now.
 [[nodiscard]] std::vector<VertexNumbers> unpacked(const std::vector<VertexNumbers>& numbers,
-                                                  const std::vector<Column>& columns,
+                                                  const std::vector<refine::Column>& columns,
                                                   std::size_t first);
 
 /// The texture coordinates as one more column (u, v, 0), where the rules refine them like
 /// positions: there are no seams, each face has them, and nothing else stays in place. Nothing
 /// where that is not so.
-[[nodiscard]] std::optional<Column> texture_column(const Split& split, const Mesh& mesh,
-                                                   const TextureCoordinates& texture,
-                                                   TextureRule rule);
+[[nodiscard]] std::optional<refine::Column> texture_column(const Split& split, const Mesh& mesh,
+                                                           const TextureCoordinates& texture,
+                                                           TextureRule rule);
 /// That column refined, as texture coordinates of a mesh, given the vertices of its corners.
-[[nodiscard]] TextureCoordinates texture_of_column(std::vector<Index> corners, const Column& column,
-                                                   NumberType type);
+[[nodiscard]] TextureCoordinates texture_of_column(std::vector<Index> corners,
+                                                   const refine::Column& column, NumberType type);
 
 /// Refines texture coordinates by the plain engine. `face_of`: of each face of the result, that of
 /// the control mesh. Preconditions: check_takes_texture, `levels` > 0.
@@ -66,4 +66,4 @@ void hand_down_labels(const MeshAttributes& control, const std::vector<Index>& f
                       MeshAttributes& fine);
 
 }  // namespace detail
-}  // namespace limn
+}  // namespace limn::surface

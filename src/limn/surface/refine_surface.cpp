@@ -51,7 +51,7 @@ class Work {
         return std::move(surface_);
       }
     }
-    Result<Refined<Point3>> refined = refined_mesh();
+    Result<refine::Refined<Point3>> refined = refined_mesh();
     if (!refined) return refined.error();
     if (!mesh_is_needed()) return std::move(surface_);  // polygons are all
     if (options_.of_limit())
@@ -146,10 +146,10 @@ class Work {
 
   /// Points where refinement puts them. Where polygons are all that is wanted of the quick engine
   /// they are in surface_, and the result is empty.
-  Result<Refined<Point3>> refined_mesh() {
+  Result<refine::Refined<Point3>> refined_mesh() {
     if (quick_) {
       std::vector<Point3> points =
-          large_vector<Point3>(static_cast<std::size_t>(refiner_->vertex_count()));
+          base::large_vector<Point3>(static_cast<std::size_t>(refiner_->vertex_count()));
       refiner_->evaluate<double>(numbers_of(points_), numbers_of(points));
       Polygons fine = refined_polygons(*refiner_, std::move(points));
       if (Status status = quick_attributes(fine); !status) return status.error();
@@ -161,11 +161,12 @@ class Work {
         surface_.polygons = std::move(fine);
         surface_.sharp = std::move(sharp);
         leave_out_holes(holes_);
-        return Refined<Point3>{};
+        return refine::Refined<Point3>{};
       }
-      if (std::optional<Refined<Point3>> built = built_again(fine, sharp)) return std::move(*built);
+      if (std::optional<refine::Refined<Point3>> built = built_again(fine, sharp))
+        return std::move(*built);
     }
-    Result<Refined<Point3>> plain = plain_mesh();
+    Result<refine::Refined<Point3>> plain = plain_mesh();
     stop_clock();
     return plain;
   }
@@ -174,17 +175,17 @@ class Work {
   void find_holes() {
     const std::vector<bool>& holes = options_.sharpness.holes;
     if (holes.empty()) return;
-    for (const Index f : detail::parents_of(*refiner_))
+    for (const Index f : surface::detail::parents_of(*refiner_))
       holes_.push_back(holes[static_cast<std::size_t>(f)]);
   }
 
   /// The quick engine's mesh; nothing where two edges of it have the same ends, so that polygons do
   /// not tell what it is.
-  [[nodiscard]] std::optional<Refined<Point3>> built_again(Polygons& fine,
-                                                           const SharpnessTags& sharp) {
+  [[nodiscard]] std::optional<refine::Refined<Point3>> built_again(Polygons& fine,
+                                                                   const SharpnessTags& sharp) {
     Result<Mesh> mesh = Mesh::build(fine);
     if (!mesh) return std::nullopt;
-    Refined<Point3> built{*std::move(mesh), {}};
+    refine::Refined<Point3> built{*std::move(mesh), {}};
     if (!apply_tags(built.mesh, {}, sharp, built.sharpness)) return std::nullopt;
     built.values = std::move(fine.positions);
     built.sharpness.holes = std::move(holes_);
@@ -192,12 +193,12 @@ class Work {
   }
 
   /// By the plain engine, with the attributes.
-  Result<Refined<Point3>> plain_mesh() {
+  Result<refine::Refined<Point3>> plain_mesh() {
     const MeshAttributes* const attributes = options_.attributes;
-    Columns columns;
+    refine::Columns columns;
     columns.smooth.push_back(std::move(points_));
-    std::optional<Column> texture;
-    ColumnOptions how;
+    std::optional<refine::Column> texture;
+    refine::ColumnOptions how;
     how.progress = [&](int done, int levels, const Mesh& fine) {
       say(fmt::format("refining: {} of {} levels, {} vertices", done, levels, fine.vertex_count()));
     };
@@ -205,15 +206,15 @@ class Work {
     if (attributes != nullptr) {
       add_columns(control_, columns, texture);
       how.parents =
-          attributes->has_labels() ||
-          (!attributes->texture.empty() && !faces_without(control_, attributes->texture).empty());
+          attributes->has_labels() || (!attributes->texture.empty() &&
+                                       !mesh::faces_without(control_, attributes->texture).empty());
       if (!attributes->texture.empty() && !texture) control = control_;
     }
-    Result<RefinedColumns> fine = refine_columns(scheme_, std::move(control_), std::move(columns),
-                                                 options_.sharpness, options_.levels, how);
+    Result<refine::RefinedColumns> fine = refine::refine_columns(
+        scheme_, std::move(control_), std::move(columns), options_.sharpness, options_.levels, how);
     if (!fine) return fine.error();
-    Refined<Point3> result{std::move(fine->mesh), std::move(fine->columns.smooth[0]),
-                           std::move(fine->sharpness)};
+    refine::Refined<Point3> result{std::move(fine->mesh), std::move(fine->columns.smooth[0]),
+                                   std::move(fine->sharpness)};
     if (attributes == nullptr) return result;
     std::vector<Index> corners;
     for (Index h = 0; texture && h < result.mesh.halfedge_count(); ++h)
@@ -221,72 +222,74 @@ class Work {
     take_columns(fine->columns, std::move(corners));
     hand_down(fine->face_of);
     if (attributes->texture.empty() || texture || options_.levels == 0) return result;
-    Result<TextureCoordinates> refined =
-        detail::refine_texture(scheme_, control, options_.sharpness, attributes->texture,
-                               options_.attribute_rules.texture, options_.levels, fine->face_of);
+    Result<TextureCoordinates> refined = surface::detail::refine_texture(
+        scheme_, control, options_.sharpness, attributes->texture, options_.attribute_rules.texture,
+        options_.levels, fine->face_of);
     if (!refined) return refined.error();
     surface_.attributes.texture = *std::move(refined);
     return result;
   }
 
   /// What of the attributes goes the way of positions.
-  void add_columns(const Mesh& mesh, Columns& columns, std::optional<Column>& texture) const {
+  void add_columns(const Mesh& mesh, refine::Columns& columns,
+                   std::optional<refine::Column>& texture) const {
     const MeshAttributes& attributes = *options_.attributes;
-    std::vector<Column>& to = options_.attribute_rules.linear ? columns.linear : columns.smooth;
-    for (Column& column : detail::packed(attributes.vertices, mesh.vertex_count()))
+    std::vector<refine::Column>& to =
+        options_.attribute_rules.linear ? columns.linear : columns.smooth;
+    for (refine::Column& column : surface::detail::packed(attributes.vertices, mesh.vertex_count()))
       to.push_back(std::move(column));
     if (attributes.texture.empty()) return;
-    texture = detail::texture_column(*scheme_.split, mesh, attributes.texture,
-                                     options_.attribute_rules.texture);
+    texture = surface::detail::texture_column(*scheme_.split, mesh, attributes.texture,
+                                              options_.attribute_rules.texture);
     if (texture) columns.smooth.push_back(*texture);
   }
 
   /// The same columns, refined; the first smooth one is that of the positions. `corners`: the
   /// vertices of all corners, where one is that of the texture; else empty.
-  void take_columns(const Columns& columns, std::vector<Index> corners) {
+  void take_columns(const refine::Columns& columns, std::vector<Index> corners) {
     const MeshAttributes& attributes = *options_.attributes;
     const bool linear = options_.attribute_rules.linear;
-    surface_.attributes.vertices = detail::unpacked(
+    surface_.attributes.vertices = surface::detail::unpacked(
         attributes.vertices, linear ? columns.linear : columns.smooth, linear ? 0 : 1);
     if (!corners.empty())
-      surface_.attributes.texture = detail::texture_of_column(
+      surface_.attributes.texture = surface::detail::texture_of_column(
           std::move(corners), columns.smooth.back(), attributes.texture.type);
   }
 
   void hand_down(const std::vector<Index>& face_of) {
     if (options_.levels == 0)  // points keep their numbers
       surface_.attributes.texture = options_.attributes->texture;
-    detail::hand_down_labels(*options_.attributes, face_of, surface_.attributes);
+    surface::detail::hand_down_labels(*options_.attributes, face_of, surface_.attributes);
   }
 
   /// By the quick engine.
   Status quick_attributes(const Polygons& fine) {
     if (options_.attributes == nullptr || options_.attributes->empty()) return Done{};
-    Columns columns;
+    refine::Columns columns;
     columns.smooth.emplace_back();
-    std::optional<Column> texture;
+    std::optional<refine::Column> texture;
     add_columns(control_, columns, texture);
     for (std::size_t i = 1; i < columns.smooth.size(); ++i) {
-      Column column = large_vector<Point3>(fine.positions.size());
+      refine::Column column = base::large_vector<Point3>(fine.positions.size());
       refiner_->evaluate<double>(numbers_of(std::as_const(columns.smooth[i])), numbers_of(column));
       columns.smooth[i] = std::move(column);
     }
     take_columns(columns, texture ? fine.corners : std::vector<Index>());
     std::vector<Index> face_of;
-    if (options_.attributes->has_labels()) face_of = detail::parents_of(*refiner_);
+    if (options_.attributes->has_labels()) face_of = surface::detail::parents_of(*refiner_);
     hand_down(face_of);
     const TextureCoordinates& coordinates = options_.attributes->texture;
     if (coordinates.empty() || texture || options_.levels == 0) return Done{};
     Result<TextureCoordinates> refined =
-        detail::quick_texture(scheme_, control_, options_.sharpness, coordinates,
-                              options_.attribute_rules.texture, options_.levels);
+        surface::detail::quick_texture(scheme_, control_, options_.sharpness, coordinates,
+                                       options_.attribute_rules.texture, options_.levels);
     if (!refined) return refined.error();
     surface_.attributes.texture = *std::move(refined);
     return Done{};
   }
 
   /// Finds what is wanted of the limit surface.
-  Status find_limit(const Refined<Point3>& refined) {
+  Status find_limit(const refine::Refined<Point3>& refined) {
     say("finding limit points");
     LimitOptions options;
     options.steps_made = options_.levels;
@@ -296,7 +299,7 @@ class Work {
     options.progress = [&](int left) {
       say(fmt::format("limit points: {} vertices left, near irregular ones", left));
     };
-    Result<SharpLimitPoints> limit = approx_limit_points(
+    Result<limit::SharpLimitPoints> limit = limit::approx_limit_points(
         scheme_, refined.mesh, refined.values, refined.sharpness, options, options_.normals);
     if (!limit) return limit.error();
     if (options_.normals) {
@@ -329,22 +332,23 @@ class Work {
 bool is_quick(const Scheme& scheme, const Mesh& control, const SurfaceOptions& options) {
   const Split& split = *scheme.split;
   if (options.engine != SurfaceOptions::Engine::quick || !has_fast_layout(scheme)) return false;
-  if (!check_takes_sharpness(scheme, options.sharpness) ||
+  if (!refine::check_takes_sharpness(scheme, options.sharpness) ||
       why_no_fast_sharpness(scheme, control, options.sharpness))
     return false;
   if (options.attributes == nullptr) return true;
   const MeshAttributes& attributes = *options.attributes;
   if (options.attribute_rules.linear && !attributes.vertices.empty()) return false;
-  if (attributes.has_labels() && !keeps_old_edges(split)) return false;
+  if (attributes.has_labels() && !mesh::keeps_old_edges(split)) return false;
   const TextureRule rule = options.attribute_rules.texture;
   return attributes.texture.empty() ||
-         detail::texture_column(split, control, attributes.texture, rule).has_value() ||
-         detail::has_quick_texture(scheme, control, options.sharpness, attributes.texture, rule);
+         surface::detail::texture_column(split, control, attributes.texture, rule).has_value() ||
+         surface::detail::has_quick_texture(scheme, control, options.sharpness, attributes.texture,
+                                            rule);
 }
 
 Result<RefinedSurface> refine_surface(const Scheme& scheme, Mesh control,
                                       std::vector<Point3> points, const SurfaceOptions& options) {
-  if (options.attributes != nullptr && !detail::have_size_of(control, *options.attributes))
+  if (options.attributes != nullptr && !surface::detail::have_size_of(control, *options.attributes))
     return Error{"the attributes do not fit the mesh",
                  "give a number for each vertex, a texture point for each corner, a label for each "
                  "face"};

@@ -9,7 +9,7 @@
 #include "limn/base/parallel.h"
 #include "limn/fast/fast_pieces.h"
 
-namespace limn {
+namespace limn::surface {
 namespace {
 
 using Clock = std::chrono::steady_clock;
@@ -21,7 +21,7 @@ double seconds_since(Clock::time_point start) {
 /// What a thread works in.
 struct Memory {
   fast::StepPiece vertices;
-  FacePiece faces;
+  fast::FacePiece faces;
   std::string bytes;
 };
 
@@ -48,21 +48,21 @@ class MemoryPool {
 /// Makes the pieces and writes them.
 class PieceWriter {
  public:
-  PieceWriter(FastPieces& pieces, bool normals) : pieces_(pieces), normals_(normals) {
+  PieceWriter(fast::FastPieces& pieces, bool normals) : pieces_(pieces), normals_(normals) {
     if (pieces.corners_per_face() == 0) make_all_faces();
   }
 
-  [[nodiscard]] MeshCounts counts() const {
+  [[nodiscard]] mesh::MeshCounts counts() const {
     return {static_cast<std::size_t>(pieces_.vertex_count()),
             static_cast<std::size_t>(pieces_.face_count()), pieces_.corners_per_face(),
             std::max(largest_, pieces_.corners_per_face()), normals_};
   }
 
-  void write(MeshPieceSink& sink) {
+  void write(mesh::MeshPieceSink& sink) {
     const Clock::time_point start = Clock::now();
     for (Index group = 0; group < pieces_.groups(); ++group) {
       const Clock::time_point entered = Clock::now();
-      const FastPieces::Range range = pieces_.enter(group);
+      const fast::FastPieces::Range range = pieces_.enter(group);
       making_ += (Clock::now() - entered).count();
       for_pieces(range.first, range.last,
                  [&](Index piece, Memory& memory) { write_vertices(piece, memory, sink); });
@@ -90,7 +90,7 @@ class PieceWriter {
  private:
   template <class Work>
   void for_pieces(Index begin, Index end, const Work& work) {
-    parallel_for(
+    base::parallel_for(
         begin, end,
         [&](Index first, Index last) {
           std::unique_ptr<Memory> memory = pool_.take();
@@ -105,7 +105,7 @@ class PieceWriter {
     writing_ += (Clock::now() - made).count();
   }
 
-  void write_vertices(Index piece, Memory& memory, MeshPieceSink& sink) {
+  void write_vertices(Index piece, Memory& memory, mesh::MeshPieceSink& sink) {
     const Clock::time_point start = Clock::now();
     pieces_.make_vertices(piece, memory.vertices);
     const Clock::time_point made = Clock::now();
@@ -132,7 +132,7 @@ class PieceWriter {
     }
   }
 
-  void write_faces(Index piece, Memory& memory, MeshPieceSink& sink) {
+  void write_faces(Index piece, Memory& memory, mesh::MeshPieceSink& sink) {
     const Clock::time_point start = Clock::now();
     pieces_.make_faces(piece, memory.faces);
     const Clock::time_point made = Clock::now();
@@ -150,10 +150,10 @@ class PieceWriter {
       largest_ = std::max(largest_, all_faces_.begin[f + 1] - all_faces_.begin[f]);
   }
 
-  void write_all_faces(MeshPieceSink& sink) {
+  void write_all_faces(mesh::MeshPieceSink& sink) {
     if (pieces_.corners_per_face() > 0) make_all_faces();
     constexpr std::ptrdiff_t kFaces = 16384;
-    parallel_for(
+    base::parallel_for(
         Index{0}, all_faces_.count,
         [&](Index first, Index last) {
           std::unique_ptr<Memory> memory = pool_.take();
@@ -170,9 +170,9 @@ class PieceWriter {
         kFaces);
   }
 
-  FastPieces& pieces_;
+  fast::FastPieces& pieces_;
   bool normals_;
-  FacePiece all_faces_;
+  fast::FacePiece all_faces_;
   Index largest_ = 0;
   MemoryPool pool_;
   std::atomic<Clock::rep> making_ = 0, writing_ = 0;  // of all threads together
@@ -188,7 +188,7 @@ bool may_write_refined(const Scheme& scheme, const SurfaceOptions& options, cons
   return options.engine == SurfaceOptions::Engine::quick && has_fast_layout(scheme) &&
          !options.curvatures && !options.connectivity && !options.has_sharpness() &&
          (options.attributes == nullptr || options.attributes->empty()) &&
-         takes_mesh_pieces(path, extension);
+         mesh::takes_mesh_pieces(path, extension);
 }
 
 Result<std::optional<RefinedFile>> write_refined(const Scheme& scheme, const Mesh& control,
@@ -196,9 +196,9 @@ Result<std::optional<RefinedFile>> write_refined(const Scheme& scheme, const Mes
                                                  const SurfaceOptions& options,
                                                  const std::string& path) {
   const Clock::time_point start = Clock::now();
-  const FastPieces::Wanted wanted{options.limit, options.normals};
-  Result<std::optional<FastPieces>> pieces =
-      FastPieces::make(scheme, control, numbers_of(points), options.levels, wanted);
+  const fast::FastPieces::Wanted wanted{options.limit, options.normals};
+  Result<std::optional<fast::FastPieces>> pieces =
+      fast::FastPieces::make(scheme, control, numbers_of(points), options.levels, wanted);
   // where there is no limit somewhere, the plain way knows where, and gives the rest
   if (!pieces && options.of_limit() && options.partial) return std::optional<RefinedFile>();
   if (!pieces) return pieces.error();
@@ -206,9 +206,9 @@ Result<std::optional<RefinedFile>> write_refined(const Scheme& scheme, const Mes
   const double prepared = seconds_since(start);
   if (options.progress) options.progress("writing " + path);
   PieceWriter writer(**pieces, options.normals);
-  const MeshCounts counts = writer.counts();
-  if (Status status =
-          write_mesh_pieces(path, counts, [&](MeshPieceSink& sink) { writer.write(sink); });
+  const mesh::MeshCounts counts = writer.counts();
+  if (Status status = mesh::write_mesh_pieces(
+          path, counts, [&](mesh::MeshPieceSink& sink) { writer.write(sink); });
       !status)
     return status.error();
   RefinedFile file;
@@ -219,4 +219,4 @@ Result<std::optional<RefinedFile>> write_refined(const Scheme& scheme, const Mes
   return std::optional<RefinedFile>(std::move(file));
 }
 
-}  // namespace limn
+}  // namespace limn::surface

@@ -8,7 +8,7 @@
 #include "limn/mesh/io/mesh_pieces.h"
 #include "limn/surface/refine_surface.h"
 
-namespace limn {
+namespace limn::surface {
 
 /// What was written.
 struct RefinedFile {
@@ -36,4 +36,4 @@ struct RefinedFile {
                                                                const SurfaceOptions& options,
                                                                const std::string& path);
 
-}  // namespace limn
+}  // namespace limn::surface

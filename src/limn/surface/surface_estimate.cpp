@@ -5,7 +5,7 @@
 #include "limn/fast/fast_pieces.h"
 #include "limn/limit/limit_points.h"
 
-namespace limn {
+namespace limn::surface {
 namespace {
 
 // Bytes for each vertex of the result, where they do not follow from the types (measured).
@@ -22,7 +22,7 @@ RefineEstimate estimate_with_limit(const Scheme& scheme, const Mesh& control, in
   const RefineEstimate plain = estimate_refinement(split, control, levels, sizeof(Point3));
   const bool quick = work.quick && has_fast_layout(scheme);
   if (quick && work.written && !work.curvatures)
-    return FastPieces::estimate(split, control, levels, {work.limit, work.limit});
+    return fast::FastPieces::estimate(split, control, levels, {work.limit, work.limit});
   RefineEstimate result = quick ? FastRefiner::estimate(split, control, levels) : plain;
   // refined, and as they are handed on
   const double attributes = result.vertices * 2 * kPoint * work.columns;
@@ -45,4 +45,4 @@ RefineEstimate estimate_with_limit(const Scheme& scheme, const Mesh& control, in
   return result;
 }
 
-}  // namespace limn
+}  // namespace limn::surface

@@ -4,7 +4,7 @@
 #include "limn/refine/refine_estimate.h"
 #include "limn/scheme/scheme.h"
 
-namespace limn {
+namespace limn::surface {
 
 struct LimitWork {
   bool quick = true;        ///< by the quick engine, where it can
@@ -20,4 +20,4 @@ struct LimitWork {
 [[nodiscard]] RefineEstimate estimate_with_limit(const Scheme& scheme, const Mesh& control,
                                                  int levels, const LimitWork& work);
 
-}  // namespace limn
+}  // namespace limn::surface

@@ -8,12 +8,12 @@
 #include "limn/base/files/file.h"
 #include "limn/scheme/file/toml_reader.h"
 
-namespace limn {
+namespace limn::surface {
 namespace {
 
 /// A name of a closed list.
 template <class Value>
-std::optional<Value> named(TomlReader& in, const toml::node& node, std::string_view what,
+std::optional<Value> named(scheme::TomlReader& in, const toml::node& node, std::string_view what,
                            const std::vector<std::pair<std::string, Value>>& known) {
   const std::size_t before = in.faults();
   const std::string name = in.text(node, what);
@@ -29,7 +29,7 @@ std::optional<Value> named(TomlReader& in, const toml::node& node, std::string_v
 
 class TagsReader {
  public:
-  TagsReader(const std::string& path, Index first, LabelTags* labels, Faults& faults)
+  TagsReader(const std::string& path, Index first, LabelTags* labels, base::Faults& faults)
       : in_(path, faults), labels_(labels) {
     if (labels != nullptr) labels->file = path;
     tags_.file = path;
@@ -175,7 +175,7 @@ class TagsReader {
     return values;
   }
 
-  TomlReader in_;
+  scheme::TomlReader in_;
   LabelTags* labels_;
   SharpnessTags tags_;
 };
@@ -184,16 +184,16 @@ class TagsReader {
 
 Result<SharpnessTags> parse_tags(std::string_view text, const std::string& path, Index first,
                                  LabelTags* labels) {
-  Faults faults;
+  base::Faults faults;
   SharpnessTags tags = TagsReader(path, first, labels, faults).run(text);
   if (!faults.none()) return faults.joined();
   return tags;
 }
 
 Result<SharpnessTags> read_tags_file(const std::string& path, Index first, LabelTags* labels) {
-  const Result<std::string> text = read_file(path);
+  const Result<std::string> text = base::read_file(path);
   if (!text) return text.error();
   return parse_tags(*text, path, first, labels);
 }
 
-}  // namespace limn
+}  // namespace limn::surface

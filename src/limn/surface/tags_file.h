@@ -31,7 +31,7 @@
 #include "limn/mesh/sharpness/sharpness.h"
 #include "limn/surface/label_tags.h"
 
-namespace limn {
+namespace limn::surface {
 
 /// Reads such a file. `first` is the number that the mesh file gives its first vertex and face: 1
 /// in OBJ, else 0. What is stated by names goes into `labels`; without it that is a fault. Every
@@ -43,4 +43,4 @@ namespace limn {
 [[nodiscard]] Result<SharpnessTags> parse_tags(std::string_view text, const std::string& path,
                                                Index first, LabelTags* labels = nullptr);
 
-}  // namespace limn
+}  // namespace limn::surface

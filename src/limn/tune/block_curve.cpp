@@ -5,7 +5,7 @@
 #include <numbers>
 #include <numeric>
 
-namespace limn {
+namespace limn::tune {
 namespace {
 
 constexpr double kInterpolationError = 1e-13;  // allowed where it is checked, of entries of order 1
@@ -138,4 +138,4 @@ Result<FrequencyBlocks> BlockCurve::operator()(double x) const {
   return result;
 }
 
-}  // namespace limn
+}  // namespace limn::tune

@@ -6,7 +6,7 @@
 
 #include "limn/tune/freed_scheme.h"
 
-namespace limn {
+namespace limn::tune {
 
 /// Each x costs the weights' expressions and the blocks of all frequencies, and a refined star
 /// where x changes the star's regular part. But weights are as a rule polynomials in x, so the
@@ -55,4 +55,4 @@ class BlockCurve {
   std::vector<FrequencyBlocks> values_;
 };
 
-}  // namespace limn
+}  // namespace limn::tune

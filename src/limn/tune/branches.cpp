@@ -7,7 +7,7 @@
 
 #include "limn/tune/margin.h"
 
-namespace limn {
+namespace limn::tune {
 namespace {
 
 /// Rounding splits a defective pair by so much at most, into the complex.
@@ -69,4 +69,4 @@ bool same_rings(const BranchSample& a, const BranchSample& b) {
                     });
 }
 
-}  // namespace limn
+}  // namespace limn::tune

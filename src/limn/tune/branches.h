@@ -8,7 +8,7 @@
 #include "limn/tune/block_curve.h"
 #include "limn/tune/freed_scheme.h"
 
-namespace limn {
+namespace limn::tune {
 
 /// A real eigenvalue (or one whose imaginary part may be rounding) of the sought component's block,
 /// and left - right with it in the label's place.
@@ -35,4 +35,4 @@ struct BranchSample {
 /// Whether both are defined and branch i of one continues branch i of the other.
 [[nodiscard]] bool same_rings(const BranchSample& a, const BranchSample& b);
 
-}  // namespace limn
+}  // namespace limn::tune

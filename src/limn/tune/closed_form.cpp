@@ -11,7 +11,7 @@
 
 #include "limn/number/near_rational.h"
 
-namespace limn {
+namespace limn::tune {
 namespace {
 
 constexpr std::size_t kLeastValences = 5;
@@ -60,7 +60,7 @@ std::optional<Coefficients> fitted(const std::array<int, 3>& n, const std::array
                                 first - (c[0] + c[1]) * second, second};
   Coefficients result;
   for (std::size_t i = 0; i < 3; ++i) {
-    const std::optional<Rational> rational = near_rational(p[i], kFitted);
+    const std::optional<Rational> rational = number::near_rational(p[i], kFitted);
     if (!rational) return std::nullopt;
     result[i] = *rational;
   }
@@ -101,10 +101,10 @@ std::optional<std::string> closed_form_at(int valence, double value) {
       for (const int sign : {1, -1}) {
         const Rational b(Integer(sign * p), Integer(kSmallest));
         const double rest = value * (over_n ? valence : 1) - to_double(b) * cosine(valence);
-        if (const auto a = near_rational(rest, 1e-13, kLargest))
+        if (const auto a = number::near_rational(rest, 1e-13, kLargest))
           return text_of({*a, b, Rational(0)}, over_n);
       }
   return std::nullopt;
 }
 
-}  // namespace limn
+}  // namespace limn::tune

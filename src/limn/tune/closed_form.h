@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-namespace limn {
+namespace limn::tune {
 
 /// A formula in n, as scheme files write it, that has these values at these valences, to 1e-12:
 /// p(cos(2*pi/n)) or p(cos(2*pi/n))/n, p a polynomial of degree 2 at most whose coefficients are
@@ -17,4 +17,4 @@ namespace limn {
 /// by chance once in a million times.
 [[nodiscard]] std::optional<std::string> closed_form_at(int valence, double value);
 
-}  // namespace limn
+}  // namespace limn::tune

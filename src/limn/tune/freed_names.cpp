@@ -11,7 +11,7 @@
 #include "limn/scheme/scope.h"
 #include "limn/tune/margin.h"
 
-namespace limn {
+namespace limn::tune {
 namespace {
 
 /// Names that the scheme does not use yet.
@@ -19,7 +19,7 @@ std::vector<std::string> unused_names(const Scheme& scheme, std::size_t count) {
   std::vector<std::string> names;
   for (int i = 1; names.size() < count; ++i) {
     std::string name = fmt::format("x{}", i);
-    if (find_definition(scheme, name) == nullptr) names.push_back(std::move(name));
+    if (scheme::find_definition(scheme, name) == nullptr) names.push_back(std::move(name));
   }
   return names;
 }
@@ -29,7 +29,7 @@ std::vector<std::string> unused_names(const Scheme& scheme, std::size_t count) {
 struct FreedNames::Instance {
   Scheme scheme;
   std::vector<std::string> variables;
-  std::unique_ptr<SlopeAnalysis> analysis;
+  std::unique_ptr<spectrum::SlopeAnalysis> analysis;
 };
 
 FreedNames::FreedNames(std::vector<FreedScheme> each) : each_(std::move(each)) {}
@@ -52,7 +52,8 @@ Result<FreedNames> FreedNames::make(const Scheme& scheme, const std::vector<std:
 }
 
 Result<double> FreedNames::own_value(std::size_t j, int n) const {
-  return Scope<double>(original(), n, std::nullopt)(*find_definition(original(), each_[j].name()));
+  return scheme::Scope<double>(original(), n,
+                               std::nullopt)(*scheme::find_definition(original(), each_[j].name()));
 }
 
 Result<FreedNames::Instance*> FreedNames::at(int n) {
@@ -62,7 +63,7 @@ Result<FreedNames::Instance*> FreedNames::at(int n) {
   made->scheme = original();
   made->variables = unused_names(original(), size());
   for (std::size_t j = 0; j < size(); ++j) {
-    Formula& formula = *find_definition(made->scheme, each_[j].name());
+    Formula& formula = *scheme::find_definition(made->scheme, each_[j].name());
     const std::string& x = made->variables[j];
     Result<Expression> expression = Expression::parse(
         each_[j].everywhere(n)
@@ -73,13 +74,13 @@ Result<FreedNames::Instance*> FreedNames::at(int n) {
     formula.expression = *std::move(expression);
     made->scheme.lets.emplace_back(x, Formula{Expression::constant(0), {}});
   }
-  made->analysis = std::make_unique<SlopeAnalysis>(made->scheme, made->variables);
+  made->analysis = std::make_unique<spectrum::SlopeAnalysis>(made->scheme, made->variables);
   instance = std::move(made);
   return instance.get();
 }
 
-Result<BlockSlopes> FreedNames::slopes(int n, const std::vector<double>& x,
-                                       const std::vector<int>& frequencies) {
+Result<spectrum::BlockSlopes> FreedNames::slopes(int n, const std::vector<double>& x,
+                                                 const std::vector<int>& frequencies) {
   const Result<Instance*> instance = at(n);
   if (!instance) return instance.error();
   return (*instance)->analysis->blocks(n, x, frequencies);
@@ -90,7 +91,7 @@ Result<Scheme> FreedNames::with_numbers(int n, const std::vector<double>& x) {
   if (!instance) return instance.error();
   Scheme scheme = (*instance)->scheme;
   for (std::size_t j = 0; j < size(); ++j)
-    find_definition(scheme, (*instance)->variables[j])->expression =
+    scheme::find_definition(scheme, (*instance)->variables[j])->expression =
         Expression::constant(Rational(x[j]));
   return scheme;
 }
@@ -106,29 +107,32 @@ RegularPart FreedNames::regular_part(int n, const std::vector<double>& x) {
   if (!scheme) return {Truth::undecided, scheme.error().message};
   // sum rules hold exactly or not at all: 1/3 has some that the double next to it has not
   for (std::size_t j = 0; j < size(); ++j) {
-    const std::optional<Rational> simple = near_rational(x[j]);
+    const std::optional<Rational> simple = number::near_rational(x[j]);
     if (!simple && each_[j].everywhere(n))
       return {Truth::undecided, known_in_digits_only(each_[j].name())};
     if (simple)
-      find_definition(*scheme, (*at(n))->variables[j])->expression = Expression::constant(*simple);
+      scheme::find_definition(*scheme, (*at(n))->variables[j])->expression =
+          Expression::constant(*simple);
   }
   const Result<Mask> mask = regular_mask(*scheme);
   if (!mask) return {Truth::undecided, mask.error().message};
   return find_regular_part(*mask);
 }
 
-Result<Jet> FreedNames::evaluate(const Expression& expression, int n, const std::vector<double>& x,
-                                 const std::vector<std::pair<std::string_view, Jet>>& beside) {
+Result<number::Jet> FreedNames::evaluate(
+    const Expression& expression, int n, const std::vector<double>& x,
+    const std::vector<std::pair<std::string_view, number::Jet>>& beside) {
   const Result<Instance*> instance = at(n);
   if (!instance) return instance.error();
-  Scope<Jet> scope((*instance)->scheme, n, std::nullopt);
+  scheme::Scope<number::Jet> scope((*instance)->scheme, n, std::nullopt);
   for (std::size_t j = 0; j < size(); ++j)
-    scope.give((*instance)->variables[j], Jet::variable(x[j], j, size()));
-  return limn::evaluate<Jet>(expression, [&](const std::string& name) -> Result<Jet> {
-    for (const auto& [known, value] : beside)
-      if (known == name) return value;
-    return scope({Expression::parse(name).value(), {}});
-  });
+    scope.give((*instance)->variables[j], number::Jet::variable(x[j], j, size()));
+  return limn::scheme::evaluate<number::Jet>(expression,
+                                             [&](const std::string& name) -> Result<number::Jet> {
+                                               for (const auto& [known, value] : beside)
+                                                 if (known == name) return value;
+                                               return scope({Expression::parse(name).value(), {}});
+                                             });
 }
 
-}  // namespace limn
+}  // namespace limn::tune

@@ -12,7 +12,7 @@
 #include "limn/spectrum/block_slopes.h"
 #include "limn/tune/freed_scheme.h"
 
-namespace limn {
+namespace limn::tune {
 
 /// It keeps what it worked out: not for two threads at once. Points x have a number for each name.
 class FreedNames {
@@ -37,16 +37,16 @@ class FreedNames {
   [[nodiscard]] Result<double> own_value(std::size_t j, int n) const;
 
   /// SlopeAnalysis::blocks at x.
-  [[nodiscard]] Result<BlockSlopes> slopes(int n, const std::vector<double>& x,
-                                           const std::vector<int>& frequencies);
+  [[nodiscard]] Result<spectrum::BlockSlopes> slopes(int n, const std::vector<double>& x,
+                                                     const std::vector<int>& frequencies);
   /// All blocks at x, as FrequencyAnalysis has them.
   [[nodiscard]] Result<FrequencyBlocks> blocks(int n, const std::vector<double>& x);
   /// What the regular lattice allows at x.
   [[nodiscard]] RegularPart regular_part(int n, const std::vector<double>& x);
   /// An expression in n, the scheme's names (the freed ones are x) and the given ones beside them.
-  [[nodiscard]] Result<Jet> evaluate(const Expression& expression, int n,
-                                     const std::vector<double>& x,
-                                     const std::vector<std::pair<std::string_view, Jet>>& beside);
+  [[nodiscard]] Result<number::Jet> evaluate(
+      const Expression& expression, int n, const std::vector<double>& x,
+      const std::vector<std::pair<std::string_view, number::Jet>>& beside);
 
  private:
   struct Instance;  // a copy of the scheme with variables in place of the names
@@ -59,4 +59,4 @@ class FreedNames {
   std::map<int, std::unique_ptr<Instance>> instances_;
 };
 
-}  // namespace limn
+}  // namespace limn::tune

@@ -32,7 +32,7 @@ const Parameter* find_parameter(const Scheme& scheme, const std::string& name) {
 void collect(const Scheme& scheme, const Expression& expression, Names& names) {
   for (const std::string& name : expression.names()) {
     if (!names.insert(name).second) continue;
-    if (const Formula* formula = find_definition(scheme, name))
+    if (const Formula* formula = scheme::find_definition(scheme, name))
       collect(scheme, formula->expression, names);
   }
 }
@@ -77,7 +77,7 @@ bool is_freeable(const Use& use, const std::string& name) {
 
 Error not_freeable(const Scheme& scheme, const Use& use, const std::string& name) {
   const std::string why =
-      find_definition(scheme, name) == nullptr
+      scheme::find_definition(scheme, name) == nullptr
           ? fmt::format("scheme '{}' has no let and no parameter '{}'", scheme.name, name)
       : scheme.stages
           ? fmt::format(
@@ -89,16 +89,16 @@ Error not_freeable(const Scheme& scheme, const Use& use, const std::string& name
           ? fmt::format("'{}' is a number for each k, so it cannot be freed", name)
           : fmt::format("no weight of an interior rule uses '{}'", name);
   const std::vector<std::string> known = freeable_names(scheme);
-  return {why,
-          known.empty()
-              ? fmt::format("scheme '{}' has nothing that can be freed", scheme.name)
-              : did_you_mean(name, known, fmt::format("can be freed: {}", fmt::join(known, ", ")))};
+  return {why, known.empty()
+                   ? fmt::format("scheme '{}' has nothing that can be freed", scheme.name)
+                   : base::did_you_mean(name, known,
+                                        fmt::format("can be freed: {}", fmt::join(known, ", ")))};
 }
 
 /// A name that the scheme does not use yet.
 std::string unused_name(const Scheme& scheme) {
   std::string name = "x";
-  while (find_definition(scheme, name) != nullptr) name += '_';
+  while (scheme::find_definition(scheme, name) != nullptr) name += '_';
   return name;
 }
 
@@ -155,7 +155,7 @@ FreedScheme& FreedScheme::operator=(FreedScheme&&) noexcept = default;
 
 Result<FreedScheme> FreedScheme::make(const Scheme& scheme, const std::string& name, Reach reach) {
   const Use use = uses_of(scheme);
-  if (!is_freeable(use, name) || find_definition(scheme, name) == nullptr)
+  if (!is_freeable(use, name) || scheme::find_definition(scheme, name) == nullptr)
     return not_freeable(scheme, use, name);
   const bool one_number = use.elsewhere.count(name) > 0 || use.with_n.count(name) == 0;
   return FreedScheme(scheme, name, reach == Reach::everywhere || one_number);
@@ -166,7 +166,7 @@ Result<std::unique_ptr<FreedScheme::Instance>> FreedScheme::build(int n) const {
   auto instance = std::make_unique<Instance>(*original_);
   Scheme& scheme = instance->scheme;
   const std::string x = unused_name(scheme);
-  Formula& formula = *find_definition(scheme, name_);
+  Formula& formula = *scheme::find_definition(scheme, name_);
   std::string text = x;
   if (!everywhere(n))
     text = fmt::format("(n == {0}) * {1} + (n != {0}) * ({2})", n, x, formula.expression.text());
@@ -231,7 +231,7 @@ RegularPart FreedScheme::regular_part(int n, double x) {
   // sum rules hold exactly or not at all: 1/3 has some that the double next to it has not
   Scheme exact = (*instance)->scheme;
   exact.lets.back().second.expression =
-      Expression::constant(near_rational(x).value_or(Rational(x)));
+      Expression::constant(number::near_rational(x).value_or(Rational(x)));
   const Result<Mask> mask = regular_mask(exact);
   if (!mask) return {Truth::undecided, mask.error().message};
   const int order = polynomial_orders(*mask).sum_rules;
@@ -248,8 +248,8 @@ Result<double> FreedScheme::evaluate(
     const std::vector<std::pair<std::string_view, double>>& beside) {
   const Result<Instance*> instance = named_at(n, x);
   if (!instance) return instance.error();
-  Scope<double> scope((*instance)->scheme, n, std::nullopt);
-  return limn::evaluate<double>(expression, [&](const std::string& name) -> Result<double> {
+  scheme::Scope<double> scope((*instance)->scheme, n, std::nullopt);
+  return limn::scheme::evaluate<double>(expression, [&](const std::string& name) -> Result<double> {
     for (const auto& [known, value] : beside)
       if (known == name) return value;
     return scope({Expression::parse(name).value(), {}});
@@ -267,7 +267,7 @@ Result<Interval> FreedScheme::search_range(int n, const SearchRange* stated) {
   Interval interval{-kDefaultReach, kDefaultReach};
   for (const auto& [end, expression] : {std::pair(&interval.low, low), {&interval.high, high}}) {
     if (expression == nullptr) continue;
-    Scope<double> scope(*original_, n, std::nullopt);
+    scheme::Scope<double> scope(*original_, n, std::nullopt);
     const Result<double> value = scope({*expression, {}});
     if (!value) {
       Error error = value.error();

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace limn {
+namespace limn::tune {
 
 double radius_bound(const Eigen::MatrixXd& moduli) {
   constexpr int kSteps = 6;
@@ -39,4 +39,4 @@ const std::vector<BoundedFrequency>& FrequencyOrder::at(double x) {
   return part;
 }
 
-}  // namespace limn
+}  // namespace limn::tune

@@ -7,7 +7,7 @@
 
 #include "limn/tune/block_curve.h"
 
-namespace limn {
+namespace limn::tune {
 
 /// A frequency, and what no modulus of its eigenvalues exceeds near some x (up to rounding).
 struct BoundedFrequency {
@@ -37,4 +37,4 @@ class FrequencyOrder {
   std::array<bool, kParts> known_{};
 };
 
-}  // namespace limn
+}  // namespace limn::tune

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-namespace limn {
+namespace limn::tune {
 
 /// The least value of f between a and b, to where f is flat in double, or the first x found with
 /// f(x) < 0. f: double → double, with one minimum there. Cost: 60 values at most.
@@ -47,4 +47,4 @@ double last_holding(double a, double b, Predicate holds) {
   }
 }
 
-}  // namespace limn
+}  // namespace limn::tune

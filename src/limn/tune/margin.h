@@ -10,7 +10,7 @@
 #include "limn/spectrum/eigencomponents.h"
 #include "limn/tune/freed_scheme.h"
 
-namespace limn {
+namespace limn::tune {
 
 /// Values of kComponents, in that order; nothing where there is no such (real) eigenvalue.
 using ComponentValues = std::array<std::optional<double>, kComponents.size()>;
@@ -45,4 +45,4 @@ using ComponentValues = std::array<std::optional<double>, kComponents.size()>;
 /// The labelled eigenvalues, in the order of kComponents.
 [[nodiscard]] ComponentValues component_values(const Eigencomponents& found);
 
-}  // namespace limn
+}  // namespace limn::tune

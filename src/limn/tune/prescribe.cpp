@@ -8,7 +8,7 @@
 #include "limn/scheme/check.h"
 #include "limn/scheme/file/scheme_text.h"
 
-namespace limn {
+namespace limn::tune {
 namespace {
 
 Error refusal(std::string message, std::string hint = {}) {
@@ -47,8 +47,8 @@ Result<std::string> regular_end(const Scheme& base) {
 
 Status check(const Prescription& prescription, const std::string& name) {
   const int n = prescription.valence;
-  if (n < kSmallestValence)
-    return refusal(fmt::format("valence {} is below {}", n, kSmallestValence));
+  if (n < scheme::kSmallestValence)
+    return refusal(fmt::format("valence {} is below {}", n, scheme::kSmallestValence));
   if (n == 6)
     return refusal("valence 6 is the regular one: every edge would end at such a vertex",
                    "choose an extraordinary valence");
@@ -118,8 +118,8 @@ Result<std::string> prescribed_scheme(const Scheme& base, const std::string& bas
   if (!end) return end.error();
   const int n = prescription.valence;
   std::string text = fmt::format("name    = \"{}\"\nsplit   = \"{}\"\nextends = {}\n", name,
-                                 base.split->name, toml_string(base_name));
-  text += weights_toml(base);
+                                 base.split->name, scheme::toml_string(base_name));
+  text += scheme::weights_toml(base);
   text += fmt::format(
       "source  = \"first-ring weights by the inverse DFT of a prescribed spectrum at valence {}\"\n"
       "\n[[vertex]]\nwhen = \"n == {}\"\nself = \"{} + ({})\"\nring = \"(1 - ({}) - ({}))/n\"\n",
@@ -129,7 +129,7 @@ Result<std::string> prescribed_scheme(const Scheme& base, const std::string& bas
       fmt::format("\n[[edge-end]]\nwhen = \"n == {}\"\nself = \"{}\"\nring = \"(1 - ({}){})/n\"\n",
                   n, *end, *end, wave_sum(prescription));
   text += rule_cases(base, RuleKind::edge_end, "edge-end");
-  text += definitions_toml(base) + facts(prescription);
+  text += scheme::definitions_toml(base) + facts(prescription);
   if (const Result<Scheme> read = parse_scheme(text, path); !read) {
     // without its place, which is in a file that nobody will see
     const std::string& message = read.error().message;
@@ -139,4 +139,4 @@ Result<std::string> prescribed_scheme(const Scheme& base, const std::string& bas
   return text;
 }
 
-}  // namespace limn
+}  // namespace limn::tune

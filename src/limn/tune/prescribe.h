@@ -8,7 +8,7 @@
 #include "limn/base/error.h"
 #include "limn/scheme/scheme.h"
 
-namespace limn {
+namespace limn::tune {
 
 struct Prescription {
   int valence = 0;
@@ -28,4 +28,4 @@ struct Prescription {
                                                     const std::string& path,
                                                     const Prescription& prescription);
 
-}  // namespace limn
+}  // namespace limn::tune

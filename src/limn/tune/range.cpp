@@ -31,7 +31,7 @@ class RangeSearch {
         components_(requirement, curve_, interval) {
     result_.valence = n;
     result_.searched = interval;
-    result_.closed = is_closed(requirement.relation);
+    result_.closed = tune::is_closed(requirement.relation);
     result_.samples = curve_.quick() ? kRangeSamples : kSlowRangeSamples;
   }
 
@@ -56,16 +56,16 @@ class RangeSearch {
     bool unknown = false;    // forbidden because what the lattice allows is undecided
   };
 
-  Result<double> value_at(double x, Blocks which = Blocks::quick) {
+  Result<double> value_at(double x, tune::Blocks which = tune::Blocks::quick) {
     const Result<const Eigencomponents*> found = components_.at(x, which);
     if (!found) return found.error();
-    return margin(requirement_, scheme_, x, **found);
+    return tune::margin(requirement_, scheme_, x, **found);
   }
   /// Whether the regular lattice is the same for all x and does not allow it.
   bool forbids_all() {
     if (scheme_.everywhere(result_.valence)) return false;
     const RegularPart part =
-        allowed_by_lattice(requirement_, scheme_, result_.valence, result_.searched.low);
+        tune::allowed_by_lattice(requirement_, scheme_, result_.valence, result_.searched.low);
     if (part.bounded == Truth::yes) return false;
     result_.undecided = part.bounded == Truth::undecided;
     result_.samples = 0;
@@ -77,15 +77,15 @@ class RangeSearch {
   }
   /// Whether the regular lattice allows it at x; asked only where the eigenvalues do.
   Truth lattice_at(double x) {
-    return allowed_by_lattice(requirement_, scheme_, result_.valence, x).bounded;
+    return tune::allowed_by_lattice(requirement_, scheme_, result_.valence, x).bounded;
   }
   bool allowed_at(double x) { return lattice_at(x) == Truth::yes; }
-  double margin_at(double x, Blocks which = Blocks::quick) {
+  double margin_at(double x, tune::Blocks which = tune::Blocks::quick) {
     const Result<double> value = value_at(x, which);
     return value ? *value : -HUGE_VAL;
   }
   [[nodiscard]] bool enough(double margin) const {
-    return is_closed(requirement_.relation) ? margin >= -kEqualBelow : margin > 0;
+    return tune::is_closed(requirement_.relation) ? margin >= -kEqualBelow : margin > 0;
   }
   Sample sample_at(double x) {
     const double value = margin_at(x);
@@ -135,7 +135,8 @@ class RangeSearch {
                            std::isfinite(m.margin) && sign * m.margin <= sign * a.margin &&
                            sign * m.margin <= sign * b.margin;
         if (turns) {
-          const double x = approx_minimum(a.x, b.x, [&](double t) { return sign * margin_at(t); });
+          const double x =
+              tune::approx_minimum(a.x, b.x, [&](double t) { return sign * margin_at(t); });
           if (const Sample turning = sample_at(x); turning.holds != m.holds) all.push_back(turning);
         }
       }
@@ -154,8 +155,9 @@ class RangeSearch {
     const Sample &inside = a.forbidden ? a : b, &outside = a.forbidden ? b : a;
     if (!std::isfinite(outside.margin)) return std::nullopt;
     constexpr double kNear = 1e-9;
-    const auto simple = near_rational(
-        last_holding(inside.x, outside.x, [&](double x) { return enough(margin_at(x)); }), kNear);
+    const auto simple = number::near_rational(
+        tune::last_holding(inside.x, outside.x, [&](double x) { return enough(margin_at(x)); }),
+        kNear);
     if (!simple) return std::nullopt;
     const double x = to_double(*simple);
     if (x <= a.x || x >= b.x) return std::nullopt;
@@ -169,12 +171,14 @@ class RangeSearch {
       std::size_t last = first;
       while (last + 1 < samples_.size() && samples_[last + 1].holds) ++last;
       RangePart part;
-      part.low = first == 0
-                     ? RangeEnd{samples_[first].x, near_rational(samples_[first].x), true, {}}
-                     : end_between(sound(first, last, 1), samples_[first - 1]);
-      part.high = last + 1 == samples_.size()
-                      ? RangeEnd{samples_[last].x, near_rational(samples_[last].x), true, {}}
-                      : end_between(sound(last, first, -1), samples_[last + 1]);
+      part.low =
+          first == 0
+              ? RangeEnd{samples_[first].x, number::near_rational(samples_[first].x), true, {}}
+              : end_between(sound(first, last, 1), samples_[first - 1]);
+      part.high =
+          last + 1 == samples_.size()
+              ? RangeEnd{samples_[last].x, number::near_rational(samples_[last].x), true, {}}
+              : end_between(sound(last, first, -1), samples_[last + 1]);
       result_.parts.push_back(std::move(part));
       first = last;
     }
@@ -198,21 +202,21 @@ class RangeSearch {
   /// The last x, from `inside` on, at which it holds. Where an exact value needs no star, these
   /// have the last word on what was found in interpolated blocks.
   double last_between(double inside, double outside, bool plain) {
-    const auto holds = [&](Blocks which) {
+    const auto holds = [&](tune::Blocks which) {
       return [this, which, plain](double t) {
         const double value = margin_at(t, which);
         return (plain ? value > 0 : enough(value)) && allowed_at(t);
       };
     };
-    const double x = last_holding(inside, outside, holds(Blocks::quick));
+    const double x = tune::last_holding(inside, outside, holds(tune::Blocks::quick));
     if (!curve_.interpolated() || scheme_.everywhere(result_.valence)) return x;
     const double reach = std::copysign(1e-12 * (1 + std::abs(x)), outside - inside);
-    const auto exact = holds(Blocks::exact);
+    const auto exact = holds(tune::Blocks::exact);
     const auto [low, high] = std::minmax(inside, outside);
     const double before = std::clamp(x - reach, low, high);
     const double after = std::clamp(x + reach, low, high);
-    if (exact(before) && !exact(after)) return last_holding(before, after, exact);
-    return last_holding(inside, outside, exact);
+    if (exact(before) && !exact(after)) return tune::last_holding(before, after, exact);
+    return tune::last_holding(inside, outside, exact);
   }
 
   RangeEnd end_between(const Sample& inside, const Sample& outside) {
@@ -223,17 +227,17 @@ class RangeSearch {
     // far enough on that nothing is undecided, near enough that nothing else has changed
     const double beyond = std::clamp(x + std::copysign(1e-5, outside.x - inside.x),
                                      result_.searched.low, result_.searched.high);
-    const std::optional<Rational> rational = near_rational(x);
+    const std::optional<Rational> rational = number::near_rational(x);
     return {rational ? to_double(*rational) : x, rational, false, why_not(beyond)};
   }
 
   std::string why_not(double x) {
     const Result<FrequencyBlocks> blocks = curve_(x);
     if (!blocks) return blocks.error().text();
-    const RegularPart regular = allowed_by_lattice(requirement_, scheme_, result_.valence, x);
+    const RegularPart regular = tune::allowed_by_lattice(requirement_, scheme_, result_.valence, x);
     const Eigencomponents found = approx_eigencomponents(*blocks, regular);
     if (requirement_.left) {
-      const Result<double> value = margin(requirement_, scheme_, x, found);
+      const Result<double> value = tune::margin(requirement_, scheme_, x, found);
       return value ? "the two sides are equal" : value.error().text();
     }
     for (const std::string& reason : found.verdict.reasons)
@@ -258,8 +262,8 @@ class RangeSearch {
   FreedScheme& scheme_;
   const Requirement& requirement_;
   const Stop& stop_;
-  BlockCurve curve_;
-  RunningComponents components_;
+  tune::BlockCurve curve_;
+  tune::RunningComponents components_;
   ValenceRange result_;
   std::vector<Sample> samples_;
 };

@@ -89,7 +89,7 @@ Result<Expression> parse_side(std::string_view text, std::size_t begin, std::siz
     for (const auto& let : scheme.lets) known.push_back(let.first);
     for (const Parameter& parameter : scheme.parameters) known.push_back(parameter.name);
     return fault(text, column(side->column_of(name)), fmt::format("unknown name '{}'", name),
-                 did_you_mean(name, known, hint));
+                 base::did_you_mean(name, known, hint));
   }
   return side;
 }
@@ -170,7 +170,7 @@ Result<Requirement> Requirement::parse(std::string_view text, const Scheme& sche
   return requirement;
 }
 
-std::optional<std::size_t> sought_component(const Requirement& requirement) {
+std::optional<std::size_t> tune::sought_component(const Requirement& requirement) {
   for (const auto* side : {&requirement.left, &requirement.right})
     if (*side && (*side)->names().size() == 1)
       if (const auto i = component_named((*side)->names().front());
@@ -180,8 +180,8 @@ std::optional<std::size_t> sought_component(const Requirement& requirement) {
   return requirement.used.front();
 }
 
-Result<double> difference(const Requirement& requirement, FreedScheme& scheme, int n, double x,
-                          const ComponentValues& values) {
+Result<double> tune::difference(const Requirement& requirement, FreedScheme& scheme, int n,
+                                double x, const tune::ComponentValues& values) {
   std::vector<std::pair<std::string_view, double>> beside;
   for (const std::size_t i : requirement.used) {
     const Component& component = kComponents[i];
@@ -203,30 +203,30 @@ Result<double> difference(const Requirement& requirement, FreedScheme& scheme, i
   return error;
 }
 
-Result<double> margin(const Requirement& requirement, FreedScheme& scheme, double x,
-                      const Eigencomponents& found) {
+Result<double> tune::margin(const Requirement& requirement, FreedScheme& scheme, double x,
+                            const Eigencomponents& found) {
   if (requirement.left)
-    return difference(requirement, scheme, found.valence, x, component_values(found));
+    return tune::difference(requirement, scheme, found.valence, x, tune::component_values(found));
   return verdict_margin(requirement.relation, found);
 }
 
-std::string known_in_digits_only(const std::string& name) {
+std::string tune::known_in_digits_only(const std::string& name) {
   return fmt::format(
       "{} is known in sixteen digits only, and what the regular lattice allows depends on all",
       name);
 }
 
-RegularPart allowed_by_lattice(const Requirement& requirement, FreedScheme& scheme, int n,
-                               double x) {
+RegularPart tune::allowed_by_lattice(const Requirement& requirement, FreedScheme& scheme, int n,
+                                     double x) {
   if (requirement.relation != Relation::bounded_curvature) return {Truth::yes, {}};
   return scheme.regular_part(n, x);
 }
 
-bool is_closed(Relation relation) {
+bool tune::is_closed(Relation relation) {
   return relation == Relation::at_least || relation == Relation::bounded_curvature;
 }
 
-ComponentValues component_values(const Eigencomponents& found) {
+tune::ComponentValues tune::component_values(const Eigencomponents& found) {
   return {found.position, found.cup, found.tangent, found.saddle};
 }
 

@@ -7,11 +7,12 @@
 #include "limn/tune/line_search.h"
 #include "limn/tune/solve.h"
 
-namespace limn {
+namespace limn::tune {
 namespace {
 
-constexpr int kDeepest = 40;         // halvings towards a place where branches come or go
-constexpr int kMostHalvings = 1000;  // in all: rounding may have a defective one come and go often
+constexpr int kDeepest = 40;  // halvings towards a place where branches come or go
+constexpr int kMostBisections =
+    1000;  // in all: rounding may have a defective one come and go often
 
 /// A difference that eigenvalues left apart, though rounding split them, may have in place of 0.
 constexpr double kSplitNearZero = 1e-6;
@@ -69,7 +70,7 @@ class RootSearch {
   void cell(const BranchSample& a, const BranchSample& b, int depth) {
     if (!a.defined && !b.defined) return;
     if (!same_rings(a, b)) {
-      if (depth == 0 || ++halvings_ > kMostHalvings) return;
+      if (depth == 0 || ++halvings_ > kMostBisections) return;
       const BranchSample middle = at(a.x / 2 + b.x / 2);
       cell(a, middle, depth - 1);
       cell(middle, b, depth - 1);
@@ -228,4 +229,4 @@ std::optional<double> labelled_difference(const Requirement& requirement, FreedS
   return sample ? sample->labelled : std::nullopt;
 }
 
-}  // namespace limn
+}  // namespace limn::tune

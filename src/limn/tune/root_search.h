@@ -7,7 +7,7 @@
 #include "limn/base/time_budget.h"
 #include "limn/tune/branches.h"
 
-namespace limn {
+namespace limn::tune {
 
 /// A root of one branch, named by the eigenvalue that it has there.
 struct Root {
@@ -35,4 +35,4 @@ struct RootsFound {
                                                         FreedScheme& scheme,
                                                         const BlockCurve& curve, double x);
 
-}  // namespace limn
+}  // namespace limn::tune

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace limn {
+namespace limn::tune {
 namespace {
 
 constexpr int kLabelled = 3;  // frequencies that components have: 0, 1, 2
@@ -98,4 +98,4 @@ Result<const Eigencomponents*> RunningComponents::at(double x, Blocks which) {
   return &found_;
 }
 
-}  // namespace limn
+}  // namespace limn::tune

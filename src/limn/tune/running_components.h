@@ -9,7 +9,7 @@
 #include "limn/tune/freed_scheme.h"
 #include "limn/tune/frequency_order.h"
 
-namespace limn {
+namespace limn::tune {
 
 /// Whether blocks may be interpolated ones.
 enum class Blocks { quick, exact };
@@ -45,4 +45,4 @@ class RunningComponents {
   long long solved_ = 0;
 };
 
-}  // namespace limn
+}  // namespace limn::tune

@@ -26,19 +26,20 @@ std::string described(const Eigenvalue& one) {
 }
 
 std::string other_leads(const Requirement& requirement, const Solution& solution) {
-  const Component& sought = kComponents[sought_component(requirement).value()];
+  const Component& sought = kComponents[tune::sought_component(requirement).value()];
   const auto& spectrum = solution.found.spectra[static_cast<std::size_t>(sought.frequency)];
   return fmt::format("{} solves it, but the {} is {}", described(solution.eigenvalue), sought.name,
                      described(spectrum.eigenvalues[sought.index]));
 }
 
 /// The branch that continues the root's.
-std::optional<Branch> nearest_branch(const BranchSample& sample, const Eigenvalue& eigenvalue) {
-  std::optional<Branch> nearest;
-  const auto distance = [&](const Branch& branch) {
+std::optional<tune::Branch> nearest_branch(const tune::BranchSample& sample,
+                                           const Eigenvalue& eigenvalue) {
+  std::optional<tune::Branch> nearest;
+  const auto distance = [&](const tune::Branch& branch) {
     return std::abs(branch.eigenvalue.value - eigenvalue.value);
   };
-  for (const Branch& branch : sample.branches)
+  for (const tune::Branch& branch : sample.branches)
     if (branch.eigenvalue.ring == eigenvalue.ring &&
         (!nearest || distance(branch) < distance(*nearest)))
       nearest = branch;
@@ -71,13 +72,13 @@ class Solver {
   }
 
   Result<ValenceSolutions> run() {
-    const RootsFound found =
-        find_roots(requirement_, scheme_, curve_, result_.searched, result_.samples, stop_);
+    const tune::RootsFound found =
+        tune::find_roots(requirement_, scheme_, curve_, result_.searched, result_.samples, stop_);
     result_.time_ended = asked(stop_);
     if (result_.time_ended) return std::move(result_);
     if (!found.any_value) return without_value();
     result_.throughout = found.throughout;
-    for (const Root& root : found.roots)
+    for (const tune::Root& root : found.roots)
       if (!throughout(root.x)) keep(solution_at(root));
     std::sort(result_.solutions.begin(), result_.solutions.end(),
               [](const Solution& a, const Solution& b) { return a.value < b.value; });
@@ -95,7 +96,8 @@ class Solver {
       error.message += fmt::format(", with {} = {:.6g}", scheme_.name(), x);
       return error;
     }
-    const Result<BranchSample> sample = sample_branches(requirement_, scheme_, *blocks, x);
+    const Result<tune::BranchSample> sample =
+        tune::sample_branches(requirement_, scheme_, *blocks, x);
     result_.has_value = false;
     result_.reason = sample ? "the equation has no value in this range" : sample.error().text();
     return std::move(result_);
@@ -107,16 +109,18 @@ class Solver {
     });
   }
 
-  std::optional<Branch> branch_of(const Root& root, const Result<FrequencyBlocks>& blocks, double x,
-                                  Near near = Near::apart) {
+  std::optional<tune::Branch> branch_of(const tune::Root& root,
+                                        const Result<FrequencyBlocks>& blocks, double x,
+                                        Near near = Near::apart) {
     if (!blocks) return std::nullopt;
-    const Result<BranchSample> sample = sample_branches(requirement_, scheme_, *blocks, x, near);
+    const Result<tune::BranchSample> sample =
+        tune::sample_branches(requirement_, scheme_, *blocks, x, near);
     if (!sample) return std::nullopt;
     return nearest_branch(*sample, root.eigenvalue);
   }
 
   /// Secant steps with the blocks themselves, where the root was found in interpolated ones.
-  double polished(const Root& root) {
+  double polished(const tune::Root& root) {
     if (!curve_.interpolated() || root.is_double) return root.x;
     const double step = (result_.searched.high - result_.searched.low) * 1e-7;
     const auto left = branch_of(root, curve_(root.x - step), root.x - step);
@@ -127,7 +131,7 @@ class Solver {
     double least = HUGE_VAL;
     double x = root.x;
     for (int i = 0; i < 4; ++i) {
-      const std::optional<Branch> branch = branch_of(root, curve_.exact(x), x);
+      const std::optional<tune::Branch> branch = branch_of(root, curve_.exact(x), x);
       if (!branch) break;
       if (std::abs(branch->difference) < least) {
         least = std::abs(branch->difference);
@@ -139,19 +143,20 @@ class Solver {
   }
 
   /// Nothing where the branch jumps across 0 instead of vanishing.
-  std::optional<Solution> solution_at(const Root& root) {
+  std::optional<Solution> solution_at(const tune::Root& root) {
     Solution solution;
     solution.value = polished(root);
     solution.is_double = root.is_double;
-    std::optional<Branch> branch = branch_of(root, curve_.exact(solution.value), solution.value);
+    std::optional<tune::Branch> branch =
+        branch_of(root, curve_.exact(solution.value), solution.value);
     if (!branch || std::abs(branch->difference) > kUndecidedResidual) return std::nullopt;
     const bool hidden = std::abs(branch->difference) > kSolved;
     const double accuracy = hidden           ? kHiddenAccuracy
                             : root.is_double ? kDoubleAccuracy
                                              : kSimpleAccuracy;
-    if (const auto rational = near_rational(solution.value, accuracy)) {
+    if (const auto rational = number::near_rational(solution.value, accuracy)) {
       const double x = to_double(*rational);
-      const std::optional<Branch> there =
+      const std::optional<tune::Branch> there =
           branch_of(root, curve_.exact(x), x, hidden ? Near::joined : Near::apart);
       if (there && std::abs(there->difference) <=
                        std::max(std::abs(branch->difference) / 1000, kSimpleAccuracy)) {
@@ -169,15 +174,16 @@ class Solver {
 
   /// Whether an eigenvalue that is not the label solves all along, on a side of the root: then the
   /// root is only where rounding ends that.
-  bool is_on_a_stretch(const Root& root) {
+  bool is_on_a_stretch(const tune::Root& root) {
     const double step =
         (result_.searched.high - result_.searched.low) / (3 * (result_.samples - 1));
     for (const double x : {root.x - step, root.x + step}) {
       const Result<FrequencyBlocks> blocks = curve_(x);
       if (!blocks) continue;
-      const Result<BranchSample> sample = sample_branches(requirement_, scheme_, *blocks, x);
+      const Result<tune::BranchSample> sample =
+          tune::sample_branches(requirement_, scheme_, *blocks, x);
       if (!sample) continue;
-      for (const Branch& branch : sample->branches)
+      for (const tune::Branch& branch : sample->branches)
         if (branch.eigenvalue.ring == root.eigenvalue.ring && std::abs(branch.difference) < kSolved)
           return true;
     }
@@ -187,10 +193,10 @@ class Solver {
   void judge(Solution& solution) {
     RegularPart regular = scheme_.regular_part(n_, solution.value);
     if (!solution.rational && scheme_.everywhere(n_))
-      regular = {Truth::undecided, known_in_digits_only(scheme_.name())};
+      regular = {Truth::undecided, tune::known_in_digits_only(scheme_.name())};
     solution.found = approx_eigencomponents(curve_.exact(solution.value).value(), regular);
-    const ComponentValues values = component_values(solution.found);
-    const Result<double> own = difference(requirement_, scheme_, n_, solution.value, values);
+    const tune::ComponentValues values = tune::component_values(solution.found);
+    const Result<double> own = tune::difference(requirement_, scheme_, n_, solution.value, values);
     if (solution.residual > kSolved) {
       solution.reason = fmt::format("rounding hides it: the residual is {:.1e}", solution.residual);
     } else if (own && std::abs(*own) <= kEqualBelow) {
@@ -225,7 +231,7 @@ class Solver {
     result_.solutions.push_back(std::move(*solution));
   }
 
-  void say_absent(const RootsFound& found) {
+  void say_absent(const tune::RootsFound& found) {
     const auto [low, high] = result_.searched;
     result_.reason = fmt::format("none found in [{:.6g}, {:.6g}]", low, high);
     if (found.nearest)
@@ -239,7 +245,7 @@ class Solver {
   const Requirement& requirement_;
   int n_;
   const Stop& stop_;
-  BlockCurve curve_;
+  tune::BlockCurve curve_;
   ValenceSolutions result_;
 };
 

@@ -11,7 +11,7 @@
 #include "limn/number/near_rational.h"
 #include "limn/tune/margin.h"
 
-namespace limn {
+namespace limn::tune {
 namespace {
 
 constexpr int kStarts = 48;     // beside the scheme's own numbers
@@ -72,22 +72,22 @@ class System {
   [[nodiscard]] std::size_t equations() const { return equations_.size(); }
 
   Result<Linearised> at(const Values& x) {
-    const Result<BlockSlopes> slopes = names_.slopes(n_, x, frequencies_);
+    const Result<spectrum::BlockSlopes> slopes = names_.slopes(n_, x, frequencies_);
     if (!slopes) return slopes.error();
-    std::array<std::optional<Result<Jet>>, kComponents.size()> components;
+    std::array<std::optional<Result<number::Jet>>, kComponents.size()> components;
     Linearised result{Eigen::VectorXd(equations_.size()),
                       Eigen::MatrixXd(equations_.size(), names_.size())};
     for (std::size_t i = 0; i < equations_.size(); ++i) {
-      std::vector<std::pair<std::string_view, Jet>> beside;
+      std::vector<std::pair<std::string_view, number::Jet>> beside;
       for (const std::size_t used : equations_[i]->used) {
         if (!components[used]) components[used] = component(*slopes, kComponents[used]);
         if (!*components[used]) return components[used]->error();
         beside.emplace_back(kComponents[used].name, **components[used]);
       }
-      const Result<Jet> left = names_.evaluate(*equations_[i]->left, n_, x, beside);
-      const Result<Jet> right = names_.evaluate(*equations_[i]->right, n_, x, beside);
+      const Result<number::Jet> left = names_.evaluate(*equations_[i]->left, n_, x, beside);
+      const Result<number::Jet> right = names_.evaluate(*equations_[i]->right, n_, x, beside);
       if (!left || !right) return (left ? right : left).error();
-      const Jet difference = *left - *right;
+      const number::Jet difference = *left - *right;
       const auto row = static_cast<Eigen::Index>(i);
       result.residuals(row) = difference.value;
       for (std::size_t j = 0; j < names_.size(); ++j)
@@ -124,11 +124,12 @@ class System {
   }
 
  private:
-  Result<Jet> component(const BlockSlopes& slopes, const Component& wanted) const {
+  Result<number::Jet> component(const spectrum::BlockSlopes& slopes,
+                                const Component& wanted) const {
     const BlockSpectrum spectrum = approx_spectrum(slopes.blocks, wanted.frequency);
     if (!labelled(wanted, spectrum))
       return Error{fmt::format("frequency {} is led by no real eigenvalue", wanted.frequency)};
-    return eigenvalue_jet(slopes, spectrum.eigenvalues[wanted.index]);
+    return spectrum::eigenvalue_jet(slopes, spectrum.eigenvalues[wanted.index]);
   }
 
   /// A point with smaller residuals along Newton's direction, within the ranges; `here` is then
@@ -166,7 +167,7 @@ class System {
     solution.rationals.assign(x.size(), std::nullopt);
     Values rounded = x;
     for (std::size_t j = 0; j < x.size(); ++j)
-      if ((solution.rationals[j] = near_rational(x[j], kAccuracy)))
+      if ((solution.rationals[j] = number::near_rational(x[j], kAccuracy)))
         rounded[j] = to_double(*solution.rationals[j]);
     const Result<Linearised> before = at(x);
     const Result<Linearised> after = at(rounded);
@@ -212,14 +213,14 @@ class System {
   [[nodiscard]] Result<double> excess(const Requirement& one,
                                       const SystemSolution& solution) const {
     const ComponentValues values = component_values(solution.found);
-    std::vector<std::pair<std::string_view, Jet>> beside;
+    std::vector<std::pair<std::string_view, number::Jet>> beside;
     for (const std::size_t i : one.used) {
       if (!values[i])
         return Error{fmt::format("there is no {} at valence {}", kComponents[i].name, n_)};
-      beside.emplace_back(kComponents[i].name, Jet(*values[i]));
+      beside.emplace_back(kComponents[i].name, number::Jet(*values[i]));
     }
-    const Result<Jet> left = names_.evaluate(*one.left, n_, solution.values, beside);
-    const Result<Jet> right = names_.evaluate(*one.right, n_, solution.values, beside);
+    const Result<number::Jet> left = names_.evaluate(*one.left, n_, solution.values, beside);
+    const Result<number::Jet> right = names_.evaluate(*one.right, n_, solution.values, beside);
     if (!left || !right) return (left ? right : left).error();
     return left->value - right->value;
   }
@@ -317,4 +318,4 @@ Result<SystemSolutions> solve_system_at(FreedNames& names,
   return result;
 }
 
-}  // namespace limn
+}  // namespace limn::tune

@@ -17,7 +17,7 @@
 #include "limn/tune/freed_scheme.h"
 #include "limn/tune/solve.h"
 
-namespace limn {
+namespace limn::tune {
 
 /// Values of the freed names, in their order.
 struct SystemSolution {
@@ -52,4 +52,4 @@ struct SystemSolutions {
                                                       const std::vector<const SearchRange*>& ranges,
                                                       const Stop& stop = {});
 
-}  // namespace limn
+}  // namespace limn::tune

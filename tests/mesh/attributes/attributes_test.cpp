@@ -37,8 +37,8 @@ TEST(Attributes, OfJoinedVerticesKeepSeamsWhereTextureCoordinatesDiffer) {
   const MeshFile file = read(kApart +
                              "vt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nvt 1 0\nvt 2 0\nvt 2 1\nvt 1 3\n"
                              "g left\nf 1/1 2/2 3/3 4/4\ng right\nf 5/5 6/6 7/7 8/8\n");
-  const Repaired repaired = repair(file.polygons, {.weld = 0.0}).value();
-  const MeshAttributes welded = carried(file.attributes, repaired);
+  const mesh::Repaired repaired = mesh::repair(file.polygons, {.weld = 0.0}).value();
+  const MeshAttributes welded = mesh::carried(file.attributes, repaired);
   ASSERT_TRUE(attributes_fit(welded, repaired.polygons));
   EXPECT_EQ(welded.texture.points.size(), 7U);
   EXPECT_EQ(welded.find("red")->values, (std::vector<double>{1, 1, 1, 1, 0, 0}));
@@ -47,7 +47,7 @@ TEST(Attributes, OfJoinedVerticesKeepSeamsWhereTextureCoordinatesDiffer) {
     EXPECT_EQ(welded.texture.points[static_cast<std::size_t>(welded.texture.of_corner[c])],
               file.attributes.texture.points[c]);
   const Mesh mesh = Mesh::build(repaired.polygons).value();
-  EXPECT_TRUE(has_seams(mesh, welded.texture));
+  EXPECT_TRUE(mesh::has_seams(mesh, welded.texture));
 }
 
 TEST(Attributes, OfReversedFacesAndTrianglesFollowTheirCorners) {
@@ -55,11 +55,11 @@ TEST(Attributes, OfReversedFacesAndTrianglesFollowTheirCorners) {
       "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 2 0 0\nv 2 1 0\n"
       "vt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nvt 2 0\nvt 2 1\n"
       "usemtl a\nf 1/1 2/2 3/3 4/4\nusemtl b\nf 3/3 6/6 5/5 2/2\n");
-  const Repaired repaired = repair(file.polygons, {.orient = true}).value();
+  const mesh::Repaired repaired = mesh::repair(file.polygons, {.orient = true}).value();
   ASSERT_EQ(repaired.done.size(), 1U);
-  const MeshAttributes oriented = carried(file.attributes, repaired);
-  const Triangulation cut = triangulate(repaired.polygons).value();
-  const MeshAttributes triangles = carried(oriented, cut);
+  const MeshAttributes oriented = mesh::carried(file.attributes, repaired);
+  const mesh::Triangulation cut = mesh::triangulate(repaired.polygons).value();
+  const MeshAttributes triangles = mesh::carried(oriented, cut);
   ASSERT_TRUE(attributes_fit(triangles, cut.polygons));
   // u and v were x and y
   for (std::size_t c = 0; c < cut.polygons.corners.size(); ++c) {
@@ -77,10 +77,11 @@ TEST(Attributes, OfANewCornerAreThoseOfItsVertex) {
       "v 0 0 0\nv 2 0 0\nv 1 2 0\nv 1 0 0\nv 1 -1 0\n"
       "vt 0 0\nvt 2 0\nvt 1 2\nvt 1 0\nvt 1 -1\n"
       "f 1/1 2/2 3/3\nf 2/2 1/1 4/4\nf 1/1 5/5 4/4\nf 4/4 5/5 2/2\n");
-  const Repaired repaired = repair(file.polygons, RepairOptions::everything()).value();
+  const mesh::Repaired repaired =
+      mesh::repair(file.polygons, mesh::RepairOptions::everything()).value();
   ASSERT_NE(std::find(repaired.corner_of.begin(), repaired.corner_of.end(), kNone),
             repaired.corner_of.end());
-  const MeshAttributes mended = carried(file.attributes, repaired);
+  const MeshAttributes mended = mesh::carried(file.attributes, repaired);
   ASSERT_TRUE(attributes_fit(mended, repaired.polygons));
   for (std::size_t c = 0; c < repaired.polygons.corners.size(); ++c) {
     const Point3 p =

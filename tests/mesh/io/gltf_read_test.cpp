@@ -301,7 +301,8 @@ TEST(GltfRead, RefusesWithThePlaceAndTheCause) {
   EXPECT_NE(refusal(far).find("index 7 at place 0 is out of range"), std::string::npos);
   const MeshFile kept =
       parse_mesh_file(far.text(), "gltf", "m.gltf", {.keep_faults = true}).value();
-  EXPECT_EQ(find_mesh_faults(kept.polygons).list.front().kind, MeshFault::Kind::out_of_range);
+  EXPECT_EQ(mesh::find_mesh_faults(kept.polygons).list.front().kind,
+            mesh::MeshFault::Kind::out_of_range);
   const Error syntax = parse_mesh("{\n\"asset\": {,\n", "gltf", "m.gltf").error();
   EXPECT_EQ(syntax.line, 2);
 }

@@ -37,15 +37,15 @@ Status write_mixed(const std::string& path, const Polygons& mesh, const WriteOpt
                    Index each, Index largest) {
   constexpr Index kBlock = 97;
   const bool normals = !options.normals.empty();
-  const MeshCounts counts{mesh.positions.size(), static_cast<std::size_t>(mesh.face_count()), each,
-                          largest, normals};
+  const mesh::MeshCounts counts{mesh.positions.size(), static_cast<std::size_t>(mesh.face_count()),
+                                each, largest, normals};
   const Index vertex_blocks = (mesh.vertex_count() + kBlock - 1) / kBlock;
   const Index face_blocks = (mesh.face_count() + kBlock - 1) / kBlock;
   std::vector<Index> order(static_cast<std::size_t>(vertex_blocks + face_blocks));
   std::iota(order.begin(), order.end(), 0);
   std::shuffle(order.begin(), order.end(), std::mt19937(3));
-  return write_mesh_pieces(path, counts, [&](MeshPieceSink& sink) {
-    parallel_for(
+  return mesh::write_mesh_pieces(path, counts, [&](mesh::MeshPieceSink& sink) {
+    base::parallel_for(
         Index{0}, static_cast<Index>(order.size()),
         [&](Index i, Index /*last*/) {
           std::string memory;
@@ -78,7 +78,7 @@ TEST(MeshPieces, HaveTheBytesOfTheWhole) {
       WriteOptions options;
       if (normals) options.normals.assign(mesh.positions.rbegin(), mesh.positions.rend());
       ASSERT_TRUE(write_mixed(folder / "a.ply", mesh, options, each, each > 0 ? each : 299).ok());
-      EXPECT_EQ(*read_file(folder / "a.ply"), *format_mesh("ply", mesh, options)) << each;
+      EXPECT_EQ(*base::read_file(folder / "a.ply"), *format_mesh("ply", mesh, options)) << each;
     }
 }
 
@@ -93,7 +93,7 @@ TEST(MeshPieces, NameTheFirstVertexThatNoFileCanHold) {
     const Status pieces = write_mixed(folder / "a.ply", mesh, options, 3, 3);
     ASSERT_FALSE(pieces.ok());
     EXPECT_EQ(pieces.error().text(), write_mesh(folder / "a.ply", mesh, options).error().text());
-    EXPECT_FALSE(read_file(folder / "a.ply").ok());
+    EXPECT_FALSE(base::read_file(folder / "a.ply").ok());
   };
   expect_same_error();
   mesh.positions[990].x = inf;
@@ -105,11 +105,11 @@ TEST(MeshPieces, NameTheFirstVertexThatNoFileCanHold) {
 
 TEST(MeshPieces, GoIntoFilesOfOneFormat) {
   const TemporaryFolder folder;
-  EXPECT_TRUE(takes_mesh_pieces(folder / "a.ply", "ply"));
-  EXPECT_TRUE(takes_mesh_pieces(folder / "a", "PLY"));
-  EXPECT_FALSE(takes_mesh_pieces(folder / "a.obj", "obj"));
-  EXPECT_FALSE(takes_mesh_pieces("-", "ply"));
-  EXPECT_FALSE(takes_mesh_pieces("/dev/null", "ply"));
+  EXPECT_TRUE(mesh::takes_mesh_pieces(folder / "a.ply", "ply"));
+  EXPECT_TRUE(mesh::takes_mesh_pieces(folder / "a", "PLY"));
+  EXPECT_FALSE(mesh::takes_mesh_pieces(folder / "a.obj", "obj"));
+  EXPECT_FALSE(mesh::takes_mesh_pieces("-", "ply"));
+  EXPECT_FALSE(mesh::takes_mesh_pieces("/dev/null", "ply"));
 }
 
 }  // namespace

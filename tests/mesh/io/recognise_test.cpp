@@ -95,11 +95,11 @@ TEST(ReadMesh, WideTextIsRefusedWithTheRightRemedy) {
   }
   // Every format's own files, and text of few or many bytes beyond ASCII, are none of these.
   for (const char* extension : {"obj", "off", "ply", "stl", "glb"})
-    EXPECT_EQ(wide_encoding(*format_mesh(extension, test::cube())), "") << extension;
+    EXPECT_EQ(base::wide_encoding(*format_mesh(extension, test::cube())), "") << extension;
   for (const std::string& text :
        {std::string(), std::string("OFF"), std::string(400, '\0'), std::string(400, '\xff'),
         std::string("v 0 0 0\n"), std::string("\xE6\xA8\xA1\xE5\x9E\x8B")})
-    EXPECT_EQ(wide_encoding(text), "");
+    EXPECT_EQ(base::wide_encoding(text), "");
 }
 
 TEST(ReadMesh, WhatAForeignFileIsIsToldWhateverItsName) {

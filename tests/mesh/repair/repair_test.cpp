@@ -13,21 +13,21 @@
 namespace limn::test {
 namespace {
 
-const RepairOptions kEverything = RepairOptions::everything();
-const RepairOptions kCut{.cut = true}, kOrient{.orient = true};
+const mesh::RepairOptions kEverything = mesh::RepairOptions::everything();
+const mesh::RepairOptions kCut{.cut = true}, kOrient{.orient = true};
 
-Repaired must_repair(const Polygons& polygons, const RepairOptions& options) {
-  return repair(polygons, options).value();
+mesh::Repaired must_repair(const Polygons& polygons, const mesh::RepairOptions& options) {
+  return mesh::repair(polygons, options).value();
 }
 
-Index done(const Repaired& repaired, const std::string& what) {
-  for (const RepairStep& step : repaired.done)
+Index done(const mesh::Repaired& repaired, const std::string& what) {
+  for (const mesh::RepairStep& step : repaired.done)
     if (step.what == what) return step.count;
   return 0;
 }
 
 /// What is there is told rightly.
-void check_sources(const Polygons& from, const Repaired& to) {
+void check_sources(const Polygons& from, const mesh::Repaired& to) {
   const Polygons& mesh = to.polygons;
   RC_ASSERT(to.vertex_of.size() == mesh.positions.size());
   RC_ASSERT(to.face_of.size() == static_cast<std::size_t>(mesh.face_count()));
@@ -47,7 +47,7 @@ void check_sources(const Polygons& from, const Repaired& to) {
 RC_GTEST_PROP(RepairLaws, OfACleanMeshChangesNothing, (unsigned seed)) {
   std::mt19937 random(seed);
   const Polygons clean = placed(RandomMesh(seed).polygons(), random);
-  const Repaired repaired = must_repair(clean, kEverything);
+  const mesh::Repaired repaired = must_repair(clean, kEverything);
   RC_ASSERT(repaired.polygons == clean);
   RC_ASSERT(repaired.done.empty());
   RC_ASSERT(repaired.sharp_vertices.empty() && repaired.sharp_edges.empty());
@@ -56,13 +56,13 @@ RC_GTEST_PROP(RepairLaws, OfACleanMeshChangesNothing, (unsigned seed)) {
 RC_GTEST_PROP(RepairLaws, OfRubbleMakesAMeshAndTwiceIsOnce, (unsigned seed)) {
   for (unsigned k = 0; k < 200; ++k) {
     const Polygons broken = rubble(seed + k);
-    const Result<Repaired> repaired = repair(broken, kEverything);
+    const Result<mesh::Repaired> repaired = mesh::repair(broken, kEverything);
     if (!repaired) continue;  // nothing is left
     RC_LOG() << "rubble " << seed + k;
     check_sources(broken, *repaired);
     RC_ASSERT(Mesh::build(repaired->polygons).ok());
-    RC_ASSERT(survey_mesh(repaired->polygons).refinable);
-    const Repaired again = must_repair(repaired->polygons, kEverything);
+    RC_ASSERT(mesh::survey_mesh(repaired->polygons).refinable);
+    const mesh::Repaired again = must_repair(repaired->polygons, kEverything);
     RC_ASSERT(again.polygons == repaired->polygons);
   }
 }
@@ -70,11 +70,11 @@ RC_GTEST_PROP(RepairLaws, OfRubbleMakesAMeshAndTwiceIsOnce, (unsigned seed)) {
 RC_GTEST_PROP(RepairLaws, OfTrianglesLeavesNoneWithoutArea, (unsigned seed)) {
   for (unsigned k = 0; k < 100; ++k) {
     const Polygons broken = rubble(seed + k);
-    const Result<Repaired> repaired = repair(broken, kEverything);
+    const Result<mesh::Repaired> repaired = mesh::repair(broken, kEverything);
     if (!repaired || repaired->polygons.corners.size() !=
                          3 * static_cast<std::size_t>(repaired->polygons.face_count()))
       continue;
-    const std::size_t flat = survey_mesh(repaired->polygons).degenerate.size();
+    const std::size_t flat = mesh::survey_mesh(repaired->polygons).degenerate.size();
     RC_ASSERT(flat == 0 || flat == static_cast<std::size_t>(repaired->polygons.face_count()));
   }
 }
@@ -82,12 +82,12 @@ RC_GTEST_PROP(RepairLaws, OfTrianglesLeavesNoneWithoutArea, (unsigned seed)) {
 RC_GTEST_PROP(RepairLaws, CuttingKeepsFacesAndTheirDirection, (unsigned seed)) {
   for (unsigned k = 0; k < 100; ++k) {
     const Polygons broken = rubble(seed + k);
-    const Repaired cut = must_repair(broken, kCut);
+    const mesh::Repaired cut = must_repair(broken, kCut);
     RC_ASSERT(named_by(cut.polygons, cut.vertex_of) == faces_of(broken));
     RC_ASSERT(cut.polygons.vertex_count() >= broken.vertex_count());
-    for (const MeshFault& fault : find_mesh_faults(cut.polygons).list) {
-      RC_ASSERT(fault.kind != MeshFault::Kind::crowded_edge);
-      RC_ASSERT(fault.kind != MeshFault::Kind::several_fans);
+    for (const mesh::MeshFault& fault : mesh::find_mesh_faults(cut.polygons).list) {
+      RC_ASSERT(fault.kind != mesh::MeshFault::Kind::crowded_edge);
+      RC_ASSERT(fault.kind != mesh::MeshFault::Kind::several_fans);
       RC_ASSERT(!fault.one_sided);
     }
   }
@@ -98,18 +98,20 @@ RC_GTEST_PROP(RepairLaws, CuttingKeepsFacesAndTheirDirection, (unsigned seed)) {
 RC_GTEST_PROP(RepairLaws, CuttingTakesApartNothingElse, (unsigned seed)) {
   for (unsigned k = 0; k < 100; ++k) {
     const Polygons broken = rubble(seed + k);
-    const MeshFaults faults = find_mesh_faults(broken);
-    const bool copies = std::any_of(
-        faults.list.begin(), faults.list.end(),
-        [](const MeshFault& fault) { return fault.kind == MeshFault::Kind::repeated_face; });
+    const mesh::MeshFaults faults = mesh::find_mesh_faults(broken);
+    const bool copies =
+        std::any_of(faults.list.begin(), faults.list.end(), [](const mesh::MeshFault& fault) {
+          return fault.kind == mesh::MeshFault::Kind::repeated_face;
+        });
     if (copies) continue;                     // which are faces of a sheet, too
     std::set<std::pair<Index, Index>> pairs;  // of faces that an edge of two joins
-    for (const MeshFault& fault : faults.list)
-      if (fault.kind == MeshFault::Kind::flipped_edge && !fault.one_sided)
+    for (const mesh::MeshFault& fault : faults.list)
+      if (fault.kind == mesh::MeshFault::Kind::flipped_edge && !fault.one_sided)
         pairs.insert(std::minmax(fault.faces[0], fault.faces[1]));
     std::set<std::pair<Index, Index>> kept;
-    for (const MeshFault& fault : find_mesh_faults(must_repair(broken, kCut).polygons).list)
-      if (fault.kind == MeshFault::Kind::flipped_edge)
+    for (const mesh::MeshFault& fault :
+         mesh::find_mesh_faults(must_repair(broken, kCut).polygons).list)
+      if (fault.kind == mesh::MeshFault::Kind::flipped_edge)
         kept.insert(std::minmax(fault.faces[0], fault.faces[1]));
     RC_ASSERT(std::includes(kept.begin(), kept.end(), pairs.begin(), pairs.end()));
   }
@@ -126,7 +128,7 @@ RC_GTEST_PROP(RepairLaws, WeldingUndoesTakingFacesApart, (unsigned seed)) {
     }
     apart.face_begin.push_back(static_cast<Index>(apart.corners.size()));
   }
-  const Repaired welded = must_repair(apart, {.weld = 0.0});
+  const mesh::Repaired welded = must_repair(apart, {.weld = 0.0});
   check_sources(apart, welded);
   const auto positions = [](const Polygons& mesh) {
     std::vector<std::vector<std::array<double, 3>>> faces;
@@ -150,7 +152,7 @@ RC_GTEST_PROP(RepairLaws, PlacesAreNearAndApart, (unsigned seed)) {
   std::mt19937 random(seed);
   std::vector<Point3> points = random_places(1 + static_cast<Index>(random() % 60), random);
   const double distance = std::pow(2.0, -static_cast<double>(random() % 6));
-  const std::vector<Index> place = places_of(points, distance);
+  const std::vector<Index> place = mesh::places_of(points, distance);
   const auto apart = [&](Index i, Index k) {
     return std::hypot(points[i].x - points[k].x, points[i].y - points[k].y,
                       points[i].z - points[k].z);
@@ -176,10 +178,10 @@ RC_GTEST_PROP(RepairLaws, OrientingReversesTheFewest, (unsigned seed)) {
     if (random() % 2 == 0) std::reverse(face.begin(), face.end());
   const Polygons broken = with_faces(clean, faces);
   bool only_flipped = true;
-  for (const MeshFault& fault : find_mesh_faults(broken).list)
-    only_flipped = only_flipped && fault.kind == MeshFault::Kind::flipped_edge;
+  for (const mesh::MeshFault& fault : mesh::find_mesh_faults(broken).list)
+    only_flipped = only_flipped && fault.kind == mesh::MeshFault::Kind::flipped_edge;
   RC_PRE(only_flipped);
-  const Repaired oriented = must_repair(broken, kOrient);
+  const mesh::Repaired oriented = must_repair(broken, kOrient);
   RC_ASSERT(Mesh::build(oriented.polygons).ok());
   Index fewest = clean.face_count();
   for (unsigned way = 0; way < 1U << static_cast<unsigned>(clean.face_count()); ++way) {
@@ -205,7 +207,7 @@ TEST(Repair, FacesThatMeetAVertexTwiceAreCutThere) {
                                                        {0, 1, 1, 5},    // a corner at once again
                                                        {1, 2, 1},       // nothing
                                                        {2, 3, 4, 3}});  // there and back
-  const Repaired repaired = must_repair(eight, {.drop = true});
+  const mesh::Repaired repaired = must_repair(eight, {.drop = true});
   EXPECT_EQ(faces_of(repaired.polygons), (Faces{{0, 1, 2}, {0, 3, 4}, {0, 1, 5}}));
   EXPECT_EQ(repaired.face_of, (std::vector<Index>{0, 0, 1}));
   EXPECT_EQ(done(repaired, "degenerate_faces_dropped"), 2);
@@ -215,7 +217,7 @@ TEST(Repair, FacesThatMeetAVertexTwiceAreCutThere) {
 TEST(Repair, WeldingCollapsesCornersOnlyWhereItJoins) {
   const Polygons cap = at({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 1, 1e-9}, {5, 5, 5}},
                           {{0, 1, 2, 3}, {1, 2, 3}, {0, 1, 1, 4}});
-  const Repaired repaired = must_repair(cap, {.weld = 1e-6});
+  const mesh::Repaired repaired = must_repair(cap, {.weld = 1e-6});
   EXPECT_EQ(faces_of(repaired.polygons), (Faces{{0, 1, 2}, {0, 1, 1, 3}}));
   EXPECT_EQ(repaired.vertex_of, (std::vector<Index>{0, 1, 2, 4}));
   EXPECT_EQ(must_repair(cap, {.weld = 0.0}).polygons, cap);
@@ -226,12 +228,12 @@ TEST(Repair, AFlatTriangleGoesWithoutACrack) {
   // a square of two triangles, one side of which is halved by a flat one
   const Polygons square = at({{0, 0, 0}, {2, 0, 0}, {2, 2, 0}, {0, 2, 0}, {1, 0, 0}, {1, -1, 0}},
                              {{0, 1, 2}, {0, 2, 3}, {0, 4, 1}, {4, 0, 5}, {1, 4, 5}});
-  const Repaired repaired = must_repair(square, kEverything);
+  const mesh::Repaired repaired = must_repair(square, kEverything);
   EXPECT_EQ(done(repaired, "flat_faces_dropped"), 1);
   const Mesh mesh = Mesh::build(repaired.polygons).value();
   EXPECT_EQ(boundary_loops(mesh), 1);
   EXPECT_EQ(mesh.face_count(), 5);  // the neighbour is cut in two
-  EXPECT_TRUE(survey_mesh(repaired.polygons).degenerate.empty());
+  EXPECT_TRUE(mesh::survey_mesh(repaired.polygons).degenerate.empty());
   EXPECT_EQ(std::count(repaired.corner_of.begin(), repaired.corner_of.end(), kNone) > 0, true);
 }
 
@@ -244,7 +246,7 @@ TEST(Repair, AMeshOfFlatFacesIsKept) {
 TEST(Repair, VerticesWithoutAFaceStayIfTheyHadNone) {
   std::mt19937 random(2);
   const Polygons polygons = at(random_places(6, random), {{1, 2, 3}, {4, 4, 5}});
-  const Repaired repaired = must_repair(polygons, kEverything);
+  const mesh::Repaired repaired = must_repair(polygons, kEverything);
   EXPECT_EQ(repaired.vertex_of, (std::vector<Index>{0, 1, 2, 3}));
   EXPECT_EQ(done(repaired, "vertices_dropped"), 2);
 }
@@ -252,7 +254,7 @@ TEST(Repair, VerticesWithoutAFaceStayIfTheyHadNone) {
 TEST(Repair, ThreePagesAreThreeSheets) {
   std::mt19937 random(3);
   const Polygons book = at(random_places(5, random), {{0, 1, 2}, {0, 1, 3}, {0, 1, 4}});
-  const Repaired cut = must_repair(book, kCut);
+  const mesh::Repaired cut = must_repair(book, kCut);
   EXPECT_EQ(faces_of(cut.polygons), (Faces{{0, 1, 2}, {5, 7, 3}, {6, 8, 4}}));
   EXPECT_EQ(cut.vertex_of, (std::vector<Index>{0, 1, 2, 3, 4, 0, 0, 1, 1}));
   // the edge ends on the boundary, so both ends are corners
@@ -267,7 +269,7 @@ TEST(Repair, AnEdgeThatOneSheetHasTwiceIsACrease) {
   faces.push_back({0, 1, 8});
   std::mt19937 random(4);
   const Polygons winged = at(random_places(9, random), faces);
-  const Repaired cut = must_repair(winged, kCut);
+  const mesh::Repaired cut = must_repair(winged, kCut);
   ASSERT_TRUE(Mesh::build(cut.polygons).ok());
   EXPECT_EQ(cut.sharp_edges, (std::vector<std::array<Index, 2>>{{0, 1}}));
   EXPECT_EQ(cut.sharp_vertices, (std::vector<Index>{0, 1, 9, 10}));
@@ -278,7 +280,7 @@ TEST(Repair, TwoConesThatTouchAreTwo) {
   for (Index apex : {1, 5})
     for (Index k = 0; k < 4; ++k) faces.push_back({0, apex + k, apex + (k + 1) % 4});
   std::mt19937 random(5);
-  const Repaired cut = must_repair(at(random_places(9, random), faces), kCut);
+  const mesh::Repaired cut = must_repair(at(random_places(9, random), faces), kCut);
   EXPECT_EQ(cut.polygons.vertex_count(), 10);
   EXPECT_EQ(cut.sharp_vertices, (std::vector<Index>{0, 9}));
   EXPECT_TRUE(Mesh::build(cut.polygons).ok());
@@ -294,8 +296,8 @@ Faces moebius(Index quads) {
 TEST(Repair, AMoebiusBandIsCutOnceAndNoFaceOfItReversed) {
   std::mt19937 random(6);
   const Polygons band = at(random_places(10, random), moebius(5));
-  for (const RepairOptions& options : {kCut, kEverything}) {
-    const Repaired cut = must_repair(band, options);
+  for (const mesh::RepairOptions& options : {kCut, kEverything}) {
+    const mesh::Repaired cut = must_repair(band, options);
     const Mesh mesh = Mesh::build(cut.polygons).value();
     EXPECT_EQ(cut.polygons.vertex_count(), 12);
     EXPECT_EQ(boundary_loops(mesh), 1);
@@ -319,8 +321,8 @@ TEST(Repair, AKleinBottleIsCutToATube) {
     }
   std::mt19937 random(7);
   const Polygons bottle = at(random_places(n * m, random), faces);
-  EXPECT_FALSE(survey_mesh(bottle).orientable);
-  const Repaired cut = must_repair(bottle, kEverything);
+  EXPECT_FALSE(mesh::survey_mesh(bottle).orientable);
+  const mesh::Repaired cut = must_repair(bottle, kEverything);
   const Mesh mesh = Mesh::build(cut.polygons).value();
   EXPECT_EQ(boundary_loops(mesh), 2);
   EXPECT_EQ(mesh.vertex_count(), n * m + m);
@@ -329,11 +331,12 @@ TEST(Repair, AKleinBottleIsCutToATube) {
 
 TEST(Repair, NothingLeftIsRefusedAndWrongCornersAreLeft) {
   std::mt19937 random(8);
-  const Result<Repaired> none = repair(at(random_places(2, random), {{0, 1, 0}}), kEverything);
+  const Result<mesh::Repaired> none =
+      mesh::repair(at(random_places(2, random), {{0, 1, 0}}), kEverything);
   ASSERT_FALSE(none.ok());
   EXPECT_NE(none.error().message.find("no face is left"), std::string::npos);
   const Polygons wrong = at(random_places(3, random), {{0, 1, 2}, {0, 1, 7}, {0, -1, 2, 2}});
-  const Repaired repaired = must_repair(wrong, kEverything);
+  const mesh::Repaired repaired = must_repair(wrong, kEverything);
   EXPECT_EQ(repaired.polygons, wrong);
 }
 
@@ -344,8 +347,8 @@ TEST(Repair, NumbersOfTheFileGoAlong) {
   source.vertex_lines = {1, 2, 3, 4, 5, 6};
   source.face_lines = {7, 8, 9};
   const Polygons polygons = at(random_places(6, random), {{0, 0, 1}, {1, 2, 3}, {1, 4, 5}});
-  const Repaired repaired = must_repair(polygons, kEverything);
-  const MeshSource mended = source_of(repaired, source);
+  const mesh::Repaired repaired = must_repair(polygons, kEverything);
+  const MeshSource mended = mesh::source_of(repaired, source);
   EXPECT_EQ(mended.face_line(0), 8);
   EXPECT_EQ(mended.file_face(1), 2);
   EXPECT_EQ(mended.vertex_line(0), 2);                                     // vertex 1 of the file

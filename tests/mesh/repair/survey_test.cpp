@@ -19,7 +19,7 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 RC_GTEST_PROP(SurveyLaws, OfAMeshCountsWhatTheMeshHas, (unsigned seed)) {
   std::mt19937 random(seed);
   const Mesh mesh = RandomMesh(seed).polygons();
-  const MeshSurvey found = survey_mesh(placed(mesh, random));
+  const mesh::MeshSurvey found = mesh::survey_mesh(placed(mesh, random));
   RC_ASSERT(found.refinable);
   RC_ASSERT(found.vertices == mesh.vertex_count() && found.faces == mesh.face_count());
   RC_ASSERT(found.edges == mesh.edge_count());
@@ -37,10 +37,10 @@ RC_GTEST_PROP(SurveyLaws, OfAMeshCountsWhatTheMeshHas, (unsigned seed)) {
   RC_ASSERT(found.orientable);
 }
 
-std::size_t count(const MeshSurvey& survey, MeshFault::Kind kind) {
+std::size_t count(const mesh::MeshSurvey& survey, mesh::MeshFault::Kind kind) {
   return static_cast<std::size_t>(
       std::count_if(survey.faults.list.begin(), survey.faults.list.end(),
-                    [kind](const MeshFault& fault) { return fault.kind == kind; }));
+                    [kind](const mesh::MeshFault& fault) { return fault.kind == kind; }));
 }
 
 /// Faults of every kind, as many as chance wants, each with a part of the mesh of its own.
@@ -49,7 +49,7 @@ RC_GTEST_PROP(SurveyLaws, FindsAllFaultsThatArePutIn, (unsigned seed)) {
   const Polygons clean = placed(RandomMesh(seed).polygons(), random);
   Faces faces = faces_of(clean);
   std::vector<Point3> positions = clean.positions;
-  const std::size_t isolated_before = survey_mesh(clean).isolated.size();
+  const std::size_t isolated_before = mesh::survey_mesh(clean).isolated.size();
   std::map<std::string, std::size_t> put;
   const auto vertex = [&] {
     positions.push_back(random_places(1, random).front());
@@ -99,8 +99,8 @@ RC_GTEST_PROP(SurveyLaws, FindsAllFaultsThatArePutIn, (unsigned seed)) {
   }
   Polygons broken = make_polygons(static_cast<Index>(positions.size()), faces);
   broken.positions = positions;
-  const MeshSurvey found = survey_mesh(broken);
-  using Kind = MeshFault::Kind;
+  const mesh::MeshSurvey found = mesh::survey_mesh(broken);
+  using Kind = mesh::MeshFault::Kind;
   RC_ASSERT(count(found, Kind::repeated_face) == put["copy"]);
   RC_ASSERT(count(found, Kind::crowded_edge) == put["crowded"]);
   RC_ASSERT(count(found, Kind::flipped_edge) == put["flipped"]);
@@ -120,19 +120,20 @@ RC_GTEST_PROP(SurveyLaws, FindsAllFaultsThatArePutIn, (unsigned seed)) {
 RC_GTEST_PROP(SurveyLaws, LoopsOfRubbleAreThoseOfTheCutMesh, (unsigned seed)) {
   for (unsigned k = 0; k < 100; ++k) {
     Polygons broken = rubble(seed + k);
-    const MeshFaults faults = find_mesh_faults(broken);
-    const bool only_sheets = std::all_of(
-        faults.list.begin(), faults.list.end(),
-        [](const MeshFault& fault) { return fault.kind == MeshFault::Kind::several_fans; });
+    const mesh::MeshFaults faults = mesh::find_mesh_faults(broken);
+    const bool only_sheets =
+        std::all_of(faults.list.begin(), faults.list.end(), [](const mesh::MeshFault& fault) {
+          return fault.kind == mesh::MeshFault::Kind::several_fans;
+        });
     if (!only_sheets) continue;
-    const Polygons cut = repair(broken, {.cut = true}).value().polygons;
-    RC_ASSERT(survey_mesh(broken).boundary_loops == boundary_loops(Mesh::build(cut).value()));
+    const Polygons cut = mesh::repair(broken, {.cut = true}).value().polygons;
+    RC_ASSERT(mesh::survey_mesh(broken).boundary_loops == boundary_loops(Mesh::build(cut).value()));
   }
 }
 
 TEST(Survey, GenusAndParts) {
   std::mt19937 random(1);
-  const MeshSurvey ring = survey_mesh(placed(torus(Lattice::quad, 4, 5), random));
+  const mesh::MeshSurvey ring = mesh::survey_mesh(placed(mesh::torus(Lattice::quad, 4, 5), random));
   EXPECT_EQ(ring.euler, 0);
   EXPECT_EQ(ring.genus, 1);
   EXPECT_EQ(ring.components, 1);
@@ -146,7 +147,7 @@ TEST(Survey, GenusAndParts) {
   faces.pop_back();
   Polygons two = make_polygons(16, faces);
   two.positions = random_places(16, random);
-  const MeshSurvey found = survey_mesh(two);
+  const mesh::MeshSurvey found = mesh::survey_mesh(two);
   EXPECT_EQ(found.components, 2);
   EXPECT_EQ(found.genus, 0);
   EXPECT_EQ(found.euler, 3);
@@ -163,16 +164,16 @@ Polygons at(const std::vector<Point3>& positions, const Faces& faces) {
 TEST(Survey, ShapesOfFacesAtAnySize) {
   for (const double size : {1.0, 1e-200, 1e200, 1.7e308}) {
     const double h = size / 2;
-    const MeshSurvey concave =
-        survey_mesh(at({{0, size, 0}, {0, 0, 0}, {size, 0, 0}, {h / 2, h / 2, 0}}, {{0, 1, 2, 3}}));
+    const mesh::MeshSurvey concave = mesh::survey_mesh(
+        at({{0, size, 0}, {0, 0, 0}, {size, 0, 0}, {h / 2, h / 2, 0}}, {{0, 1, 2, 3}}));
     EXPECT_EQ(concave.concave, (std::vector<Index>{0})) << size;
     EXPECT_TRUE(concave.bent.empty()) << size;
-    const MeshSurvey bent =
-        survey_mesh(at({{-h, -h, 0}, {h, -h, h / 4}, {h, h, 0}, {-h, h, h / 4}}, {{0, 1, 2, 3}}));
+    const mesh::MeshSurvey bent = mesh::survey_mesh(
+        at({{-h, -h, 0}, {h, -h, h / 4}, {h, h, 0}, {-h, h, h / 4}}, {{0, 1, 2, 3}}));
     EXPECT_EQ(bent.bent, (std::vector<Index>{0})) << size;
     EXPECT_NEAR(bent.most_bent, (1.0 / 16) / std::sqrt(2 + 1.0 / 64), 0.003) << size;
     EXPECT_TRUE(bent.concave.empty()) << size;
-    const MeshSurvey flat = survey_mesh(
+    const mesh::MeshSurvey flat = mesh::survey_mesh(
         at({{0, 0, 0}, {h, h, h}, {size, size, size}, {h / 2, h / 2, h / 2}}, {{0, 1, 2, 3}}));
     EXPECT_EQ(flat.degenerate, (std::vector<Index>{0})) << size;
   }
@@ -190,16 +191,16 @@ TEST(Survey, ABoxOfSixSheetsLooksUnwelded) {
     }
     box.face_begin.push_back(static_cast<Index>(box.corners.size()));
   }
-  const MeshSurvey found = survey_mesh(box);
+  const mesh::MeshSurvey found = mesh::survey_mesh(box);
   EXPECT_EQ(found.coincident.size(), 16U);
   EXPECT_EQ(found.seams.edges, 12);
   EXPECT_EQ(found.seams.vertices, 16);
-  EXPECT_EQ(open_seams(Mesh::build(box).value(), box.positions).edges, 12);
+  EXPECT_EQ(mesh::open_seams(Mesh::build(box).value(), box.positions).edges, 12);
   EXPECT_EQ(found.components, 6);
 }
 
 TEST(Survey, NearlyCoincidentIsTold) {
-  const MeshSurvey found = survey_mesh(
+  const mesh::MeshSurvey found = mesh::survey_mesh(
       at({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1e-9, 0, 0}, {1, 1, 0}}, {{0, 1, 2}, {3, 1, 4}}));
   EXPECT_EQ(found.near, (std::vector<Index>{3}));
   EXPECT_TRUE(found.coincident.empty());

@@ -28,15 +28,16 @@ Polygons loose_cube() {
 
 struct Applied {
   Mesh mesh;
-  Repaired repaired;
+  mesh::Repaired repaired;
   Sharpness sharpness;
 };
 
-Applied applied(const Polygons& polygons, const RepairOptions& options, const SharpnessTags& tags) {
-  Applied result{{}, repair(polygons, options).value(), {}};
+Applied applied(const Polygons& polygons, const mesh::RepairOptions& options,
+                const SharpnessTags& tags) {
+  Applied result{{}, mesh::repair(polygons, options).value(), {}};
   result.mesh = Mesh::build(result.repaired.polygons).value();
   const Status status =
-      apply_tags(result.mesh, source_of(result.repaired, {}), tags, result.sharpness);
+      apply_tags(result.mesh, mesh::source_of(result.repaired, {}), tags, result.sharpness);
   EXPECT_TRUE(status.ok()) << (status ? "" : status.error().message);
   return result;
 }
@@ -85,12 +86,12 @@ TEST(RepairedTags, ACutVertexStandsForAllItsCopies) {
 TEST(RepairedTags, NumbersAreThoseOfTheFile) {
   SharpnessTags tags;
   tags.corners.push_back({24, 1});
-  const Repaired repaired = repair(loose_cube(), {.weld = 0.0}).value();
+  const mesh::Repaired repaired = mesh::repair(loose_cube(), {.weld = 0.0}).value();
   const Mesh mesh = Mesh::build(repaired.polygons).value();
   Sharpness sharpness;
-  EXPECT_FALSE(apply_tags(mesh, source_of(repaired, {}), tags, sharpness).ok());
+  EXPECT_FALSE(apply_tags(mesh, mesh::source_of(repaired, {}), tags, sharpness).ok());
   tags.corners[0].vertex = 23;
-  EXPECT_TRUE(apply_tags(mesh, source_of(repaired, {}), tags, sharpness).ok());
+  EXPECT_TRUE(apply_tags(mesh, mesh::source_of(repaired, {}), tags, sharpness).ok());
 }
 
 }  // namespace

@@ -45,7 +45,7 @@ TEST(CutMesh, KeepsFacesAndHalfEdgesAndTheLawsOfAMesh) {
     std::vector<bool> along;
     std::mt19937 random(seed);
     for (Index e = 0; e < mesh.edge_count(); ++e) along.push_back(random() % 3 == 0);
-    const CutMesh cut = cut_along(mesh, along);
+    const mesh::CutMesh cut = mesh::cut_along(mesh, along);
     EXPECT_EQ(cut.mesh.check(), "") << seed;
     ASSERT_EQ(cut.mesh.halfedge_count(), mesh.halfedge_count());
     ASSERT_EQ(cut.originals.size(), at(cut.mesh.vertex_count()));
@@ -59,13 +59,14 @@ TEST(CutMesh, KeepsFacesAndHalfEdgesAndTheLawsOfAMesh) {
 
 TEST(CutMesh, ACutThatEndsInsideLeavesItsEndWhole) {
   const Mesh mesh = grid();
-  const CutMesh slit = cut_along(mesh, edges_of(mesh, {{1, 5}}));  // from the boundary
-  EXPECT_EQ(slit.mesh.vertex_count(), 17);                         // vertex 1 twice
+  const mesh::CutMesh slit = mesh::cut_along(mesh, edges_of(mesh, {{1, 5}}));  // from the boundary
+  EXPECT_EQ(slit.mesh.vertex_count(), 17);                                     // vertex 1 twice
   EXPECT_TRUE(slit.mesh.is_boundary_vertex(5));
-  const CutMesh inside = cut_along(mesh, edges_of(mesh, {{5, 6}}));
+  const mesh::CutMesh inside = mesh::cut_along(mesh, edges_of(mesh, {{5, 6}}));
   EXPECT_EQ(inside.mesh.vertex_count(), 16);
   EXPECT_EQ(inside.mesh.edge_count(), mesh.edge_count() + 1);
-  const CutMesh cross = cut_along(mesh, edges_of(mesh, {{5, 6}, {5, 4}, {5, 1}, {5, 9}}));
+  const mesh::CutMesh cross =
+      mesh::cut_along(mesh, edges_of(mesh, {{5, 6}, {5, 4}, {5, 1}, {5, 9}}));
   EXPECT_EQ(std::count(cross.originals.begin(), cross.originals.end(), 5), 4);
 }
 
@@ -80,8 +81,9 @@ TEST(CutMesh, IsJoinedAgain) {
         along.push_back(!mesh.is_boundary_edge(e) && random() % 3 == 0);
       double length = static_cast<double>(std::count(along.begin(), along.end(), true));
       for (int step = 0; step < 4; ++step) {
-        const CutMesh cut = cut_along(mesh, along);
-        const Result<JoinedMesh> joined = join_again(mesh, cut, split.apply(cut.mesh, step));
+        const mesh::CutMesh cut = mesh::cut_along(mesh, along);
+        const Result<mesh::JoinedMesh> joined =
+            mesh::join_again(mesh, cut, split.apply(cut.mesh, step));
         if (!joined) break;  // two creases between the same vertices
         EXPECT_EQ(joined->fine.mesh.check(), "") << name << ", " << seed;
         mesh = joined->fine.mesh;

@@ -1,6 +1,8 @@
 // What the views share: the state, the core, the last good scheme and mesh, and how one view tells the others.
 import { superseded, type Client, type Outcome } from './core/client';
-import type { Catalogue, Control, Fault, MeshSpec, SchemeInfo, SchemeSpec, ShippedMesh } from './core/results';
+import type { Opening } from './core/opening';
+import type { Catalogue, Control, Fault, MeshSpec, SchemeInfo, SchemeSpec } from './core/results';
+import { firstThatSuits, suits } from './core/suits';
 import { ball, type Colours, type Painter } from './space/picture';
 import { type Store, type State } from './state';
 import { strToU8 } from 'fflate';
@@ -45,11 +47,6 @@ export interface Timing {
   vertices: number;
 }
 
-const needsTriangles = (split: string): boolean => split.startsWith('triangle') || split === 'sqrt3';
-export function suits(split: string, mesh: ShippedMesh): boolean {
-  if (needsTriangles(split)) return mesh.faces === 'triangles';
-  return split === 'quad-sqrt2' || split === 'quad-ternary' ? mesh.faces === 'quads' : true;
-}
 const growth = (split: string): number =>
   split.endsWith('ternary') ? 9 : split === 'sqrt3' ? 3 : split === 'quad-sqrt2' || split === 'midedge' ? 2 : 4;
 /** The deepest level, of those offered, that keeps a surface below so many faces. */
@@ -73,10 +70,12 @@ export class App {
   image?: ImageBitmap;
   /** Milliseconds from the page's beginning to the first surface on the screen; 0 before. */
   firstPicture = 0;
+  /** The same to the first one that the core made: from then on everything answers. */
+  firstAnswer = 0;
   private begun = false;
 
   constructor(readonly store: Store, readonly client: Client, readonly painter: Painter | null, readonly catalogue: Catalogue,
-    readonly record: Record<string, unknown> | null) {
+    readonly record: Record<string, unknown> | null, readonly opening: Opening) {
     store.listen(() => this.refresh());
   }
 
@@ -128,7 +127,7 @@ export class App {
       if (!this.model.scheme) this.store.set({ scheme: 'loop', parameters: {} });
       return;
     }
-    const outcome = await this.client.ask('scheme', 'load', spec);
+    const outcome = this.opening.load(spec) ?? (await this.client.ask('scheme', 'load', spec));
     if (outcome === superseded || this.asked.scheme !== key) return;
     if (outcome.ok) this.model.scheme = { spec, info: outcome.result, label: state.text === null ? state.scheme : outcome.result.name || 'mine' };
     this.model.errors = outcome.ok ? [] : outcome.errors;
@@ -171,8 +170,7 @@ export class App {
     if (file) return { name: state.mesh, spec: { name: state.mesh, file: { ...file, repair: state.repair } }, note: '' };
     const asked = this.catalogue.meshes.find((mesh) => mesh.name === state.mesh);
     if (asked && suits(split, asked)) return { name: asked.name, spec: { name: asked.name }, note: '' };
-    const own = this.catalogue.meshes.filter((mesh) => suits(split, mesh));
-    const first = own.find((mesh) => (needsTriangles(split) ? mesh.faces === 'triangles' : mesh.faces === 'quads')) ?? own[0];
+    const first = firstThatSuits(split, this.catalogue.meshes);
     if (!first) return null;
     const note = asked ? `${asked.name} has ${asked.faces}; ${split} needs others: this is ${first.name}` : '';
     return { name: first.name, spec: { name: first.name }, note };
@@ -185,7 +183,8 @@ export class App {
     this.model.meshNote = wanted.note;
     if (this.asked.mesh === key) return;
     this.asked.mesh = key;
-    const outcome = await this.client.ask('control', 'control', { ...wanted.spec, moved: {}, sharp: {} });
+    const spec = { ...wanted.spec, moved: {}, sharp: {} };
+    const outcome = this.opening.control(spec) ?? (await this.client.ask('control', 'control', spec));
     if (outcome === superseded || this.asked.mesh !== key) return;
     if (outcome.ok) {
       this.model.mesh = { name: wanted.name, spec: wanted.spec, control: outcome.result, ball: ball(outcome.result.positions) };

@@ -41,7 +41,7 @@ async function begin(): Promise<void> {
     return made;
   };
   const first = [spawn()];
-  const start: Start = { spawn: () => first.pop() ?? spawn(), painter: once('painter'), later: once('later') };
+  const start: Start = { opening: inflated('opening', 'application/octet-stream').arrayBuffer(), spawn: () => first.pop() ?? spawn(), painter: once('painter'), later: once('later') };
   Object.assign(globalThis, { limnStart: start });
   await load('program', program);
 }

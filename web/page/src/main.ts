@@ -2,6 +2,7 @@
 import catalogue from 'limn-catalogue';
 import { App } from './app';
 import { Client } from './core/client';
+import { Opening } from './core/opening';
 import { painterFor } from './space/painters';
 import { fromFragment, Store } from './state';
 import { mount } from './page';
@@ -17,8 +18,9 @@ function record(): Record<string, unknown> | null {
   }
 }
 
-function begin(): void {
+async function begin(): Promise<void> {
   const client = new Client(limnStart.spawn);
+  const opening = new Opening(await limnStart.opening);
   const embedded = record();
   let state = fromFragment(location.hash);
   // A report opens with its scheme, unless a link says otherwise.
@@ -28,8 +30,8 @@ function begin(): void {
     const own = of.text !== null && of.text !== shipped?.text ? of.text : null;
     if (shipped || own) state = { ...state, scheme: shipped?.name ?? state.scheme, text: own, parameters: of.parameters };
   }
-  const app: App = new App(new Store(state), client, painterFor(() => app.refresh()), catalogue, embedded);
+  const app: App = new App(new Store(state), client, painterFor(() => app.refresh()), catalogue, embedded, opening);
   mount(app, document.getElementById('app')!);
 }
 
-begin();
+await begin();

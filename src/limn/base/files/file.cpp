@@ -11,7 +11,7 @@
 #include "limn/base/files/system_file.h"
 #include "limn/base/memory.h"
 
-namespace limn {
+namespace limn::base {
 namespace {
 
 Error too_large(const std::string& path, std::uint64_t bound, bool of_memory) {
@@ -106,4 +106,4 @@ bool is_same_output(const std::string& a, const std::string& b) {
   return place_of(a) == place_of(b);
 }
 
-}  // namespace limn
+}  // namespace limn::base

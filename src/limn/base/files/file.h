@@ -10,7 +10,7 @@
 #include "limn/base/error.h"
 #include "limn/base/files/unfinished.h"
 
-namespace limn {
+namespace limn::base {
 
 /// What is read of a path, at most.
 struct ReadBound {
@@ -75,4 +75,4 @@ using PlacedSink = std::function<void(std::uint64_t at, std::string_view piece)>
 /// missing is made under another name, and takes its own by a rename at `commit`.
 [[nodiscard]] Status make_folder(const std::string& path);
 
-}  // namespace limn
+}  // namespace limn::base

@@ -11,7 +11,7 @@
 #include "limn/base/files/system_file.h"
 #include "limn/base/files/transaction_parts.h"
 
-namespace limn {
+namespace limn::base {
 namespace fs = std::filesystem;
 namespace {
 
@@ -140,4 +140,4 @@ Status make_folder(const std::string& path) {
   return Done{};
 }
 
-}  // namespace limn
+}  // namespace limn::base

@@ -5,7 +5,7 @@
 
 #include "limn/base/error.h"
 
-namespace limn {
+namespace limn::base {
 
 /// While it lives, `write_file` and `make_folder` of its thread only prepare what they are asked
 /// for, under temporary names beside the true ones; `commit` gives all of it its names. Without
@@ -30,4 +30,4 @@ class FileTransaction {
   std::unique_ptr<Parts> parts_;
 };
 
-}  // namespace limn
+}  // namespace limn::base

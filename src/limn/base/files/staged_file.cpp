@@ -13,7 +13,7 @@
 
 #include "limn/base/files/system_file.h"
 
-namespace limn {
+namespace limn::base {
 namespace {
 
 constexpr int kMostAttempts = 100;  // at a name that nobody uses
@@ -165,4 +165,4 @@ void Staged::forget_old() noexcept {
   old_.clear();
 }
 
-}  // namespace limn
+}  // namespace limn::base

@@ -11,7 +11,7 @@
 #include "limn/base/error.h"
 #include "limn/base/files/unfinished.h"
 
-namespace limn {
+namespace limn::base {
 
 /// A name beside `target` that no other process is likely to use.
 [[nodiscard]] std::string temporary_name(const std::string& target);
@@ -62,4 +62,4 @@ class Staged {
   Unfinished unfinished_;
 };
 
-}  // namespace limn
+}  // namespace limn::base

@@ -10,7 +10,7 @@
 #include <string_view>
 #include <system_error>
 
-namespace limn {
+namespace limn::base {
 namespace {
 
 /// The number in "/dev/fd/3", "/proc/self/fd/3" and the like.
@@ -95,4 +95,4 @@ Target target_of(const std::string& path) {
   return target;
 }
 
-}  // namespace limn
+}  // namespace limn::base

@@ -8,7 +8,7 @@
 
 #include "limn/base/error.h"
 
-namespace limn {
+namespace limn::base {
 
 /// "what: the system's words for the error `code`", at `path`.
 [[nodiscard]] Error system_error(const std::string& path, const std::string& what, int code,
@@ -47,4 +47,4 @@ struct Target {
 };
 [[nodiscard]] Target target_of(const std::string& path);
 
-}  // namespace limn
+}  // namespace limn::base

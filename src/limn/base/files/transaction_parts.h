@@ -8,7 +8,7 @@
 #include "limn/base/files/file_transaction.h"
 #include "limn/base/files/staged_file.h"
 
-namespace limn {
+namespace limn::base {
 
 struct FileTransaction::Parts {
   /// This thread's, or null.
@@ -28,4 +28,4 @@ struct FileTransaction::Parts {
   std::vector<Staged> files;           ///< in the order of writing; also those in new folders
 };
 
-}  // namespace limn
+}  // namespace limn::base

@@ -8,7 +8,7 @@
 #include <cstring>
 #include <memory>
 
-namespace limn {
+namespace limn::base {
 
 /// One of a list that only grows; what is no longer used is used again. `path` is written only
 /// while the state is `claimed`, and read by others only while it is `file` or `folder`.
@@ -68,4 +68,4 @@ void remove_unfinished_files() noexcept {
   errno = saved;
 }
 
-}  // namespace limn
+}  // namespace limn::base

@@ -3,7 +3,7 @@
 
 #include <string>
 
-namespace limn {
+namespace limn::base {
 
 /// While it lives, `path` is removed by `remove_unfinished_files`: a file, or a folder that is
 /// empty once the files of it that are known here are removed. Make it before the file, so that no
@@ -26,4 +26,4 @@ class Unfinished {
 /// process.
 void remove_unfinished_files() noexcept;
 
-}  // namespace limn
+}  // namespace limn::base

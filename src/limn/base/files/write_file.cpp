@@ -11,7 +11,7 @@
 #include "limn/base/files/system_file.h"
 #include "limn/base/files/transaction_parts.h"
 
-namespace limn {
+namespace limn::base {
 namespace {
 
 using Fill = Staged::Fill;
@@ -142,4 +142,4 @@ Status check_can_write(const std::string& path) {
   return Done{};
 }
 
-}  // namespace limn
+}  // namespace limn::base

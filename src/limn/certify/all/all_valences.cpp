@@ -31,16 +31,16 @@ bool is_valence_between(const Rational& begin, const Rational& end) {
 /// The least of what μ1 may be.
 class LeastEigenvalue {
  public:
-  void add(const Ball& value) { least_ = std::min(least_, value.lower()); }
-  [[nodiscard]] Ball ball() const { return Ball(least_); }
+  void add(const number::Ball& value) { least_ = std::min(least_, value.lower()); }
+  [[nodiscard]] number::Ball ball() const { return number::Ball(least_); }
 
  private:
   double least_ = 1;
 };
 
-class Search {
+class AllValencesSearch {
  public:
-  Search(IntervalProver& prover, AllValences& found, const Stop& stop)
+  AllValencesSearch(IntervalProver& prover, AllValences& found, const Stop& stop)
       : prover_(prover), found_(found), stop_(stop) {}
 
   void cover_valences() {
@@ -58,7 +58,7 @@ class Search {
       ValenceInterval claim;
       claim.begin = piece.begin;
       claim.end = piece.end;
-      const Result<Ball> shown = prover_.show(claim);
+      const Result<number::Ball> shown = prover_.show(claim);
       if (shown) {
         least_.add(*shown);
         found_.intervals.push_back(std::move(claim));
@@ -176,7 +176,7 @@ AllValences certify_all_valences(const Scheme& scheme, const CellMatrices& cells
       return found;
     }
   for (const int part : {1, 16}) prover.show_at(Rational(Integer(1), Integer(from * part)));
-  Search search(prover, found, stop);
+  AllValencesSearch search(prover, found, stop);
   search.cover_valences();
   if (!found.uncovered.empty()) {
     const UncoveredValences& first = found.uncovered.front();
@@ -204,7 +204,7 @@ Status check_all_valences(const Scheme& scheme, const CellMatrices& cells,
       return Error{"the intervals leave out a valence"};
     if (interval.begin < 0 || interval.end < interval.begin)
       return Error{"an interval of 1/n does not begin at 0 or later and end after that"};
-    const Result<Ball> shown = prover.show(interval);
+    const Result<number::Ball> shown = prover.show(interval);
     if (!shown) return shown.error();
     least.add(*shown);
     reached = std::max(reached, interval.end);

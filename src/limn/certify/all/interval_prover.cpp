@@ -10,16 +10,16 @@
 namespace limn::certify {
 namespace {
 
-constexpr int kMostSquarings = 24;
-constexpr std::size_t kMostCuts = 9;  // of a cell
-constexpr int kMostParts = 4000;      // that one interval's search looks at
-constexpr std::size_t kMoreCuts = 1;  // than one valence needs; beyond, t's interval is halved
-constexpr double kNear = 1e-9;        // of a claimed eigenvector's residual
+constexpr int kMostIntervalSquarings = 24;
+constexpr std::size_t kMostCellCuts = 9;  // of a cell
+constexpr int kMostIntervalParts = 4000;  // that one interval's search looks at
+constexpr std::size_t kMoreCuts = 1;      // than one valence needs; beyond, t's interval is halved
+constexpr double kNearResidual = 1e-9;    // of a claimed eigenvector's residual
 
 Error undecided(const std::string& what) { return Error{what}; }
 
-/// The pair near a claim: an eigenpair of the middle to kNear, its largest entry 1.
-Result<EnclosedPair> claimed_pair(const BallMatrix& a, double value,
+/// The pair near a claim: an eigenpair of the middle to kNearResidual, its largest entry 1.
+Result<EnclosedPair> claimed_pair(const number::BallMatrix& a, double value,
                                   const std::vector<double>& vector) {
   if (vector.size() != a.rows() || vector.empty())
     return Error{"an eigenvector has not the size of its matrix"};
@@ -28,7 +28,7 @@ Result<EnclosedPair> claimed_pair(const BallMatrix& a, double value,
   for (std::size_t i = 0; i < vector.size(); ++i) {
     double residual = -value * vector[i];
     for (std::size_t j = 0; j < vector.size(); ++j) residual += a(i, j).approx() * vector[j];
-    is_near = is_near && std::abs(residual) <= kNear;
+    is_near = is_near && std::abs(residual) <= kNearResidual;
     if (std::abs(vector[i]) > std::abs(largest)) largest = vector[i];
   }
   if (!is_near || largest != 1)
@@ -45,9 +45,9 @@ IntervalProver::IntervalProver(const CellMatrices& cells, const RangeRules& rule
       signs_(signs),
       ring_(ring),
       searching_(searching),
-      most_cuts_(searching ? kMoreCuts : kMostCuts) {}
+      most_cuts_(searching ? kMoreCuts : kMostCellCuts) {}
 
-Result<Ball> IntervalProver::show(ValenceInterval& claim) const {
+Result<number::Ball> IntervalProver::show(ValenceInterval& claim) const {
   const Result<IntervalBlocks> blocks = IntervalBlocks::make(rules_, claim.begin, claim.end);
   if (!blocks) return blocks.error();
   if (Status found = fill(blocks->tangent(), claim.eigenvalue, claim.eigenvector); !found)
@@ -55,7 +55,7 @@ Result<Ball> IntervalProver::show(ValenceInterval& claim) const {
   const Result<EnclosedPair> pair =
       claimed_pair(blocks->tangent(), claim.eigenvalue, claim.eigenvector);
   if (!pair) return undecided("frequency 1: " + pair.error().message);
-  if (!pair->value.is_positive() || !is_less(pair->value, Ball(1)))
+  if (!pair->value.is_positive() || !number::is_less(pair->value, number::Ball(1)))
     return undecided("the leading eigenvalue of frequency 1 is not shown to lie between 0 and 1");
   if (!below(deflated(blocks->tangent(), *pair), pair->value, claim.squarings))
     return undecided("other eigenvalues of frequency 1 are not shown to be smaller than its first");
@@ -72,11 +72,11 @@ bool IntervalProver::show_at(const Rational& t) {
   if (!show(point)) return false;
   for (const auto& words : point.parts)
     for (const std::string& word : words)
-      most_cuts_ = std::clamp(word.size() + kMoreCuts, most_cuts_, kMostCuts);
+      most_cuts_ = std::clamp(word.size() + kMoreCuts, most_cuts_, kMostCellCuts);
   return true;
 }
 
-Status IntervalProver::show(TurnInterval& claim, const Ball& bound) const {
+Status IntervalProver::show(TurnInterval& claim, const number::Ball& bound) const {
   const Result<TurnBlocks> blocks = turn_blocks(rules_, claim.begin, claim.end);
   if (!blocks) return blocks.error();
   if (searching_ || claim.right.empty()) {
@@ -85,7 +85,7 @@ Status IntervalProver::show(TurnInterval& claim, const Ball& bound) const {
   }
   if (rules_.last_special() > 0)
     return undecided("eigenvalues of frequencies 2 … n/2 are not shown to be smaller");
-  const BallMatrix transpose = transposed(blocks->block);
+  const number::BallMatrix transpose = transposed(blocks->block);
   double same = claim.eigenvalue;
   if (!fill(blocks->block, claim.eigenvalue, claim.right) || !fill(transpose, same, claim.left))
     return undecided("frequencies 2 … n/2 have no real leading eigenvalue");
@@ -114,7 +114,8 @@ std::optional<int> IntervalProver::approx_rival(int n) const {
   return std::nullopt;
 }
 
-Status IntervalProver::fill(const BallMatrix& a, double& value, std::vector<double>& vector) const {
+Status IntervalProver::fill(const number::BallMatrix& a, double& value,
+                            std::vector<double>& vector) const {
   if (!searching_) return Done{};
   std::optional<ApproxPair> found = approx_leader(a);
   if (!found) return undecided("no real eigenvalue leads");
@@ -123,10 +124,11 @@ Status IntervalProver::fill(const BallMatrix& a, double& value, std::vector<doub
   return Done{};
 }
 
-bool IntervalProver::below(const BallMatrix& a, const Ball& bound, int& squarings) const {
-  if (!searching_ && (squarings < 0 || squarings > kMostSquarings)) return false;
+bool IntervalProver::below(const number::BallMatrix& a, const number::Ball& bound,
+                           int& squarings) const {
+  if (!searching_ && (squarings < 0 || squarings > kMostIntervalSquarings)) return false;
   const std::optional<int> found =
-      squarings_below(a, bound, searching_ ? kMostSquarings : squarings);
+      squarings_below(a, bound, searching_ ? kMostIntervalSquarings : squarings);
   if (!found) return false;
   if (searching_) squarings = *found;
   return squarings == *found;
@@ -139,7 +141,7 @@ Status IntervalProver::show_special(const IntervalBlocks& blocks, const Enclosed
   if (claim.special.size() != count) return Error{"frequencies with other weights are missing"};
   for (std::size_t i = 0; i < count; ++i) {
     const int frequency = static_cast<int>(i) + 2;
-    const Result<BallMatrix> block = blocks.special(frequency);
+    const Result<number::BallMatrix> block = blocks.special(frequency);
     if (!block) return block.error();
     if (!below(*block, pair.value, claim.special[i]))
       return undecided(
@@ -166,12 +168,12 @@ Status IntervalProver::show_constant(const IntervalBlocks& blocks, const Enclose
 Status IntervalProver::show_cup(const IntervalBlocks& blocks, const EnclosedPair& pair,
                                 ValenceInterval& claim) const {
   if (!blocks.has_gap()) return undecided("powers of its matrix do not show it");
-  const BallMatrix transpose = blocks.cup_transposed();
+  const number::BallMatrix transpose = blocks.cup_transposed();
   if (!fill(transpose, claim.cup, claim.cup_vector))
     return undecided("no real eigenvalue leads it");
   const Result<EnclosedPair> cup = claimed_pair(transpose, claim.cup, claim.cup_vector);
   if (!cup) return cup.error();
-  const Ball gap = blocks.cup_gap(*cup, pair);
+  const number::Ball gap = blocks.cup_gap(*cup, pair);
   if (gap.is_negative()) return undecided("its leading eigenvalue is larger");
   if (!gap.is_positive() || !cup->value.is_positive())
     return undecided("the difference of their leading eigenvalues has no sign");
@@ -188,8 +190,8 @@ Status IntervalProver::show_ring(const IntervalBlocks& blocks, const EnclosedPai
   if (searching_) claim.parts.assign(ring_.cells.size(), {});
   if (claim.parts.size() != ring_.cells.size()) return Error{"cells of the ring are missing"};
   const std::size_t count = ring_.cells.size();
-  const std::size_t most_cuts = claim.begin == claim.end ? kMostCuts : most_cuts_;
-  const long last_part = parts_seen_ + kMostParts;
+  const std::size_t most_cuts = claim.begin == claim.end ? kMostCellCuts : most_cuts_;
+  const long last_part = parts_seen_ + kMostIntervalParts;
   for (std::size_t at = 0; at < count; ++at) {
     const std::size_t i = (hardest_ + at) % count;
     const Result<CellMap> map = ring.map_on(ring_.cells[i]);

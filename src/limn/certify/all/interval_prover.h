@@ -17,10 +17,10 @@ class IntervalProver {
                  const RingCells& ring, bool searching);
 
   /// The enclosure of μ1. Fails with what is not shown.
-  Result<Ball> show(ValenceInterval& claim) const;
+  Result<number::Ball> show(ValenceInterval& claim) const;
   /// Of the turns in the interval, all eigenvalues that are not below `bound` are one, which falls
   /// as the turn grows.
-  Status show(TurnInterval& claim, const Ball& bound) const;
+  Status show(TurnInterval& claim, const number::Ball& bound) const;
 
   /// Searching: whether the proof is found at one t, cells being cut as often as it takes. From
   /// then on intervals' cells are cut that often, and a little more.
@@ -32,8 +32,9 @@ class IntervalProver {
   [[nodiscard]] std::optional<int> approx_rival(int n) const;
 
  private:
-  Status fill(const BallMatrix& a, double& value, std::vector<double>& vector) const;
-  [[nodiscard]] bool below(const BallMatrix& a, const Ball& bound, int& squarings) const;
+  Status fill(const number::BallMatrix& a, double& value, std::vector<double>& vector) const;
+  [[nodiscard]] bool below(const number::BallMatrix& a, const number::Ball& bound,
+                           int& squarings) const;
   Status show_special(const IntervalBlocks& blocks, const EnclosedPair& pair,
                       ValenceInterval& claim) const;
   Status show_constant(const IntervalBlocks& blocks, const EnclosedPair& pair,

@@ -7,25 +7,26 @@
 namespace limn::certify {
 namespace {
 
-thread_local Ball range = Ball::between(0, 1);
+thread_local number::Ball range = number::Ball::between(0, 1);
 
 constexpr int kNever = 1 << 20;  // the step of a number whose `rest` is 0
 
-Ball power_of_t(int power) {
-  Ball result(1);
+number::Ball power_of_t(int power) {
+  number::Ball result(1);
   for (int i = 0; i < power; ++i) result *= ValenceRange::t();
   return result;
 }
 
 }  // namespace
 
-ValenceRange::ValenceRange(Ball t) : outer_(range) { range = std::move(t); }
+ValenceRange::ValenceRange(number::Ball t) : outer_(range) { range = std::move(t); }
 ValenceRange::~ValenceRange() { range = std::move(outer_); }
-const Ball& ValenceRange::t() { return range; }
+const number::Ball& ValenceRange::t() { return range; }
 
-PowerBall::PowerBall(const Rational& value) : factor_(value), head_(Head{value, kNever, Ball(0)}) {}
+PowerBall::PowerBall(const Rational& value)
+    : factor_(value), head_(Head{value, kNever, number::Ball(0)}) {}
 
-PowerBall::PowerBall(int power, Ball factor, std::optional<Head> head, bool constant)
+PowerBall::PowerBall(int power, number::Ball factor, std::optional<Head> head, bool constant)
     : power_(power), factor_(std::move(factor)), head_(std::move(head)), constant_(constant) {
   if (head_ && head_->value == 0 && !head_->rest.is_exactly_zero()) {
     power_ += head_->step;
@@ -37,9 +38,11 @@ PowerBall::PowerBall(int power, Ball factor, std::optional<Head> head, bool cons
   }
 }
 
-PowerBall PowerBall::valence() { return {-1, Ball(1), Head{Rational(1), kNever, Ball(0)}, false}; }
+PowerBall PowerBall::valence() {
+  return {-1, number::Ball(1), Head{Rational(1), kNever, number::Ball(0)}, false};
+}
 
-Ball PowerBall::Head::with_step(int other) const {
+number::Ball PowerBall::Head::with_step(int other) const {
   return rest.is_exactly_zero() ? rest : rest * power_of_t(step - other);
 }
 
@@ -48,7 +51,7 @@ std::optional<PowerBall::Head> PowerBall::head_over(int power) const {
   return head_;
 }
 
-Ball PowerBall::over(int power) const {
+number::Ball PowerBall::over(int power) const {
   if (is_zero()) return {};
   const int left = power_ - power;
   return left >= 0 ? factor_ * power_of_t(left) : factor_ / power_of_t(-left);
@@ -75,9 +78,9 @@ PowerBall operator*(const PowerBall& a, const PowerBall& b) {
   std::optional<PowerBall::Head> head;
   if (a.head_ && b.head_) {
     const int step = std::min(a.head_->step, b.head_->step);
-    const Ball first = a.head_->with_step(step);
+    const number::Ball first = a.head_->with_step(step);
     head = {a.head_->value * b.head_->value, step,
-            first * b.factor_ + Ball(a.head_->value) * b.head_->with_step(step)};
+            first * b.factor_ + number::Ball(a.head_->value) * b.head_->with_step(step)};
   }
   return {a.power_ + b.power_, a.factor_ * b.factor_, head, a.constant_ && b.constant_};
 }
@@ -87,15 +90,16 @@ PowerBall operator/(const PowerBall& a, const PowerBall& b) {
   if (a.head_ && b.head_ && b.head_->value != 0) {
     const int step = std::min(a.head_->step, b.head_->step);
     const Rational value = a.head_->value / b.head_->value;
-    head = {value, step,
-            (a.head_->with_step(step) - Ball(value) * b.head_->with_step(step)) / b.factor_};
+    head = {
+        value, step,
+        (a.head_->with_step(step) - number::Ball(value) * b.head_->with_step(step)) / b.factor_};
   }
   return {a.power_ - b.power_, a.factor_ / b.factor_, head, a.constant_ && b.constant_};
 }
 
 }  // namespace limn::certify
 
-namespace limn {
+namespace limn::number {
 
 using certify::PowerBall;
 
@@ -114,7 +118,7 @@ Result<PowerBall> Arithmetic<PowerBall>::divide(const PowerBall& a, const PowerB
 Result<PowerBall> Arithmetic<PowerBall>::cos(const PowerBall& a) {
   if (a.power_ < 0) return Error{"the cosine of an angle that grows with n cannot be enclosed"};
   if (a.is_zero()) return PowerBall(1);
-  if (a.power_ == 0) return PowerBall(0, limn::cos(a.ball()), std::nullopt, a.constant_);
+  if (a.power_ == 0) return PowerBall(0, number::cos(a.ball()), std::nullopt, a.constant_);
   const Ball angle = a.ball();
   const Ball half = a.factor_ * certify::enclose_sinc(angle * angle / Ball(4));
   const Ball loss = half * half / Ball(2);  // 1 - cos α = α²/2 · sinc²(α/2)
@@ -125,7 +129,7 @@ Result<PowerBall> Arithmetic<PowerBall>::cos(const PowerBall& a) {
 Result<PowerBall> Arithmetic<PowerBall>::sin(const PowerBall& a) {
   if (a.power_ < 0) return Error{"the sine of an angle that grows with n cannot be enclosed"};
   if (a.is_zero()) return PowerBall(0);
-  if (a.power_ == 0) return PowerBall(0, limn::sin(a.ball()), std::nullopt, a.constant_);
+  if (a.power_ == 0) return PowerBall(0, number::sin(a.ball()), std::nullopt, a.constant_);
   const Ball angle = a.ball();
   return PowerBall(a.power_, a.factor_ * certify::enclose_sinc(angle * angle), std::nullopt,
                    a.constant_);
@@ -134,7 +138,7 @@ Result<PowerBall> Arithmetic<PowerBall>::sin(const PowerBall& a) {
 Result<PowerBall> Arithmetic<PowerBall>::sqrt(const PowerBall& a) {
   if (a.factor_.is_negative()) return Error{"square root of a negative number"};
   const int half = a.power_ >= 0 ? a.power_ / 2 : -((1 - a.power_) / 2);
-  return finite(PowerBall(half, limn::sqrt(a.over(2 * half)), std::nullopt, a.constant_));
+  return finite(PowerBall(half, number::sqrt(a.over(2 * half)), std::nullopt, a.constant_));
 }
 
 Result<long long> Arithmetic<PowerBall>::integer(const PowerBall& a) {
@@ -143,4 +147,4 @@ Result<long long> Arithmetic<PowerBall>::integer(const PowerBall& a) {
   return *whole;
 }
 
-}  // namespace limn
+}  // namespace limn::number

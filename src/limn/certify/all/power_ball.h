@@ -17,14 +17,14 @@ namespace limn::certify {
 /// number but by rounding. Without one t is anywhere in 0 … 1.
 class ValenceRange {
  public:
-  explicit ValenceRange(Ball t);
+  explicit ValenceRange(number::Ball t);
   ValenceRange(const ValenceRange&) = delete;
   ValenceRange& operator=(const ValenceRange&) = delete;
   ~ValenceRange();
-  [[nodiscard]] static const Ball& t();
+  [[nodiscard]] static const number::Ball& t();
 
  private:
-  Ball outer_;
+  number::Ball outer_;
 };
 
 class PowerBall {
@@ -32,19 +32,19 @@ class PowerBall {
   PowerBall() : PowerBall(Rational(0)) {}
   PowerBall(int value) : PowerBall(Rational(value)) {}
   explicit PowerBall(const Rational& value);
-  explicit PowerBall(Ball value) : factor_(std::move(value)) {}
+  explicit PowerBall(number::Ball value) : factor_(std::move(value)) {}
 
   [[nodiscard]] static PowerBall valence();  ///< n
 
   [[nodiscard]] int power() const { return power_; }
-  [[nodiscard]] const Ball& factor() const { return factor_; }  ///< F
+  [[nodiscard]] const number::Ball& factor() const { return factor_; }  ///< F
   [[nodiscard]] bool is_zero() const { return factor_.is_exactly_zero(); }
   /// Whether it was made without n.
   [[nodiscard]] bool is_constant() const { return constant_; }
   /// All its values; the whole line where it may tend to ∞.
-  [[nodiscard]] Ball ball() const { return over(0); }
+  [[nodiscard]] number::Ball ball() const { return over(0); }
   /// The same of it over t^power.
-  [[nodiscard]] Ball over(int power) const;
+  [[nodiscard]] number::Ball over(int power) const;
 
   friend PowerBall operator+(const PowerBall& a, const PowerBall& b);
   friend PowerBall operator-(const PowerBall& a, const PowerBall& b);
@@ -52,21 +52,21 @@ class PowerBall {
   friend PowerBall operator/(const PowerBall& a, const PowerBall& b);
 
  private:
-  friend struct Arithmetic<PowerBall>;
+  friend struct number::Arithmetic<PowerBall>;
   /// F = value + t^step · rest.
   struct Head {
     Rational value;
     int step;
-    Ball rest;
+    number::Ball rest;
     /// `rest` where F is written with another step, not above this one.
-    [[nodiscard]] Ball with_step(int other) const;
+    [[nodiscard]] number::Ball with_step(int other) const;
   };
-  PowerBall(int power, Ball factor, std::optional<Head> head, bool constant);
+  PowerBall(int power, number::Ball factor, std::optional<Head> head, bool constant);
   /// Of the quantity over t^power, power ≤ power_.
   [[nodiscard]] std::optional<Head> head_over(int power) const;
 
   int power_ = 0;
-  Ball factor_;
+  number::Ball factor_;
   std::optional<Head> head_;
   bool constant_ = true;
 };
@@ -78,7 +78,7 @@ PowerBall operator/(const PowerBall& a, const PowerBall& b);
 
 }  // namespace limn::certify
 
-namespace limn {
+namespace limn::number {
 
 /// Weight expressions for a range of valences: guards such as n == 3 are decided for all of them,
 /// or not at all.
@@ -102,4 +102,4 @@ struct Arithmetic<certify::PowerBall> {
   static Result<Number> finite(Number a);
 };
 
-}  // namespace limn
+}  // namespace limn::number

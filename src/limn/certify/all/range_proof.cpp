@@ -9,22 +9,22 @@
 namespace limn::certify {
 namespace {
 
-Ball dot(const std::vector<Ball>& a, const std::vector<Ball>& b) {
-  Ball sum;
+number::Ball dot(const std::vector<number::Ball>& a, const std::vector<number::Ball>& b) {
+  number::Ball sum;
   for (std::size_t i = 0; i < a.size(); ++i) sum.add_product(a[i], b[i]);
   return sum;
 }
 
-std::vector<Ball> times(const BallMatrix& a, const std::vector<Ball>& x) {
-  std::vector<Ball> result(a.rows());
+std::vector<number::Ball> times(const number::BallMatrix& a, const std::vector<number::Ball>& x) {
+  std::vector<number::Ball> result(a.rows());
   for (std::size_t i = 0; i < a.rows(); ++i)
     for (std::size_t j = 0; j < a.columns(); ++j)
       if (!a(i, j).is_exactly_zero()) result[i].add_product(a(i, j), x[j]);
   return result;
 }
 
-BallMatrix part(const BallMatrix& a, const std::vector<std::size_t>& rows) {
-  BallMatrix result(rows.size(), rows.size());
+number::BallMatrix part(const number::BallMatrix& a, const std::vector<std::size_t>& rows) {
+  number::BallMatrix result(rows.size(), rows.size());
   for (std::size_t i = 0; i < rows.size(); ++i)
     for (std::size_t j = 0; j < rows.size(); ++j) result(i, j) = a(rows[i], rows[j]);
   return result;
@@ -40,12 +40,12 @@ std::vector<bool> imaginary_rows(const RealBasis& basis) {
 
 }  // namespace
 
-Ball interval_ball(const Rational& begin, const Rational& end) {
-  return Ball::hull(Ball(begin), Ball(end));
+number::Ball interval_ball(const Rational& begin, const Rational& end) {
+  return number::Ball::hull(number::Ball(begin), number::Ball(end));
 }
 
-BallMatrix transposed(const BallMatrix& a) {
-  BallMatrix result(a.columns(), a.rows());
+number::BallMatrix transposed(const number::BallMatrix& a) {
+  number::BallMatrix result(a.columns(), a.rows());
   for (std::size_t i = 0; i < a.rows(); ++i)
     for (std::size_t j = 0; j < a.columns(); ++j) result(j, i) = a(i, j);
   return result;
@@ -55,7 +55,8 @@ Result<IntervalBlocks> IntervalBlocks::make(const RangeRules& rules, const Ratio
                                             const Rational& end) {
   IntervalBlocks blocks(rules);
   blocks.t_ = interval_ball(begin, end);
-  blocks.w_ = Ball(4) * Ball::pi() * Ball::pi() * interval_ball(begin * begin, end * end);
+  blocks.w_ = number::Ball(4) * number::Ball::pi() * number::Ball::pi() *
+              interval_ball(begin * begin, end * end);
   blocks.turns_ = turns_of(blocks.w_);
   const ValenceRange range(blocks.t_);
   const Result<NamedValues<PowerBall>> first = rules.values(1);
@@ -65,18 +66,18 @@ Result<IntervalBlocks> IntervalBlocks::make(const RangeRules& rules, const Ratio
   blocks.tangent_ = rules.block(*first, blocks.turns_);
   blocks.whole_constant_ = rules.constant_block(*zeroth);
   const std::size_t size = blocks.whole_constant_.rows();
-  BallMatrix whole(size, size);
+  number::BallMatrix whole(size, size);
   for (std::size_t i = 0; i < size; ++i)
     for (std::size_t j = 0; j < size; ++j) whole(i, j) = blocks.whole_constant_(i, j).ball();
   blocks.constant_ = without_one(whole, rules.basis());
   return blocks;
 }
 
-Result<BallMatrix> IntervalBlocks::special(int frequency) const {
+Result<number::BallMatrix> IntervalBlocks::special(int frequency) const {
   const ValenceRange range(t_);
   const Result<NamedValues<PowerBall>> values = rules_->values(frequency);
   if (!values) return values.error();
-  return rules_->block(*values, turns_of(w_ * Ball(frequency * frequency)));
+  return rules_->block(*values, turns_of(w_ * number::Ball(frequency * frequency)));
 }
 
 bool IntervalBlocks::has_gap() const {
@@ -91,30 +92,30 @@ std::vector<std::size_t> IntervalBlocks::rows(bool real) const {
   return result;
 }
 
-BallMatrix IntervalBlocks::cup_transposed() const {
+number::BallMatrix IntervalBlocks::cup_transposed() const {
   return transposed(part(constant_, rows(true)));
 }
 
-BallMatrix IntervalBlocks::odd() const { return part(constant_, rows(false)); }
+number::BallMatrix IntervalBlocks::odd() const { return part(constant_, rows(false)); }
 
-Ball IntervalBlocks::cup_gap(const EnclosedPair& left, const EnclosedPair& tangent) const {
+number::Ball IntervalBlocks::cup_gap(const EnclosedPair& left, const EnclosedPair& tangent) const {
   const ValenceRange range(t_);
   const Result<NamedValues<PowerBall>> values = rules_->values(1);
-  if (!values) return Ball(std::nan(""));
+  if (!values) return number::Ball(std::nan(""));
   // off the centre A - B is w · loss, less the centre's row; all of it is over t^power here
-  const BallMatrix loss = rules_->block(*values, turn_losses_of(w_));
-  const std::vector<Ball> lost = times(loss, tangent.vector);
+  const number::BallMatrix loss = rules_->block(*values, turn_losses_of(w_));
+  const std::vector<number::Ball> lost = times(loss, tangent.vector);
   const std::vector<std::size_t> real = rows(true);
   int power = 2;
   for (const std::size_t j : real)
     if (const PowerBall& weight = whole_constant_(0, j + 1); !weight.is_zero())
       power = std::min(power, weight.power());
-  Ball of_center;
+  number::Ball of_center;
   for (const std::size_t j : real)
     of_center.add_product(whole_constant_(0, j + 1).over(power), tangent.vector[j]);
-  Ball w_over = Ball(4) * Ball::pi() * Ball::pi();
+  number::Ball w_over = number::Ball(4) * number::Ball::pi() * number::Ball::pi();
   for (int i = power; i < 2; ++i) w_over *= t_;
-  Ball above, below;
+  number::Ball above, below;
   for (std::size_t i = 0; i < real.size(); ++i) {
     above.add_product(left.vector[i], w_over * lost[real[i]] - of_center);
     below.add_product(left.vector[i], tangent.vector[real[i]]);
@@ -126,12 +127,12 @@ Result<TurnBlocks> turn_blocks(const RangeRules& rules, const Rational& begin,
                                const Rational& end) {
   const Result<NamedValues<PowerBall>> values = rules.values(rules.last_special() + 1);
   if (!values) return values.error();
-  const Ball w = Ball::pi() * Ball::pi() * interval_ball(begin, end);
+  const number::Ball w = number::Ball::pi() * number::Ball::pi() * interval_ball(begin, end);
   return TurnBlocks{rules.block(*values, turns_of(w)), rules.block(*values, turn_slopes_of(w))};
 }
 
-Ball eigenvalue_slope(const TurnBlocks& blocks, const EnclosedPair& right,
-                      const EnclosedPair& left) {
+number::Ball eigenvalue_slope(const TurnBlocks& blocks, const EnclosedPair& right,
+                              const EnclosedPair& left) {
   return dot(left.vector, times(blocks.slope, right.vector)) / dot(left.vector, right.vector);
 }
 
@@ -146,10 +147,10 @@ IntervalRing::IntervalRing(const CellMatrices& cells, const CellSigns& signs,
 Result<CellMap> IntervalRing::map_on(LatticeVector cell) { return signs_.map_on(net_, cell); }
 
 std::optional<IntervalRing::Signs> IntervalRing::signs_on(const CellMap& map) const {
-  const Ball jacobian = signs_.jacobian(map);
+  const number::Ball jacobian = signs_.jacobian(map);
   if (jacobian.holds_zero() || !jacobian.is_finite()) return std::nullopt;
   const NetPoint at = signs_.values(map);
-  const Ball along = at.u * middle_.cosine - at.v * middle_.to_real;
+  const number::Ball along = at.u * middle_.cosine - at.v * middle_.to_real;
   if (along.holds_zero() || !along.is_finite()) return std::nullopt;
   return Signs{jacobian.is_positive(), along.is_positive()};
 }

@@ -10,8 +10,8 @@
 
 namespace limn::certify {
 
-[[nodiscard]] Ball interval_ball(const Rational& begin, const Rational& end);
-[[nodiscard]] BallMatrix transposed(const BallMatrix& a);
+[[nodiscard]] number::Ball interval_ball(const Rational& begin, const Rational& end);
+[[nodiscard]] number::BallMatrix transposed(const number::BallMatrix& a);
 
 /// Frequencies 0, 1 and special ones for t in an interval.
 class IntervalBlocks {
@@ -20,46 +20,46 @@ class IntervalBlocks {
   [[nodiscard]] static Result<IntervalBlocks> make(const RangeRules& rules, const Rational& begin,
                                                    const Rational& end);
 
-  [[nodiscard]] const Phase<Ball>& turns() const { return turns_; }
+  [[nodiscard]] const Phase<number::Ball>& turns() const { return turns_; }
   /// Of frequency 1.
-  [[nodiscard]] const BallMatrix& tangent() const { return tangent_; }
+  [[nodiscard]] const number::BallMatrix& tangent() const { return tangent_; }
   /// Frequency 0 without its eigenvalue 1.
-  [[nodiscard]] const BallMatrix& constant() const { return constant_; }
+  [[nodiscard]] const number::BallMatrix& constant() const { return constant_; }
   /// Of frequency 2 … rules.last_special().
-  [[nodiscard]] Result<BallMatrix> special(int frequency) const;
+  [[nodiscard]] Result<number::BallMatrix> special(int frequency) const;
 
   /// Whether the blocks of frequencies 0 and 1 are compared by `cup_gap`: they have the same
   /// orbits, and weights off the centre that do not depend on the frequency.
   [[nodiscard]] bool has_gap() const;
   /// The part of `constant()` on real parts, transposed, and that on imaginary parts.
-  [[nodiscard]] BallMatrix cup_transposed() const;
-  [[nodiscard]] BallMatrix odd() const;
+  [[nodiscard]] number::BallMatrix cup_transposed() const;
+  [[nodiscard]] number::BallMatrix odd() const;
   /// (μ1 - μ0)/t^p, p ≤ 2 so that it has a limit, where `left` is the eigenvector of
   /// cup_transposed() to μ0, and `tangent` that of tangent() to μ1: with yᵀA = μ0 yᵀ and Bx = μ1 x,
   /// (μ0 - μ1) yᵀx = yᵀ(A - B)x.
-  [[nodiscard]] Ball cup_gap(const EnclosedPair& left, const EnclosedPair& tangent) const;
+  [[nodiscard]] number::Ball cup_gap(const EnclosedPair& left, const EnclosedPair& tangent) const;
 
  private:
   explicit IntervalBlocks(const RangeRules& rules) : rules_(&rules) {}
   [[nodiscard]] std::vector<std::size_t> rows(bool real) const;
 
   const RangeRules* rules_;
-  Ball t_, w_;
-  Phase<Ball> turns_;
-  BallMatrix tangent_, constant_;
-  DenseMatrix<PowerBall> whole_constant_;
+  number::Ball t_, w_;
+  Phase<number::Ball> turns_;
+  number::BallMatrix tangent_, constant_;
+  number::DenseMatrix<PowerBall> whole_constant_;
 };
 
 /// The block of frequencies without special weights for θ'² in an interval, and its derivative by
 /// θ'².
 struct TurnBlocks {
-  BallMatrix block, slope;
+  number::BallMatrix block, slope;
 };
 [[nodiscard]] Result<TurnBlocks> turn_blocks(const RangeRules& rules, const Rational& begin,
                                              const Rational& end);
 /// dλ/dw = yᵀ M' x/(yᵀ x): encloses it.
-[[nodiscard]] Ball eigenvalue_slope(const TurnBlocks& blocks, const EnclosedPair& right,
-                                    const EnclosedPair& left);
+[[nodiscard]] number::Ball eigenvalue_slope(const TurnBlocks& blocks, const EnclosedPair& right,
+                                            const EnclosedPair& left);
 
 /// The characteristic map's ring on one interval.
 class IntervalRing {
@@ -82,7 +82,7 @@ class IntervalRing {
  private:
   const CellSigns& signs_;
   EigenNet net_;
-  Turn<Ball> middle_;
+  Turn<number::Ball> middle_;
   std::optional<Signs> found_;
 };
 

@@ -10,20 +10,20 @@ namespace limn::certify {
 namespace {
 
 /// A formula's value for the valences of the range.
-Result<PowerBall> value_of(const Polynomial& formula);
+Result<PowerBall> value_of(const number::Polynomial& formula);
 
-Result<PowerBall> value_of(const Indeterminate& indeterminate) {
-  using A = Arithmetic<PowerBall>;
+Result<PowerBall> value_of(const number::Indeterminate& indeterminate) {
+  using A = number::Arithmetic<PowerBall>;
   if (indeterminate->name == "n") return PowerBall::valence();
   if (indeterminate->name == "pi") return A::pi();
   if (!indeterminate->argument) return Error{"'" + indeterminate->name + "' has no value here"};
   Result<PowerBall> argument = value_of(*indeterminate->argument);
   if (!argument) return argument;
-  if (indeterminate->kind == IndeterminateKind::root) return A::sqrt(*argument);
+  if (indeterminate->kind == number::IndeterminateKind::root) return A::sqrt(*argument);
   return A::cos(*argument * A::pi());
 }
 
-Result<PowerBall> value_of(const Polynomial& formula) {
+Result<PowerBall> value_of(const number::Polynomial& formula) {
   PowerBall sum;
   for (const auto& [monomial, coefficient] : formula.terms()) {
     PowerBall product(coefficient);
@@ -38,25 +38,25 @@ Result<PowerBall> value_of(const Polynomial& formula) {
   return sum;
 }
 
-Result<PowerBall> value_of(const Symbolic& formula) {
+Result<PowerBall> value_of(const number::Symbolic& formula) {
   Result<PowerBall> numerator = value_of(formula.numerator());
   if (!numerator) return numerator;
   Result<PowerBall> denominator = value_of(formula.denominator());
   if (!denominator) return denominator;
-  return Arithmetic<PowerBall>::divide(*numerator, *denominator);
+  return number::Arithmetic<PowerBall>::divide(*numerator, *denominator);
 }
 
 /// The case of a rule that applies for all valences of the range.
 Result<const RuleCase*> case_of_range(const Scheme& scheme, RuleKind kind) {
   const std::optional<Rule>& rule = scheme.rule(kind);
   if (!rule) return nullptr;
-  Scope<PowerBall> scope(scheme, std::nullopt, std::nullopt);
+  scheme::Scope<PowerBall> scope(scheme, std::nullopt, std::nullopt);
   scope.give("n", PowerBall::valence());
   for (const RuleCase& one : *rule) {
     if (!one.when) return &one;
     const Result<PowerBall> guard = scope(*one.when);
     if (!guard) return guard.error();
-    const Result<int> sign = Arithmetic<PowerBall>::sign(*guard);
+    const Result<int> sign = number::Arithmetic<PowerBall>::sign(*guard);
     if (!sign) return sign.error();
     if (*sign != 0) return &one;
   }
@@ -66,20 +66,23 @@ Result<const RuleCase*> case_of_range(const Scheme& scheme, RuleKind kind) {
 /// Sums of formulas, or the first error of one.
 class Total {
  public:
-  void add(const Result<Symbolic>& term) { result_ = combined(Symbolic::add, term); }
-  void add_times(const Symbolic& factor, const Symbolic& term) {
-    add(Symbolic::multiply(factor, term));
+  void add(const Result<number::Symbolic>& term) {
+    result_ = combined(number::Symbolic::add, term);
   }
-  [[nodiscard]] const Result<Symbolic>& result() const { return result_; }
+  void add_times(const number::Symbolic& factor, const number::Symbolic& term) {
+    add(number::Symbolic::multiply(factor, term));
+  }
+  [[nodiscard]] const Result<number::Symbolic>& result() const { return result_; }
 
  private:
   template <class Operation>
-  Result<Symbolic> combined(Operation&& operation, const Result<Symbolic>& term) const {
+  Result<number::Symbolic> combined(Operation&& operation,
+                                    const Result<number::Symbolic>& term) const {
     if (!result_) return result_;
     if (!term) return term;
     return operation(*result_, *term);
   }
-  Result<Symbolic> result_ = Symbolic(0);
+  Result<number::Symbolic> result_ = number::Symbolic(0);
 };
 
 }  // namespace
@@ -89,14 +92,15 @@ Result<RangeRules> RangeRules::make(const Scheme& scheme, int from) {
   rules.scheme_ = &scheme;
   rules.from_ = from;
   if (Status chosen = rules.choose_cases(); !chosen) return chosen.error();
-  Result<SectorPattern> pattern = exact_pattern(scheme, from);
+  Result<spectrum::SectorPattern> pattern = exact_pattern(scheme, from);
   if (!pattern) return pattern.error();
   rules.pattern_ = std::move(*pattern);
   rules.basis_ = real_basis(rules.pattern_);
   if (Status found = rules.find_sums(); !found) return found.error();
   rules.find_dependence();
-  for (const SectorTerm& term : rules.pattern_.terms)
-    if (term.repeated >= 0 && term.slope == 0 && term.row != kCenter && term.column != kCenter)
+  for (const spectrum::SectorTerm& term : rules.pattern_.terms)
+    if (term.repeated >= 0 && term.slope == 0 && term.row != spectrum::kCenter &&
+        term.column != spectrum::kCenter)
       return Error{
           "weights of several places fall on one vertex; this is not proved for all valences"};
   return rules;
@@ -104,11 +108,12 @@ Result<RangeRules> RangeRules::make(const Scheme& scheme, int from) {
 
 Status RangeRules::choose_cases() {
   // n = from itself is decided exactly, so that a guard may change there
-  const ValenceRange range(Ball::hull(Ball(0), Ball(Rational(Integer(1), Integer(from_ + 1)))));
-  const Result<CenterCases> cases = center_cases(*scheme_, from_);
+  const ValenceRange range(
+      number::Ball::hull(number::Ball(0), number::Ball(Rational(Integer(1), Integer(from_ + 1)))));
+  const Result<spectrum::CenterCases> cases = spectrum::center_cases(*scheme_, from_);
   if (!cases) return cases.error();
   if (scheme_->stages) return Error{"the scheme's step is a sequence of averagings"};
-  const std::vector<RuleKind> kinds = center_rules(*scheme_->split);
+  const std::vector<RuleKind> kinds = spectrum::center_rules(*scheme_->split);
   for (std::size_t i = 0; i < kinds.size(); ++i) {
     const Result<const RuleCase*> chosen = case_of_range(*scheme_, kinds[i]);
     if (!chosen || *chosen != (*cases)[i])
@@ -120,20 +125,20 @@ Status RangeRules::choose_cases() {
 }
 
 Status RangeRules::find_sums() {
-  const NamesKept kept{};
-  SymbolicWeights weights(*scheme_, kept);
+  const spectrum::NamesKept kept{};
+  spectrum::SymbolicWeights weights(*scheme_, kept);
   std::map<RuleKind, Total> sums;
   for (std::size_t i = 0; i < pattern_.names.size(); ++i) {
-    const NamedWeight& name = pattern_.names[i];
+    const spectrum::NamedWeight& name = pattern_.names[i];
     if (name.regular) continue;
     Total& sum = sums[name.kind];
     if (!name.repeated) {
-      const Result<Symbolic> value = weights.plain(name);
+      const Result<number::Symbolic> value = weights.plain(name);
       if (!value) return value.error();
-      sum.add_times(name.per_sector ? weights.n() : Symbolic(1), *value);
+      sum.add_times(name.per_sector ? weights.n() : number::Symbolic(1), *value);
       continue;
     }
-    const Result<RepeatedWeight> value = weights.repeated(name);
+    const Result<spectrum::RepeatedWeight> value = weights.repeated(name);
     if (!value) return value.error();
     Repeated& to = repeated_[i];
     to.harmonics = value->harmonics;
@@ -149,7 +154,7 @@ Status RangeRules::find_sums() {
   }
   for (const auto& [kind, sum] : sums) {
     if (!sum.result()) return sum.result().error();
-    if (!(*sum.result() == Symbolic(1)))
+    if (!(*sum.result() == number::Symbolic(1)))
       return Error{
           fmt::format("that the weights of the {} rule sum to 1 for all valences is not shown",
                       rule_name(kind))};
@@ -161,10 +166,11 @@ Status RangeRules::find_sums() {
 }
 
 void RangeRules::find_dependence() {
-  const ValenceRange range(Ball::hull(Ball(0), Ball(Rational(Integer(1), Integer(from_)))));
+  const ValenceRange range(
+      number::Ball::hull(number::Ball(0), number::Ball(Rational(Integer(1), Integer(from_)))));
   const auto depends = [&](int name) {
     const auto number = static_cast<std::size_t>(name);
-    const NamedWeight& one = pattern_.names[number];
+    const spectrum::NamedWeight& one = pattern_.names[number];
     if (one.regular) return false;
     if (!one.repeated) {
       const Result<PowerBall> value = plain(one);
@@ -174,8 +180,8 @@ void RangeRules::find_dependence() {
     return std::any_of(apart.begin(), apart.end(),
                        [](const auto& one_of) { return one_of.second.depends_on("n"); });
   };
-  for (const SectorTerm& term : pattern_.terms) {
-    if (term.row == kCenter || term.column == kCenter) continue;
+  for (const spectrum::SectorTerm& term : pattern_.terms) {
+    if (term.row == spectrum::kCenter || term.column == spectrum::kCenter) continue;
     if (term.repeated >= 0) same_weights_ = false;
     if (term.repeated >= 0 && depends(term.repeated)) steady_ = false;
     for (const int name : term.names)
@@ -183,12 +189,12 @@ void RangeRules::find_dependence() {
   }
 }
 
-Result<PowerBall> RangeRules::plain(const NamedWeight& name) const {
-  Scope<PowerBall> scope = scope_of<PowerBall>(*scheme_, name, std::nullopt, 0);
+Result<PowerBall> RangeRules::plain(const spectrum::NamedWeight& name) const {
+  scheme::Scope<PowerBall> scope = scope_of<PowerBall>(*scheme_, name, std::nullopt, 0);
   if (!name.regular) scope.give("n", PowerBall::valence());
   Result<PowerBall> value = scope(name.weight->value);
   if (!value) return value;
-  return Arithmetic<PowerBall>::multiply(*value, PowerBall(name.share));
+  return number::Arithmetic<PowerBall>::multiply(*value, PowerBall(name.share));
 }
 
 Result<NamedValues<PowerBall>> RangeRules::values(int frequency) const {
@@ -198,7 +204,7 @@ Result<NamedValues<PowerBall>> RangeRules::values(int frequency) const {
   result.positions.resize(count);
   result.amid.resize(count);
   result.amid_half.resize(count);
-  const auto add_harmonic = [&](const std::map<int, Symbolic>& harmonics,
+  const auto add_harmonic = [&](const std::map<int, number::Symbolic>& harmonics,
                                 PowerBall& sum) -> Status {
     const auto harmonic = harmonics.find(frequency);
     if (harmonic == harmonics.end()) return Done{};
@@ -230,21 +236,23 @@ Result<NamedValues<PowerBall>> RangeRules::values(int frequency) const {
   return result;
 }
 
-BallMatrix RangeRules::block(const NamedValues<PowerBall>& values, const Phase<Ball>& phase) const {
+number::BallMatrix RangeRules::block(const NamedValues<PowerBall>& values,
+                                     const Phase<number::Ball>& phase) const {
   const Phase<PowerBall> at = [&](int numerator, int denominator) {
-    const Turn<Ball> turn = phase(numerator, denominator);
+    const Turn<number::Ball> turn = phase(numerator, denominator);
     return Turn<PowerBall>(PowerBall(turn.cosine), PowerBall(turn.to_imaginary),
                            PowerBall(turn.to_real));
   };
-  const DenseMatrix<PowerBall> block =
+  const number::DenseMatrix<PowerBall> block =
       RealBlock<PowerBall>(pattern_, basis_, values, at, false).make();
-  BallMatrix result(block.rows(), block.rows());
+  number::BallMatrix result(block.rows(), block.rows());
   for (std::size_t i = 0; i < block.rows(); ++i)
     for (std::size_t j = 0; j < block.rows(); ++j) result(i, j) = block(i, j).ball();
   return result;
 }
 
-DenseMatrix<PowerBall> RangeRules::constant_block(const NamedValues<PowerBall>& values) const {
+number::DenseMatrix<PowerBall> RangeRules::constant_block(
+    const NamedValues<PowerBall>& values) const {
   const Phase<PowerBall> none = [](int, int) {
     return Turn<PowerBall>({PowerBall(1), PowerBall(0)});
   };

@@ -21,7 +21,7 @@ class RangeRules {
   [[nodiscard]] static Result<RangeRules> make(const Scheme& scheme, int from);
 
   [[nodiscard]] int from() const { return from_; }
-  [[nodiscard]] const SectorPattern& pattern() const { return pattern_; }
+  [[nodiscard]] const spectrum::SectorPattern& pattern() const { return pattern_; }
   [[nodiscard]] const RealBasis& basis() const { return basis_; }
   /// Blocks of frequencies above it, up to n/2, depend on n by the phases alone, if
   /// `is_steady()`.
@@ -36,27 +36,28 @@ class RangeRules {
   /// Weights at one frequency. Fails where a weight cannot be enclosed over the range.
   [[nodiscard]] Result<NamedValues<PowerBall>> values(int frequency) const;
   /// The block of frequency > 0 with the phases given.
-  [[nodiscard]] BallMatrix block(const NamedValues<PowerBall>& values,
-                                 const Phase<Ball>& phase) const;
+  [[nodiscard]] number::BallMatrix block(const NamedValues<PowerBall>& values,
+                                         const Phase<number::Ball>& phase) const;
   /// That of frequency 0, the centre first where there is one.
-  [[nodiscard]] DenseMatrix<PowerBall> constant_block(const NamedValues<PowerBall>& values) const;
+  [[nodiscard]] number::DenseMatrix<PowerBall> constant_block(
+      const NamedValues<PowerBall>& values) const;
 
  private:
   /// Fourier sums of a repeated role: w(k) = Σ harmonics[m] cos(2πmk/n), the same of k + 1/2, and
   /// more at some k.
   struct Repeated {
-    std::map<int, Symbolic> harmonics, half_harmonics;
-    std::vector<std::pair<int, Symbolic>> apart;  ///< k, negative from the end
+    std::map<int, number::Symbolic> harmonics, half_harmonics;
+    std::vector<std::pair<int, number::Symbolic>> apart;  ///< k, negative from the end
   };
 
   Status choose_cases();
   Status find_sums();
   void find_dependence();
-  [[nodiscard]] Result<PowerBall> plain(const NamedWeight& name) const;
+  [[nodiscard]] Result<PowerBall> plain(const spectrum::NamedWeight& name) const;
 
   const Scheme* scheme_ = nullptr;
   int from_ = 0;
-  SectorPattern pattern_;
+  spectrum::SectorPattern pattern_;
   RealBasis basis_;
   std::map<std::size_t, Repeated> repeated_;  // by name
   int last_special_ = 0;

@@ -13,17 +13,17 @@ namespace limn::certify {
 
 /// cos √u and sin √u/√u for all u ≥ 0 in the ball; what a ball around 0 holds below 0 by rounding
 /// is enclosed too. To about the square of the ball's radius the result is as narrow as can be.
-[[nodiscard]] Ball enclose_cosine(const Ball& u);
-[[nodiscard]] Ball enclose_sinc(const Ball& u);
+[[nodiscard]] number::Ball enclose_cosine(const number::Ball& u);
+[[nodiscard]] number::Ball enclose_sinc(const number::Ball& u);
 /// Derivatives by u.
-[[nodiscard]] Ball enclose_cosine_slope(const Ball& u);
-[[nodiscard]] Ball enclose_sinc_slope(const Ball& u);
+[[nodiscard]] number::Ball enclose_cosine_slope(const number::Ball& u);
+[[nodiscard]] number::Ball enclose_sinc_slope(const number::Ball& u);
 
 /// Turns by sectors of θ² = w, in coordinates (p, q/θ).
-[[nodiscard]] Phase<Ball> turns_of(const Ball& w);
+[[nodiscard]] Phase<number::Ball> turns_of(const number::Ball& w);
 /// Their derivatives by w.
-[[nodiscard]] Phase<Ball> turn_slopes_of(const Ball& w);
+[[nodiscard]] Phase<number::Ball> turn_slopes_of(const number::Ball& w);
 /// (1 - turn)/w in the row of p: of the others nothing, 0.
-[[nodiscard]] Phase<Ball> turn_losses_of(const Ball& w);
+[[nodiscard]] Phase<number::Ball> turn_losses_of(const number::Ball& w);
 
 }  // namespace limn::certify

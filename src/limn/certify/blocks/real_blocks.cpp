@@ -10,9 +10,10 @@ namespace {
 int modulo(int a, int m) { return ((a % m) + m) % m; }
 
 /// All weights of regular rules that are not 0.
-RegularNames names_of(const Scheme& scheme) {
-  return [&scheme](const NamedWeight& name) {
-    const Result<Exact> value = scope_of<Exact>(scheme, name, std::nullopt, 0)(name.weight->value);
+spectrum::RegularNames names_of(const Scheme& scheme) {
+  return [&scheme](const spectrum::NamedWeight& name) {
+    const Result<number::Exact> value =
+        scope_of<number::Exact>(scheme, name, std::nullopt, 0)(name.weight->value);
     return !value || !value->is_zero();
   };
 }
@@ -25,7 +26,7 @@ std::size_t RealBasis::orbit(int ring, int place) const {
   return first + static_cast<std::size_t>(modulo(place - one.place, one.size));
 }
 
-RealBasis real_basis(const SectorPattern& pattern) {
+RealBasis real_basis(const spectrum::SectorPattern& pattern) {
   RealBasis basis;
   basis.has_center = pattern.has_center;
   basis.rings = pattern.rings;
@@ -59,18 +60,18 @@ std::vector<int> constant_vector(const RealBasis& basis) {
   return result;
 }
 
-Result<SectorPattern> exact_pattern(const Scheme& scheme, int n) {
-  const Result<CenterCases> cases = center_cases(scheme, n);
+Result<spectrum::SectorPattern> exact_pattern(const Scheme& scheme, int n) {
+  const Result<spectrum::CenterCases> cases = spectrum::center_cases(scheme, n);
   if (!cases) return cases.error();
-  const Result<int> rings = control_rings(scheme, *cases, names_of(scheme));
+  const Result<int> rings = spectrum::control_rings(scheme, *cases, names_of(scheme));
   if (!rings) return rings.error();
-  return sector_pattern(scheme, *cases, *rings, names_of(scheme));
+  return spectrum::sector_pattern(scheme, *cases, *rings, names_of(scheme));
 }
 
-Result<SectorPattern> exact_pattern(const Scheme& scheme, int n, int rings) {
-  const Result<CenterCases> cases = center_cases(scheme, n);
+Result<spectrum::SectorPattern> exact_pattern(const Scheme& scheme, int n, int rings) {
+  const Result<spectrum::CenterCases> cases = spectrum::center_cases(scheme, n);
   if (!cases) return cases.error();
-  return sector_pattern(scheme, *cases, rings, names_of(scheme));
+  return spectrum::sector_pattern(scheme, *cases, rings, names_of(scheme));
 }
 
 }  // namespace limn::certify

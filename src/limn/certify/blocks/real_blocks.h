@@ -37,7 +37,7 @@ struct RealBasis {
   [[nodiscard]] std::size_t orbit(int ring, int place) const;
   std::vector<std::size_t> first_orbit;  ///< of ring r, at r - 1
 };
-[[nodiscard]] RealBasis real_basis(const SectorPattern& pattern);
+[[nodiscard]] RealBasis real_basis(const spectrum::SectorPattern& pattern);
 /// The eigenvector of the eigenvalue 1, of frequency 0: 1, but 0 for imaginary parts; the centre
 /// first, where there is one.
 [[nodiscard]] std::vector<int> constant_vector(const RealBasis& basis);
@@ -57,9 +57,10 @@ struct NamedValues {
 /// Scope of the weight of a name at position k: the valence is n at the centre, and that of a
 /// regular rule elsewhere.
 template <class Number>
-Scope<Number> scope_of(const Scheme& scheme, const NamedWeight& name, std::optional<int> n, int k) {
-  using A = Arithmetic<Number>;
-  Scope<Number> scope(scheme, std::nullopt, std::nullopt);
+scheme::Scope<Number> scope_of(const Scheme& scheme, const spectrum::NamedWeight& name,
+                               std::optional<int> n, int k) {
+  using A = number::Arithmetic<Number>;
+  scheme::Scope<Number> scope(scheme, std::nullopt, std::nullopt);
   if (!name.regular && n) scope.give("n", A::from(Rational(*n)));
   if (name.regular && *name.regular != 0) scope.give("n", A::from(Rational(*name.regular)));
   if (name.repeated) scope.give("k", A::from(Rational(k)));
@@ -69,13 +70,13 @@ Scope<Number> scope_of(const Scheme& scheme, const NamedWeight& name, std::optio
 
 /// At the valence n, a whole number.
 template <class Number>
-Result<NamedValues<Number>> named_values(const Scheme& scheme, const SectorPattern& pattern,
-                                         int n) {
-  using A = Arithmetic<Number>;
+Result<NamedValues<Number>> named_values(const Scheme& scheme,
+                                         const spectrum::SectorPattern& pattern, int n) {
+  using A = number::Arithmetic<Number>;
   NamedValues<Number> result{A::from(Rational(n)), {}};
   result.values.resize(pattern.names.size());
   for (std::size_t i = 0; i < pattern.names.size(); ++i) {
-    const NamedWeight& name = pattern.names[i];
+    const spectrum::NamedWeight& name = pattern.names[i];
     for (int k = 0; k < (name.repeated ? n : 1); ++k) {
       Result<Number> value = scope_of<Number>(scheme, name, n, k)(name.weight->value);
       if (value) value = A::multiply(*value, A::from(name.share));
@@ -88,9 +89,9 @@ Result<NamedValues<Number>> named_values(const Scheme& scheme, const SectorPatte
 
 /// The pattern with the weights of all rules as names, so that nothing in it is rounded. Which
 /// rules apply is that of valence n.
-[[nodiscard]] Result<SectorPattern> exact_pattern(const Scheme& scheme, int n);
+[[nodiscard]] Result<spectrum::SectorPattern> exact_pattern(const Scheme& scheme, int n);
 /// The same of so many rings.
-[[nodiscard]] Result<SectorPattern> exact_pattern(const Scheme& scheme, int n, int rings);
+[[nodiscard]] Result<spectrum::SectorPattern> exact_pattern(const Scheme& scheme, int n, int rings);
 
 /// A turn of the plane by an angle α, in coordinates (p, q/σ): p' = cos α p - σ sin α (q/σ),
 /// q'/σ = (sin α/σ) p + cos α (q/σ). σ is 1 but where it makes a limit exist.
@@ -115,16 +116,17 @@ using Phase = std::function<Turn<Number>(int numerator, int denominator)>;
 template <class Number>
 class RealBlock {
  public:
-  RealBlock(const SectorPattern& pattern, const RealBasis& basis, const NamedValues<Number>& values,
-            const Phase<Number>& phase, bool constant)
+  RealBlock(const spectrum::SectorPattern& pattern, const RealBasis& basis,
+            const NamedValues<Number>& values, const Phase<Number>& phase, bool constant)
       : pattern_(pattern), basis_(basis), values_(values), phase_(phase), constant_(constant) {}
 
-  DenseMatrix<Number> make() {
+  number::DenseMatrix<Number> make() {
     shift_ = constant_ && basis_.has_center ? 1 : 0;
     const std::size_t size = basis_.orbits.size() + shift_;
-    matrix_ = DenseMatrix<Number>(size, size);
-    for (const SectorTerm& term : pattern_.terms) {
-      if (!constant_ && (term.row == kCenter || term.column == kCenter || term.every_sector))
+    matrix_ = number::DenseMatrix<Number>(size, size);
+    for (const spectrum::SectorTerm& term : pattern_.terms) {
+      if (!constant_ &&
+          (term.row == spectrum::kCenter || term.column == spectrum::kCenter || term.every_sector))
         continue;
       Number factor = Number(Rational(term.coefficient));
       for (const int name : term.names)
@@ -137,13 +139,14 @@ class RealBlock {
 
  private:
   /// Numerator and denominator of an angle in sectors: from the row's point to the column's.
-  [[nodiscard]] std::pair<int, int> angle(const SectorTerm& term) const {
+  [[nodiscard]] std::pair<int, int> angle(const spectrum::SectorTerm& term) const {
     const auto place = [&](int orbit) {
-      return orbit == kCenter ? std::pair{0, 1}
-                              : std::pair{basis_.orbits[static_cast<std::size_t>(orbit)].place,
-                                          basis_.orbits[static_cast<std::size_t>(orbit)].size};
+      return orbit == spectrum::kCenter
+                 ? std::pair{0, 1}
+                 : std::pair{basis_.orbits[static_cast<std::size_t>(orbit)].place,
+                             basis_.orbits[static_cast<std::size_t>(orbit)].size};
     };
-    if (term.column == kCenter || term.row == kCenter) return {0, 1};
+    if (term.column == spectrum::kCenter || term.row == spectrum::kCenter) return {0, 1};
     const auto [row, row_size] = place(term.row);
     const auto [column, column_size] = place(term.column);
     const double known =
@@ -153,7 +156,7 @@ class RealBlock {
             2 * row_size * column_size};
   }
 
-  void add(const SectorTerm& term, const Number& factor) {
+  void add(const spectrum::SectorTerm& term, const Number& factor) {
     const auto [numerator, denominator] = angle(term);
     const Turn<Number> first = phase_(numerator, denominator);
     if (term.repeated < 0) return add(term, scaled(first, factor));
@@ -178,13 +181,14 @@ class RealBlock {
   }
 
   /// X_row += z X_column, in real coordinates.
-  void add(const SectorTerm& term, const Turn<Number>& z) {
-    if (term.row != kCenter && basis_.orbits[static_cast<std::size_t>(term.row)].reflected)
+  void add(const spectrum::SectorTerm& term, const Turn<Number>& z) {
+    if (term.row != spectrum::kCenter &&
+        basis_.orbits[static_cast<std::size_t>(term.row)].reflected)
       return;  // the conjugate of its image's row
     const auto rows = coordinates(term.row);
     const auto columns = coordinates(term.column);
-    const bool reflected =
-        term.column != kCenter && basis_.orbits[static_cast<std::size_t>(term.column)].reflected;
+    const bool reflected = term.column != spectrum::kCenter &&
+                           basis_.orbits[static_cast<std::size_t>(term.column)].reflected;
     // z (p ± iq) = (z1 p ∓ z2 q) + i (z2 p ± z1 q)
     sum(rows.first, columns.first, z.cosine, false);
     const bool pair_row = rows.first != rows.second;
@@ -200,18 +204,18 @@ class RealBlock {
   }
 
   [[nodiscard]] std::pair<std::size_t, std::size_t> coordinates(int orbit) const {
-    if (orbit == kCenter) return {0, 0};
+    if (orbit == spectrum::kCenter) return {0, 0};
     const RealOrbit& one = basis_.orbits[static_cast<std::size_t>(orbit)];
     return {one.real + shift_, one.imaginary + shift_};
   }
 
-  const SectorPattern& pattern_;
+  const spectrum::SectorPattern& pattern_;
   const RealBasis& basis_;
   const NamedValues<Number>& values_;
   const Phase<Number>& phase_;
   bool constant_;
   std::size_t shift_ = 0;
-  DenseMatrix<Number> matrix_;
+  number::DenseMatrix<Number> matrix_;
 };
 
 }  // namespace limn::certify

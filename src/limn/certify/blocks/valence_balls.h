@@ -13,7 +13,8 @@ namespace limn::certify {
 
 /// The whole block of frequency 0 without the eigenvalue 1, of the constant vector: its row 0 is
 /// taken off the others.
-[[nodiscard]] BallMatrix without_one(const BallMatrix& whole, const RealBasis& basis);
+[[nodiscard]] number::BallMatrix without_one(const number::BallMatrix& whole,
+                                             const RealBasis& basis);
 
 class ValenceBalls {
  public:
@@ -22,35 +23,37 @@ class ValenceBalls {
 
   [[nodiscard]] int valence() const { return n_; }
   [[nodiscard]] const RealBasis& basis() const { return basis_; }
-  [[nodiscard]] Phase<Ball> phase(int frequency) const;
+  [[nodiscard]] Phase<number::Ball> phase(int frequency) const;
   /// The block in its real basis; of frequency 0 without the eigenvalue 1, of the constant vector:
   /// row 0 is taken off the others.
-  [[nodiscard]] BallMatrix block(int frequency) const;
+  [[nodiscard]] number::BallMatrix block(int frequency) const;
   /// The eigenvector of the whole block where `pair` is one of block(frequency): of frequency 0 it
   /// has a value at row 0 again. First the centre's value, 0 but for frequency 0.
   struct WholeVector {
-    Ball center;
+    number::Ball center;
     EnclosedPair pair;
   };
   [[nodiscard]] WholeVector whole_vector(int frequency, const EnclosedPair& pair) const;
   /// The block of frequency `frequency`, exactly; 1 included.
-  [[nodiscard]] Result<DenseMatrix<Exact>> exact_block(const Scheme& scheme, int frequency) const;
+  [[nodiscard]] Result<number::DenseMatrix<number::Exact>> exact_block(const Scheme& scheme,
+                                                                       int frequency) const;
   /// The same without the eigenvalue 1.
-  [[nodiscard]] Result<DenseMatrix<Exact>> exact_rest(const Scheme& scheme, int frequency) const;
+  [[nodiscard]] Result<number::DenseMatrix<number::Exact>> exact_rest(const Scheme& scheme,
+                                                                      int frequency) const;
 
  private:
-  [[nodiscard]] BallMatrix whole_block(int frequency) const;
+  [[nodiscard]] number::BallMatrix whole_block(int frequency) const;
 
   int n_ = 0;
-  SectorPattern pattern_;
+  spectrum::SectorPattern pattern_;
   RealBasis basis_;
-  NamedValues<Ball> values_;
+  NamedValues<number::Ball> values_;
 };
 
 /// For each frequency 0 … n/2 the squarings that show that all eigenvalues but 1 and `leader` (of
 /// the block of its frequency) are below `bound`; -1 where `most_squarings` did not.
 [[nodiscard]] std::vector<int> squarings_of_others(const ValenceBalls& balls, int leader_frequency,
-                                                   const EnclosedPair& leader, const Ball& bound,
-                                                   int most_squarings);
+                                                   const EnclosedPair& leader,
+                                                   const number::Ball& bound, int most_squarings);
 
 }  // namespace limn::certify

@@ -23,7 +23,7 @@ double norm(const Eigen::MatrixXd& a) {
   return a.rows() == 0 || a.cols() == 0 ? 0 : a.cwiseAbs().rowwise().sum().maxCoeff();
 }
 
-double norm(const Rounded& a) { return inflated(norm(a.matrix) + a.error); }
+double norm(const Rounded& a) { return regular::inflated(norm(a.matrix) + a.error); }
 
 Rounded rounded(const RationalRows& rows, std::size_t columns, const Rational& factor) {
   Rounded result;
@@ -32,7 +32,7 @@ Rounded rounded(const RationalRows& rows, std::size_t columns, const Rational& f
     for (Eigen::Index j = 0; j < result.matrix.cols(); ++j)
       result.matrix(i, j) =
           to_double(factor * rows[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)]);
-  result.error = inflated(norm(result.matrix) * std::numeric_limits<double>::epsilon());
+  result.error = regular::inflated(norm(result.matrix) * std::numeric_limits<double>::epsilon());
   return result;
 }
 
@@ -41,8 +41,8 @@ Rounded product(const Rounded& a, const Rounded& b) {
   result.matrix.noalias() = a.matrix * b.matrix;
   const double of_a = norm(a.matrix);
   const double of_b = norm(b.matrix);
-  result.error = inflated(a.error * (of_b + b.error) + of_a * b.error +
-                          rounding_error(a.matrix.cols()) * of_a * of_b);
+  result.error = regular::inflated(a.error * (of_b + b.error) + of_a * b.error +
+                                   regular::rounding_error(a.matrix.cols()) * of_a * of_b);
   return result;
 }
 
@@ -68,12 +68,13 @@ class Tree {
     if (!fault_.empty()) return Error{fault_};
     // what comes after a leaf is at most so much of the leaf's largest residual
     std::array<double, 3> all{};
-    for (std::size_t i = 0; i < all.size(); ++i) all[i] = inflated(sums.norm[i] / (1 - leaf_norm_));
+    for (std::size_t i = 0; i < all.size(); ++i)
+      all[i] = regular::inflated(sums.norm[i] / (1 - leaf_norm_));
     const auto whole = [&](std::size_t i) {
       std::vector<double> row(static_cast<std::size_t>(root_.matrix.cols()));
       for (std::size_t j = 0; j < row.size(); ++j) {
         const auto at = static_cast<Eigen::Index>(j);
-        row[j] = inflated(sums.change[i](at) + all[i] * sums.leaf(at));
+        row[j] = regular::inflated(sums.change[i](at) + all[i] * sums.leaf(at));
       }
       return row;
     };
@@ -117,7 +118,7 @@ class Tree {
     while (norms_.size() <= kLongestWord) {
       double least = std::numeric_limits<double>::infinity();
       for (std::size_t k = 1; k < known; ++k)
-        least = std::min(least, inflated(norms_[k] * norms_[norms_.size() - k]));
+        least = std::min(least, regular::inflated(norms_[k] * norms_[norms_.size() - k]));
       norms_.push_back(least);
     }
   }
@@ -128,11 +129,12 @@ class Tree {
     Rounded next;
     next.matrix.noalias() = step.matrix * word.matrix;
     const double of_word = norm(word);
-    faults_.push_back(inflated(step.error * of_word +
-                               rounding_error(step.matrix.cols()) * norm(step.matrix) * of_word));
+    faults_.push_back(
+        regular::inflated(step.error * of_word + regular::rounding_error(step.matrix.cols()) *
+                                                     norm(step.matrix) * of_word));
     for (std::size_t i = 0; i < faults_.size(); ++i)
       next.error += faults_[i] * norms_[faults_.size() - 1 - i];
-    next.error = inflated(next.error);
+    next.error = regular::inflated(next.error);
     return next;
   }
 
@@ -162,7 +164,7 @@ class Tree {
     }
     for (std::size_t i = 0; i < here.change.size(); ++i) {
       further.change[i] = (further.change[i] + here.change[i]) * (1 + 1e-14);
-      further.norm[i] = inflated(further.norm[i] + here.norm[i]);
+      further.norm[i] = regular::inflated(further.norm[i] + here.norm[i]);
     }
     return further;
   }

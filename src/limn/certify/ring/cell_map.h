@@ -11,9 +11,9 @@ namespace limn::certify {
 /// Values of u and v as CellMatrices keeps them.
 struct CellMap {
   struct Coordinate {
-    Ball origin;                   ///< c(0)
-    std::array<Ball, 2> gradient;  ///< g
-    std::vector<Ball> residual;    ///< r over its sizes
+    number::Ball origin;                   ///< c(0)
+    std::array<number::Ball, 2> gradient;  ///< g
+    std::vector<number::Ball> residual;    ///< r over its sizes
   };
   Coordinate u, v;
 };

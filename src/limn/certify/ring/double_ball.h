@@ -19,10 +19,10 @@ struct DoubleBall {
   DoubleBall() = default;
   DoubleBall(double middle, double most) : value(middle), error(most) {}
   /// Holds all that `ball` holds.
-  explicit DoubleBall(const Ball& ball)
-      : value(ball.approx()), error(inflated(ball.radius() + roundoff(value))) {}
+  explicit DoubleBall(const number::Ball& ball)
+      : value(ball.approx()), error(regular::inflated(ball.radius() + roundoff(value))) {}
   explicit DoubleBall(const Rational& number)
-      : value(to_double(number)), error(inflated(roundoff(value))) {}
+      : value(to_double(number)), error(regular::inflated(roundoff(value))) {}
 
   [[nodiscard]] bool is_positive() const { return value > error; }
   [[nodiscard]] bool is_negative() const { return -value > error; }
@@ -30,15 +30,15 @@ struct DoubleBall {
 
   friend DoubleBall operator+(const DoubleBall& a, const DoubleBall& b) {
     const double sum = a.value + b.value;
-    return {sum, inflated(a.error + b.error + roundoff(sum))};
+    return {sum, regular::inflated(a.error + b.error + roundoff(sum))};
   }
   friend DoubleBall operator-(const DoubleBall& a, const DoubleBall& b) {
     return a + DoubleBall(-b.value, b.error);
   }
   friend DoubleBall operator*(const DoubleBall& a, const DoubleBall& b) {
     const double product = a.value * b.value;
-    return {product, inflated(std::abs(a.value) * b.error + a.error * std::abs(b.value) +
-                              a.error * b.error + roundoff(product))};
+    return {product, regular::inflated(std::abs(a.value) * b.error + a.error * std::abs(b.value) +
+                                       a.error * b.error + roundoff(product))};
   }
 
  private:

@@ -26,13 +26,15 @@ std::optional<SectorPlace> turned_to_spoke(Lattice lattice, LatticeVector place)
   return std::nullopt;
 }
 
-NetPoint turned(const NetPoint& p, const Turn<Ball>& by) {
+NetPoint turned(const NetPoint& p, const Turn<number::Ball>& by) {
   return {p.u * by.cosine - p.v * by.to_real, p.u * by.to_imaginary + p.v * by.cosine};
 }
 
 /// What one step's coordinates are multiplied by: 1/λ, turned back where the star turns.
-Turn<Ball> outwards(const CellMatrices& cells, const Ball& eigenvalue, const Phase<Ball>& phase) {
-  const Turn<Ball> back = cells.turns ? phase(-1, 2) : Turn<Ball>({Ball(1), Ball(0)});
+Turn<number::Ball> outwards(const CellMatrices& cells, const number::Ball& eigenvalue,
+                            const Phase<number::Ball>& phase) {
+  const Turn<number::Ball> back =
+      cells.turns ? phase(-1, 2) : Turn<number::Ball>({number::Ball(1), number::Ball(0)});
   return {back.cosine / eigenvalue, back.to_imaginary / eigenvalue, back.to_real / eigenvalue};
 }
 
@@ -87,7 +89,7 @@ std::optional<SectorPlace> turned_into_sector(Lattice lattice, LatticeVector pla
 }
 
 EigenNet::EigenNet(const CellMatrices& cells, const RealBasis& basis, const EnclosedPair& pair,
-                   const Phase<Ball>& phase, Ball center)
+                   const Phase<number::Ball>& phase, number::Ball center)
     : cells_(cells),
       basis_(basis),
       pair_(pair),
@@ -108,7 +110,7 @@ Result<NetPoint> EigenNet::at(LatticeVector j, int depth) {
 }
 
 Result<NetPoint> EigenNet::in_sector(LatticeVector j, int depth) {
-  if (!cells_.dual && j == LatticeVector{0, 0}) return NetPoint{center_, Ball(0)};
+  if (!cells_.dual && j == LatticeVector{0, 0}) return NetPoint{center_, number::Ball(0)};
   if (const auto known = known_.find(j); known != known_.end()) return known->second;
   const auto [ring, place] = ring_and_place(cells_, j);
   if (depth > kDeepest) return Error{"control points do not follow from inner ones"};
@@ -125,9 +127,9 @@ Result<NetPoint> EigenNet::in_sector(LatticeVector j, int depth) {
 
 NetPoint EigenNet::from_amplitude(std::size_t number) const {
   const RealOrbit& orbit = basis_.orbits[number];
-  const Ball& p = pair_.vector[orbit.real];
-  if (orbit.real == orbit.imaginary) return {p, Ball(0)};
-  const Ball& q = pair_.vector[orbit.imaginary];
+  const number::Ball& p = pair_.vector[orbit.real];
+  if (orbit.real == orbit.imaginary) return {p, number::Ball(0)};
+  const number::Ball& q = pair_.vector[orbit.imaginary];
   return {p, orbit.reflected ? -q : q};
 }
 
@@ -137,7 +139,7 @@ Result<NetPoint> EigenNet::extended(LatticeVector k, int depth) {
   for (const auto& [j, weight] : sources_of(cells_, k)) {
     Result<NetPoint> source = at(j, depth);
     if (!source) return source;
-    const Ball by(weight);
+    const number::Ball by(weight);
     sum.u.add_product(by, source->u);
     sum.v.add_product(by, source->v);
   }

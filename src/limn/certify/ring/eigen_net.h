@@ -36,7 +36,7 @@ struct SectorPlace {
 [[nodiscard]] int gauge(Lattice lattice, LatticeVector place);
 
 struct NetPoint {
-  Ball u, v;
+  number::Ball u, v;
 };
 
 class EigenNet {
@@ -45,7 +45,7 @@ class EigenNet {
   /// in the coordinates (Re, Im/σ) of `phase`'s turns. `center`: the value there; other
   /// than 0 for frequency 0 alone. All must outlive the net.
   EigenNet(const CellMatrices& cells, const RealBasis& basis, const EnclosedPair& pair,
-           const Phase<Ball>& phase, Ball center = 0);
+           const Phase<number::Ball>& phase, number::Ball center = 0);
 
   /// The control point j: at j, or j + (½, ½) (dual). Fails for places more than one sector
   /// away, but for the spoke that ends the second one of triangles, and where the mask does not
@@ -61,9 +61,9 @@ class EigenNet {
   const CellMatrices& cells_;
   const RealBasis& basis_;
   const EnclosedPair& pair_;
-  const Phase<Ball>& phase_;
-  Ball center_;
-  Turn<Ball> factor_;  // 1/λ, turned back
+  const Phase<number::Ball>& phase_;
+  number::Ball center_;
+  Turn<number::Ball> factor_;  // 1/λ, turned back
   std::map<LatticeVector, NetPoint> known_;
 };
 

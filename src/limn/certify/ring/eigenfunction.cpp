@@ -38,7 +38,7 @@ bool Effective::is_shown(int frequency, const EnclosedPair& pair) const {
 }
 
 bool Effective::is_shown(int frequency, double value) const {
-  const BallMatrix block = balls_.block(frequency);
+  const number::BallMatrix block = balls_.block(frequency);
   const ApproxPair near = approx_nearest(block, value);
   const Result<EnclosedPair> pair = enclose_eigenpair(block, value, near.vector);
   return pair.ok() && is_shown(frequency, *pair);

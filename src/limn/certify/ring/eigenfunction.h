@@ -14,7 +14,7 @@ struct EigenMap {
   EigenMap(const EigenMap&) = delete;
 
   ValenceBalls::WholeVector whole;
-  Phase<Ball> phase;
+  Phase<number::Ball> phase;
   EigenNet net;
 };
 

@@ -11,7 +11,7 @@ Eigen::VectorXd vector_of(const std::vector<double>& numbers) {
 }
 
 double sum_of_sizes(const Eigen::MatrixXd& rows, Eigen::Index row) {
-  return inflated(rows.row(row).cwiseAbs().sum());
+  return regular::inflated(rows.row(row).cwiseAbs().sum());
 }
 
 QuickCells::Coordinate coordinate_of(const CellMap::Coordinate& map) {
@@ -68,9 +68,10 @@ QuickCells::Coordinate QuickCells::part(const Coordinate& map, const Digit& digi
   const Eigen::VectorXd rows = digit.rows * map.residual;
   const double largest = map.residual.size() == 0 ? 0 : map.residual.cwiseAbs().maxCoeff();
   // an entry of a row is rounded, too: rounding_error allows for twice as many terms
-  const double relative = map.error + rounding_error(map.residual.size()) * largest;
+  const double relative = map.error + regular::rounding_error(map.residual.size()) * largest;
   const auto entry = [&](std::size_t i) {
-    return DoubleBall(rows(static_cast<Eigen::Index>(i)), inflated(digit.norms[i] * relative));
+    return DoubleBall(rows(static_cast<Eigen::Index>(i)),
+                      regular::inflated(digit.norms[i] * relative));
   };
   Coordinate result;
   result.origin =
@@ -78,7 +79,7 @@ QuickCells::Coordinate QuickCells::part(const Coordinate& map, const Digit& digi
   result.gradient = {map.gradient[0] * inverse_scale_ + entry(1),
                      map.gradient[1] * inverse_scale_ + entry(2)};
   result.residual = rows.tail(map.residual.size());
-  result.error = inflated(digit.residual_norm * relative);
+  result.error = regular::inflated(digit.residual_norm * relative);
   return result;
 }
 
@@ -89,7 +90,7 @@ QuickCells::Map QuickCells::part(const Map& map, std::size_t digit) const {
 DoubleBall QuickCells::wide(const DoubleBall& middle, const Eigen::VectorXd& bound,
                             const Coordinate& map) {
   const double more = bound.dot(map.residual.cwiseAbs()) + bound.sum() * map.error;
-  return {middle.value, inflated(middle.error + more)};
+  return {middle.value, regular::inflated(middle.error + more)};
 }
 
 DoubleBall QuickCells::jacobian(const Map& map) const {

@@ -16,7 +16,7 @@ namespace {
 
 constexpr int kMostCrossings = 5;  // sectors of 13 that a walk and its anchor's flags may pass
 constexpr int kMostLeaves = 4;
-constexpr int kFirstValence = 3;
+constexpr int kFirstRegularValence = 3;
 constexpr int kLastValence = 60;
 
 int count(const Moves& moves, Move one) {
@@ -100,9 +100,10 @@ class Reach {
 Result<int> reach_of(const Scheme& scheme) {
   static_assert(kMostAveragings / 2 + 1 <= kMostCrossings);
   constexpr int kFinest = 64;
-  const Result<Row<Exact>> pair = tabulate_row<Exact>(scheme, RuleKind::vertex, 4);
+  const Result<refine::Row<number::Exact>> pair =
+      refine::tabulate_row<number::Exact>(scheme, RuleKind::vertex, 4);
   if (!pair) return pair.error();
-  for (const Exact& weight : pair->weights)
+  for (const number::Exact& weight : pair->weights)
     if (!weight.is_rational() || !is_integer(weight.rational() * kFinest))
       return Error{"its averagings have weights on quads that are no fractions of powers of 2"};
   return scheme.stages->count / 2 + 2;
@@ -121,7 +122,7 @@ std::optional<std::map<Column, Rational>> mask_row(const CellMatrices& cells,
     const auto found = turned_into_sector(cells.lattice, {2 * j[0] + half, 2 * j[1] + half});
     if (!found) return std::nullopt;
     if (found->place == LatticeVector{0, 0}) {
-      row[{kCenter, 0}] += weight;
+      row[{spectrum::kCenter, 0}] += weight;
       continue;
     }
     const auto [ring, place] =
@@ -138,23 +139,23 @@ std::optional<std::map<Column, Rational>> mask_row(const CellMatrices& cells,
 /// The rows of a pattern, with the weights of regular rules evaluated.
 class RuleRows {
  public:
-  RuleRows(const Scheme& scheme, const SectorPattern& pattern)
+  RuleRows(const Scheme& scheme, const spectrum::SectorPattern& pattern)
       : scheme_(scheme), pattern_(pattern), turn_(scheme.split->dilation.turns() ? 0.5 : 0) {
-    for (const SectorTerm& term : pattern.terms) terms_[term.row].push_back(&term);
+    for (const spectrum::SectorTerm& term : pattern.terms) terms_[term.row].push_back(&term);
   }
 
   /// Whether the row is that of the mask.
   [[nodiscard]] Result<bool> is(int row, const std::map<Column, Rational>& expected) const {
-    std::map<Column, Exact> sums;
-    for (const auto& [column, weight] : expected) sums[column] = Exact(Rational(-weight));
+    std::map<Column, number::Exact> sums;
+    for (const auto& [column, weight] : expected) sums[column] = number::Exact(Rational(-weight));
     const auto terms = terms_.find(row);
     if (terms == terms_.end()) return expected.empty();
-    for (const SectorTerm* term : terms->second) {
+    for (const spectrum::SectorTerm* term : terms->second) {
       if (term->repeated >= 0 || term->every_sector) return false;
-      const Result<Exact> weight = weight_of(*term);
+      const Result<number::Exact> weight = weight_of(*term);
       if (!weight) return weight.error();
-      Exact& sum = sums[{term->column, sectors_on(*term)}];
-      const Result<Exact> next = Exact::add(sum, *weight);
+      number::Exact& sum = sums[{term->column, sectors_on(*term)}];
+      const Result<number::Exact> next = number::Exact::add(sum, *weight);
       if (!next) return next.error();
       sum = *next;
     }
@@ -163,22 +164,23 @@ class RuleRows {
   }
 
  private:
-  [[nodiscard]] int sectors_on(const SectorTerm& term) const {
-    if (term.column == kCenter) return 0;
+  [[nodiscard]] int sectors_on(const spectrum::SectorTerm& term) const {
+    if (term.column == spectrum::kCenter) return 0;
     const auto angle = [&](int orbit) {
       return pattern_.orbits[static_cast<std::size_t>(orbit)].angle;
     };
     return static_cast<int>(std::lround(term.angle - angle(term.column) + angle(term.row) + turn_));
   }
 
-  [[nodiscard]] Result<Exact> weight_of(const SectorTerm& term) const {
-    Exact product(Rational(term.coefficient));
+  [[nodiscard]] Result<number::Exact> weight_of(const spectrum::SectorTerm& term) const {
+    number::Exact product(Rational(term.coefficient));
     for (const int number : term.names) {
-      const NamedWeight& name = pattern_.names[static_cast<std::size_t>(number)];
+      const spectrum::NamedWeight& name = pattern_.names[static_cast<std::size_t>(number)];
       if (!name.regular) return Error{"a rule that knows the valence"};
-      Result<Exact> value = scope_of<Exact>(scheme_, name, std::nullopt, 0)(name.weight->value);
-      if (value) value = Exact::multiply(*value, Exact(name.share));
-      if (value) value = Exact::multiply(product, *value);
+      Result<number::Exact> value =
+          scope_of<number::Exact>(scheme_, name, std::nullopt, 0)(name.weight->value);
+      if (value) value = number::Exact::multiply(*value, number::Exact(name.share));
+      if (value) value = number::Exact::multiply(product, *value);
       if (!value) return value.error();
       product = *value;
     }
@@ -186,9 +188,9 @@ class RuleRows {
   }
 
   const Scheme& scheme_;
-  const SectorPattern& pattern_;
+  const spectrum::SectorPattern& pattern_;
   double turn_;
-  std::map<int, std::vector<const SectorTerm*>> terms_;
+  std::map<int, std::vector<const spectrum::SectorTerm*>> terms_;
 };
 
 /// So many rings that rows beyond see nothing of the centre's other side, and that all which rows
@@ -202,9 +204,9 @@ int rings_to_compare(const CellMatrices& cells, int reach) {
 
 /// The star at the first valence at which the centre has rules: the rows that are compared are the
 /// same at all.
-Result<SectorPattern> star_pattern(const Scheme& scheme, int rings) {
-  for (int n = kFirstValence;; ++n) {
-    const Result<CenterCases> cases = center_cases(scheme, n);
+Result<spectrum::SectorPattern> star_pattern(const Scheme& scheme, int rings) {
+  for (int n = kFirstRegularValence;; ++n) {
+    const Result<spectrum::CenterCases> cases = spectrum::center_cases(scheme, n);
     if (cases) return exact_pattern(scheme, n, rings);
     if (n == kLastValence) return cases.error();
   }
@@ -215,7 +217,8 @@ Result<SectorPattern> star_pattern(const Scheme& scheme, int rings) {
 Status check_regular_rows(const Scheme& scheme, const CellMatrices& cells) {
   const Result<int> reach = scheme.stages ? reach_of(scheme) : Reach(scheme).find();
   if (!reach) return reach.error();
-  const Result<SectorPattern> pattern = star_pattern(scheme, rings_to_compare(cells, *reach));
+  const Result<spectrum::SectorPattern> pattern =
+      star_pattern(scheme, rings_to_compare(cells, *reach));
   if (!pattern) return pattern.error();
   const RealBasis basis = real_basis(*pattern);
   const RuleRows rules(scheme, *pattern);

@@ -62,17 +62,18 @@ Result<RingCells> ring_cells(const CellMatrices& cells) {
 CellSigns::Row CellSigns::sparse(const std::vector<Rational>& row) {
   Row result;
   for (std::size_t i = 0; i < row.size(); ++i)
-    if (row[i] != 0) result.push_back({i, Ball(row[i])});
+    if (row[i] != 0) result.push_back({i, number::Ball(row[i])});
   return result;
 }
 
-Ball CellSigns::dot(const Row& row, const std::vector<Ball>& x) {
-  Ball sum;
+number::Ball CellSigns::dot(const Row& row, const std::vector<number::Ball>& x) {
+  number::Ball sum;
   for (const Entry& entry : row) sum.add_product(entry.value, x[entry.column]);
   return sum;
 }
 
-double CellSigns::error(const std::vector<double>& bound, const std::vector<Ball>& residual) {
+double CellSigns::error(const std::vector<double>& bound,
+                        const std::vector<number::Ball>& residual) {
   double sum = 0;
   for (std::size_t j = 0; j < bound.size(); ++j)
     sum += bound[j] * std::max(residual[j].upper(), -residual[j].lower());
@@ -91,7 +92,7 @@ CellSigns::CellSigns(const CellMatrices& cells, const Contraction& bounds)
     value_.push_back(sparse(cells.value[d]));
     const int digit = static_cast<int>(d);
     const auto origin = [&](int x) {
-      return Ball(Rational(Integer(x), Integer(cells.scale)) + cells.shift);
+      return number::Ball(Rational(Integer(x), Integer(cells.scale)) + cells.shift);
     };
     origin_.push_back({origin(digit % cells.scale), origin(digit / cells.scale)});
   }
@@ -111,7 +112,8 @@ Result<CellMap> CellSigns::map_on(EigenNet& net, LatticeVector cell) const {
     to.gradient = {of(points[1]) - to.origin, of(points[2]) - to.origin};
     for (std::size_t i = 3; i < points.size(); ++i) {
       const auto [x, y] = cells_.points[i];
-      const Ball affine = to.origin + Ball(x) * to.gradient[0] + Ball(y) * to.gradient[1];
+      const number::Ball affine =
+          to.origin + number::Ball(x) * to.gradient[0] + number::Ball(y) * to.gradient[1];
       to.residual.push_back((of(points[i]) - affine) * inverse_sizes_[i - 3]);
     }
   };
@@ -134,7 +136,7 @@ CellMap CellSigns::part(const CellMap& map, std::size_t digit) const {
   return {part(map.u, digit), part(map.v, digit)};
 }
 
-Ball CellSigns::jacobian(const CellMap& map) const {
+number::Ball CellSigns::jacobian(const CellMap& map) const {
   const auto wide = [&](const CellMap::Coordinate& one, std::size_t i) {
     return one.gradient[i].widened(error(bounds_.gradient[i], one.residual));
   };
@@ -143,9 +145,10 @@ Ball CellSigns::jacobian(const CellMap& map) const {
 
 NetPoint CellSigns::values(const CellMap& map) const {
   // the cell is at 0 … 1 from its origin, or at -½ … ½ (dual)
-  const Ball along = cells_.dual ? Ball::between(-0.5, 0.5) : Ball::between(0, 1);
+  const number::Ball along =
+      cells_.dual ? number::Ball::between(-0.5, 0.5) : number::Ball::between(0, 1);
   const auto of = [&](const CellMap::Coordinate& one) {
-    const Ball affine = one.origin + along * one.gradient[0] + along * one.gradient[1];
+    const number::Ball affine = one.origin + along * one.gradient[0] + along * one.gradient[1];
     return affine.widened(error(bounds_.value, one.residual));
   };
   return {of(map.u), of(map.v)};

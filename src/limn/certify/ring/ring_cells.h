@@ -31,7 +31,7 @@ class CellSigns {
   [[nodiscard]] Result<CellMap> map_on(EigenNet& net, LatticeVector cell) const;
   [[nodiscard]] CellMap part(const CellMap& map, std::size_t digit) const;
   /// Encloses the Jacobian on the cell, in its own units: its sign is that of the map.
-  [[nodiscard]] Ball jacobian(const CellMap& map) const;
+  [[nodiscard]] number::Ball jacobian(const CellMap& map) const;
   /// Encloses the values on the cell.
   [[nodiscard]] NetPoint values(const CellMap& map) const;
   /// The same in double precision.
@@ -40,23 +40,23 @@ class CellSigns {
  private:
   struct Entry {
     std::size_t column;
-    Ball value;
+    number::Ball value;
   };
   using Row = std::vector<Entry>;
 
   [[nodiscard]] CellMap::Coordinate part(const CellMap::Coordinate& map, std::size_t digit) const;
   static Row sparse(const std::vector<Rational>& row);
-  static Ball dot(const Row& row, const std::vector<Ball>& x);
-  static double error(const std::vector<double>& bound, const std::vector<Ball>& residual);
+  static number::Ball dot(const Row& row, const std::vector<number::Ball>& x);
+  static double error(const std::vector<double>& bound, const std::vector<number::Ball>& residual);
 
   const CellMatrices& cells_;
   const Contraction& bounds_;
   std::vector<std::vector<Row>> residual_;
   std::vector<std::array<Row, 2>> gradient_;
   std::vector<Row> value_;
-  std::vector<std::array<Ball, 2>> origin_;  // of a part, in its cell
-  std::vector<Ball> inverse_sizes_;
-  Ball inverse_scale_;
+  std::vector<std::array<number::Ball, 2>> origin_;  // of a part, in its cell
+  std::vector<number::Ball> inverse_sizes_;
+  number::Ball inverse_scale_;
   QuickCells quick_;
 };
 

@@ -36,7 +36,7 @@ class Tiling {
 }  // namespace
 
 RingProof::RingProof(const CellMatrices& cells, const CellSigns& signs, EigenNet& net,
-                     const Phase<Ball>& phase, RingGoal goal)
+                     const Phase<number::Ball>& phase, RingGoal goal)
     : cells_(cells), signs_(signs), net_(net), phase_(phase), goal_(goal) {}
 
 /// An eigenvector has no sign: the direction is turned to where the map is, on the spoke (dual: the
@@ -44,8 +44,9 @@ RingProof::RingProof(const CellMatrices& cells, const CellSigns& signs, EigenNet
 Status RingProof::look(int inner) {
   const Result<NetPoint> first = net_.at({inner, cells_.dual ? inner : 0});
   if (!first) return first.error();
-  const Turn<Ball> middle = goal_ == RingGoal::one_sign ? Turn<Ball>({Ball(1), Ball(0)})
-                                                        : phase_(cells_.dual ? -1 : 1, 4);
+  const Turn<number::Ball> middle = goal_ == RingGoal::one_sign
+                                        ? Turn<number::Ball>({number::Ball(1), number::Ball(0)})
+                                        : phase_(cells_.dual ? -1 : 1, 4);
   const bool negative = first->u.is_negative();
   direction_ = {negative ? -middle.cosine : middle.cosine,
                 negative ? -middle.to_imaginary : middle.to_imaginary};

@@ -18,7 +18,7 @@ enum class RingGoal { regular, nowhere_zero, one_sign };
 class RingProof {
  public:
   RingProof(const CellMatrices& cells, const CellSigns& signs, EigenNet& net,
-            const Phase<Ball>& phase, RingGoal goal);
+            const Phase<number::Ball>& phase, RingGoal goal);
 
   struct Found {
     Answer answer = Answer::undecided;  ///< whether the goal is reached; refuted: for regular alone
@@ -40,7 +40,7 @@ class RingProof {
 
  private:
   struct Direction {
-    Ball u, v;
+    number::Ball u, v;
   };
   /// What enclosures tell of a part: the Jacobian's sign, 0 unknown, and whether the goal is shown.
   struct Told {
@@ -60,7 +60,7 @@ class RingProof {
   const CellMatrices& cells_;
   const CellSigns& signs_;
   EigenNet& net_;
-  const Phase<Ball>& phase_;
+  const Phase<number::Ball>& phase_;
   RingGoal goal_;
   Direction direction_;  // in the middle of half a sector; its sign makes the map's positive
   DoubleBall direction_u_, direction_v_;

@@ -12,27 +12,28 @@
 namespace limn::certify {
 namespace {
 
-constexpr int kMostSquarings = 40;
+constexpr int kMostBlockSquarings = 40;
 constexpr double kExactWork = 3e6;  // for one frequency: some tenths of a second
 
 using Size = std::size_t;
 
-BallMatrix rest_of(const ValenceBalls& balls, const EnclosedPair& leader, int frequency) {
-  BallMatrix block = balls.block(frequency);
+number::BallMatrix rest_of(const ValenceBalls& balls, const EnclosedPair& leader, int frequency) {
+  number::BallMatrix block = balls.block(frequency);
   return frequency == 1 ? deflated(block, leader) : block;
 }
 
-ConnectedParts parts_of(const BallMatrix& a) {
-  BoolMatrix entries(static_cast<Eigen::Index>(a.rows()), static_cast<Eigen::Index>(a.rows()));
+spectrum::ConnectedParts parts_of(const number::BallMatrix& a) {
+  spectrum::BoolMatrix entries(static_cast<Eigen::Index>(a.rows()),
+                               static_cast<Eigen::Index>(a.rows()));
   for (Size i = 0; i < a.rows(); ++i)
     for (Size j = 0; j < a.rows(); ++j)
       entries(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)) =
           !a(i, j).is_exactly_zero();
-  return connected_parts(entries);
+  return spectrum::connected_parts(entries);
 }
 
-BallMatrix square_of(const BallMatrix& a, const std::vector<Eigen::Index>& rows) {
-  BallMatrix result(rows.size(), rows.size());
+number::BallMatrix square_of(const number::BallMatrix& a, const std::vector<Eigen::Index>& rows) {
+  number::BallMatrix result(rows.size(), rows.size());
   for (Size i = 0; i < rows.size(); ++i)
     for (Size j = 0; j < rows.size(); ++j)
       result(i, j) = a(static_cast<Size>(rows[i]), static_cast<Size>(rows[j]));
@@ -40,29 +41,29 @@ BallMatrix square_of(const BallMatrix& a, const std::vector<Eigen::Index>& rows)
 }
 
 /// A real eigenvalue near `value` of the square matrix of one part.
-std::optional<Ball> part_eigenvalue(const BallMatrix& a, double value) {
+std::optional<number::Ball> part_eigenvalue(const number::BallMatrix& a, double value) {
   if (a.rows() == 1) return a(0, 0);
   const ApproxPair near = approx_nearest(a, value);
   const Result<EnclosedPair> pair = enclose_eigenpair(a, near.value, near.vector);
   return pair ? std::optional(pair->value) : std::nullopt;
 }
 
-Ball squared(const EnclosedPair& leader) { return leader.value * leader.value; }
+number::Ball squared(const EnclosedPair& leader) { return leader.value * leader.value; }
 
 /// An eigenvalue that is larger than λ², if one can be shown; `ineffective` becomes one whose
 /// surface is not shown to be other than 0.
 std::optional<LargeEigenvalue> find_large(const ValenceBalls& balls, const EnclosedPair& leader,
                                           const Effective& effective,
                                           std::optional<LargeEigenvalue>& ineffective) {
-  const Ball bound = squared(leader);
+  const number::Ball bound = squared(leader);
   for (int frequency = 0; frequency <= balls.valence() / 2; ++frequency) {
-    const BallMatrix rest = rest_of(balls, leader, frequency);
+    const number::BallMatrix rest = rest_of(balls, leader, frequency);
     for (const auto& rows : parts_of(rest).parts) {
-      const BallMatrix square = square_of(rest, rows);
+      const number::BallMatrix square = square_of(rest, rows);
       for (const std::complex<double>& value : approx_eigenvalues(square)) {
         if (value.imag() != 0 || !(std::abs(value.real()) > bound.approx())) continue;
-        const std::optional<Ball> enclosed = part_eigenvalue(square, value.real());
-        if (!enclosed || !is_less(bound, enclosed->magnitude())) continue;
+        const std::optional<number::Ball> enclosed = part_eigenvalue(square, value.real());
+        if (!enclosed || !number::is_less(bound, enclosed->magnitude())) continue;
         const LargeEigenvalue found{frequency, {rows.begin(), rows.end()}, enclosed->approx()};
         if (effective.is_shown(frequency, found.value)) return found;
         ineffective = found;
@@ -76,13 +77,13 @@ Status check_large(const ValenceBalls& balls, const EnclosedPair& leader,
                    const Effective& effective, const LargeEigenvalue& claim) {
   if (claim.frequency < 0 || claim.frequency > balls.valence() / 2)
     return Error{"a larger eigenvalue of a frequency that the valence has not"};
-  const BallMatrix rest = rest_of(balls, leader, claim.frequency);
+  const number::BallMatrix rest = rest_of(balls, leader, claim.frequency);
   const std::vector<Eigen::Index> rows(claim.rows.begin(), claim.rows.end());
-  const ConnectedParts parts = parts_of(rest);
+  const spectrum::ConnectedParts parts = parts_of(rest);
   if (std::find(parts.parts.begin(), parts.parts.end(), rows) == parts.parts.end())
     return Error{"rows that are no part of the block"};
-  const std::optional<Ball> value = part_eigenvalue(square_of(rest, rows), claim.value);
-  if (!value || !is_less(squared(leader), value->magnitude()))
+  const std::optional<number::Ball> value = part_eigenvalue(square_of(rest, rows), claim.value);
+  if (!value || !number::is_less(squared(leader), value->magnitude()))
     return Error{"an eigenvalue larger than the tangent's square is not shown"};
   if (!(std::abs(value->approx() - claim.value) <= 1e-12 * std::abs(claim.value)))
     return Error{"the larger eigenvalue is another one"};
@@ -93,41 +94,42 @@ Status check_large(const ValenceBalls& balls, const EnclosedPair& leader,
 
 /// A block, and λ², in exact numbers; λ is shown to be an eigenvalue of frequency 1.
 struct ExactSquare {
-  DenseMatrix<Exact> block;
-  Exact square;
+  number::DenseMatrix<number::Exact> block;
+  number::Exact square;
 };
 
 std::optional<ExactSquare> exact_square(const Scheme& scheme, const ValenceBalls& balls,
                                         const EnclosedPair& leader, int frequency) {
-  const Result<DenseMatrix<Exact>> first = balls.exact_block(scheme, 1);
-  Result<DenseMatrix<Exact>> block = balls.exact_rest(scheme, frequency);
+  const Result<number::DenseMatrix<number::Exact>> first = balls.exact_block(scheme, 1);
+  Result<number::DenseMatrix<number::Exact>> block = balls.exact_rest(scheme, frequency);
   if (!first || !block) return std::nullopt;
-  const std::optional<Exact> value = exact_leader(*first, leader);
+  const std::optional<number::Exact> value = exact_leader(*first, leader);
   if (!value) return std::nullopt;
-  const Result<Exact> square = Exact::multiply(*value, *value);
+  const Result<number::Exact> square = number::Exact::multiply(*value, *value);
   const auto own = null_space(*first, *value);
   if (!square || !own || own->size() != 1) return std::nullopt;
   return ExactSquare{std::move(*block), *square};
 }
 
 /// The exact eigenvectors of λ² in a block without 1.
-std::optional<std::vector<std::vector<Exact>>> square_vectors(const Scheme& scheme,
-                                                              const ValenceBalls& balls,
-                                                              const EnclosedPair& leader,
-                                                              int frequency) {
-  const ExactBudget budget(kExactWork);
+std::optional<std::vector<std::vector<number::Exact>>> square_vectors(const Scheme& scheme,
+                                                                      const ValenceBalls& balls,
+                                                                      const EnclosedPair& leader,
+                                                                      int frequency) {
+  const number::ExactBudget budget(kExactWork);
   const auto exact = exact_square(scheme, balls, leader, frequency);
   return exact ? null_space(exact->block, exact->square) : std::nullopt;
 }
 
 /// Whether one of the vectors a·w, w in the null space of a², is effective.
-bool any_effective(const DenseMatrix<Exact>& a, const std::vector<std::vector<Exact>>& vectors,
-                   const Ball& value, int frequency, const Effective& effective) {
-  return std::any_of(vectors.begin(), vectors.end(), [&](const std::vector<Exact>& w) {
+bool any_effective(const number::DenseMatrix<number::Exact>& a,
+                   const std::vector<std::vector<number::Exact>>& vectors,
+                   const number::Ball& value, int frequency, const Effective& effective) {
+  return std::any_of(vectors.begin(), vectors.end(), [&](const std::vector<number::Exact>& w) {
     EnclosedPair pair{value, {}, 0};
     bool zero = true;
     for (Size i = 0; i < a.rows(); ++i) {
-      Exact sum;
+      number::Exact sum;
       for (Size j = 0; j < a.rows(); ++j)
         if (!add_product(sum, a(i, j), w[j])) return false;
       zero = zero && sum.is_zero();
@@ -142,26 +144,27 @@ bool any_effective(const DenseMatrix<Exact>& a, const std::vector<std::vector<Ex
 std::optional<int> jordan_multiplicity(const Scheme& scheme, const ValenceBalls& balls,
                                        const EnclosedPair& leader, const Effective& effective,
                                        int frequency) {
-  const ExactBudget budget(kExactWork);
+  const number::ExactBudget budget(kExactWork);
   const auto exact = exact_square(scheme, balls, leader, frequency);
   if (!exact) return std::nullopt;
-  DenseMatrix<Exact> shifted = exact->block;
-  for (Size i = 0; i < shifted.rows(); ++i) shifted(i, i) += Exact(-1) * exact->square;
-  DenseMatrix<Exact> squared_block(shifted.rows(), shifted.rows());
+  number::DenseMatrix<number::Exact> shifted = exact->block;
+  for (Size i = 0; i < shifted.rows(); ++i) shifted(i, i) += number::Exact(-1) * exact->square;
+  number::DenseMatrix<number::Exact> squared_block(shifted.rows(), shifted.rows());
   for (Size i = 0; i < shifted.rows(); ++i)
     for (Size k = 0; k < shifted.rows(); ++k)
       if (!shifted(i, k).is_zero())
         for (Size j = 0; j < shifted.rows(); ++j)
           if (!add_product(squared_block(i, j), shifted(i, k), shifted(k, j))) return std::nullopt;
-  const auto once = null_space(shifted, Exact(0));
-  const auto twice = null_space(squared_block, Exact(0));
+  const auto once = null_space(shifted, number::Exact(0));
+  const auto twice = null_space(squared_block, number::Exact(0));
   if (!once || !twice || twice->size() <= once->size()) return std::nullopt;
   if (!any_effective(shifted, *twice, squared(leader), frequency, effective)) return std::nullopt;
   return static_cast<int>(twice->size());
 }
 
 /// `a` without the leader, whose eigenvector has become another one by earlier deflations.
-std::optional<BallMatrix> without_leader(const BallMatrix& a, const EnclosedPair& leader) {
+std::optional<number::BallMatrix> without_leader(const number::BallMatrix& a,
+                                                 const EnclosedPair& leader) {
   const ApproxPair near = approx_nearest(a, leader.value.approx());
   const Result<EnclosedPair> pair = enclose_eigenpair(a, leader.value.approx(), near.vector);
   if (!pair || !pair->value.overlaps(leader.value)) return std::nullopt;
@@ -169,25 +172,26 @@ std::optional<BallMatrix> without_leader(const BallMatrix& a, const EnclosedPair
 }
 
 /// The block without 1, the leader and these eigenvectors of λ².
-BallMatrix without(BallMatrix rest, const std::vector<std::vector<Exact>>& vectors,
-                   const Ball& square) {
-  std::vector<std::vector<Ball>> left;
+number::BallMatrix without(number::BallMatrix rest,
+                           const std::vector<std::vector<number::Exact>>& vectors,
+                           const number::Ball& square) {
+  std::vector<std::vector<number::Ball>> left;
   for (const auto& vector : vectors) {
     left.emplace_back();
-    for (const Exact& entry : vector) left.back().push_back(enclosed(entry));
+    for (const number::Exact& entry : vector) left.back().push_back(enclosed(entry));
   }
   while (!left.empty()) {
-    std::vector<Ball> vector = std::move(left.back());
+    std::vector<number::Ball> vector = std::move(left.back());
     left.pop_back();
     Size pivot = 0;
     for (Size i = 1; i < vector.size(); ++i)
       if (std::abs(vector[i].approx()) > std::abs(vector[pivot].approx())) pivot = i;
-    const Ball scale = vector[pivot];
-    for (Ball& entry : vector) entry /= scale;
-    vector[pivot] = Ball(1);
+    const number::Ball scale = vector[pivot];
+    for (number::Ball& entry : vector) entry /= scale;
+    vector[pivot] = number::Ball(1);
     rest = deflated(rest, {square, vector, pivot});
-    for (std::vector<Ball>& other : left) {  // what becomes of it by the deflation
-      const Ball at = other[pivot];
+    for (std::vector<number::Ball>& other : left) {  // what becomes of it by the deflation
+      const number::Ball at = other[pivot];
       for (Size i = 0; i < other.size(); ++i) other[i] -= at * vector[i];
       other.erase(other.begin() + static_cast<std::ptrdiff_t>(pivot));
     }
@@ -200,8 +204,8 @@ BallMatrix without(BallMatrix rest, const std::vector<std::vector<Exact>>& vecto
 std::optional<int> squarings_beside(const Scheme& scheme, const ValenceBalls& balls,
                                     const EnclosedPair& leader, int frequency, int* multiplicity,
                                     int most_squarings) {
-  BallMatrix rest = balls.block(frequency);
-  std::vector<std::vector<Exact>> vectors;
+  number::BallMatrix rest = balls.block(frequency);
+  std::vector<std::vector<number::Exact>> vectors;
   if (*multiplicity != 0) {
     const auto found = square_vectors(scheme, balls, leader, frequency);
     if (!found) return std::nullopt;
@@ -212,7 +216,7 @@ std::optional<int> squarings_beside(const Scheme& scheme, const ValenceBalls& ba
   // exact vectors are of the block with the leader in it: take them off first
   rest = without(std::move(rest), vectors, squared(leader));
   if (frequency == 1) {
-    const std::optional<BallMatrix> other = without_leader(rest, leader);
+    const std::optional<number::BallMatrix> other = without_leader(rest, leader);
     if (!other) return std::nullopt;
     rest = *other;
   }
@@ -261,10 +265,11 @@ CurvatureClaim search_curvature(const Scheme& scheme, const ValenceBalls& balls,
   for (int frequency = 0; frequency <= balls.valence() / 2; ++frequency) {
     int multiplicity = 0;
     auto squarings =
-        squarings_beside(scheme, balls, leader, frequency, &multiplicity, kMostSquarings);
+        squarings_beside(scheme, balls, leader, frequency, &multiplicity, kMostBlockSquarings);
     if (!squarings) {
       multiplicity = -1;
-      squarings = squarings_beside(scheme, balls, leader, frequency, &multiplicity, kMostSquarings);
+      squarings =
+          squarings_beside(scheme, balls, leader, frequency, &multiplicity, kMostBlockSquarings);
     }
     if (!squarings) {
       claim.equal.clear();
@@ -335,7 +340,7 @@ Status check_curvature(const Scheme& scheme, const ValenceBalls& balls, const En
   }
   for (Size i = 0; i < claim.squarings.size(); ++i)
     if (squarings_beside(scheme, balls, leader, static_cast<int>(i), &multiplicities[i],
-                         kMostSquarings) != claim.squarings[i])
+                         kMostBlockSquarings) != claim.squarings[i])
       return Error{fmt::format("curvature: the eigenvalues of frequency {} are not as claimed", i)};
   return Done{};
 }

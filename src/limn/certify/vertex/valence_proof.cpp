@@ -32,7 +32,7 @@ class Search {
   }
 
   Result<SearchedValence> run() {
-    const BallPrecision precision(limits_.bits);
+    const number::BallPrecision precision(limits_.bits);
     const Result<FrequencyBlocks> blocks = FrequencyAnalysis(scheme_).blocks(claim_.valence);
     if (!blocks) return blocks.error();
     approx_ = approx_eigencomponents(*blocks);
@@ -76,14 +76,15 @@ class Search {
         claim_.frequency = spectrum.frequency;
       }
     }
-    const BallMatrix block = balls.block(claim_.frequency);
+    const number::BallMatrix block = balls.block(claim_.frequency);
     const std::optional<ApproxPair> near = approx_leader(block, kRealBelow);
     if (!near) return Error{why("the leading eigenvalue is not real")};
     const Result<EnclosedPair> pair = enclose_eigenpair(block, near->value, near->vector);
     if (!pair) return Error{why(pair.error().message)};
     leader_ = *pair;
     if (!leader_.value.is_positive()) return Error{why("the leading eigenvalue is not positive")};
-    if (!is_less(leader_.value, Ball(1))) return Error{why("the scheme is not shown to converge")};
+    if (!number::is_less(leader_.value, number::Ball(1)))
+      return Error{why("the scheme is not shown to converge")};
     claim_.squarings =
         squarings_of_others(balls, claim_.frequency, leader_, leader_.value, kMostSquarings);
     for (std::size_t i = 0; i < claim_.squarings.size(); ++i)
@@ -93,7 +94,7 @@ class Search {
                             "than {:.6g} of frequency {}",
                             i, leader_.value.approx(), claim_.frequency))};
     claim_.eigenvalue = leader_.value.approx();
-    for (const Ball& entry : leader_.vector) claim_.eigenvector.push_back(entry.approx());
+    for (const number::Ball& entry : leader_.vector) claim_.eigenvector.push_back(entry.approx());
     return Done{};
   }
 
@@ -142,7 +143,7 @@ class Search {
 };
 
 Status same_numbers(const EnclosedPair& leader, const ValenceClaim& claim) {
-  const auto near = [](const Ball& ball, double value) {
+  const auto near = [](const number::Ball& ball, double value) {
     return std::abs(ball.approx() - value) <= kNear * std::max(1.0, std::abs(value));
   };
   if (!near(leader.value, claim.eigenvalue) || leader.vector.size() != claim.eigenvector.size())
@@ -183,17 +184,18 @@ Status check_valence(const Scheme& scheme, const RegularProof& regular, const Ce
       return Error{"curvature is claimed where C1 is not"};
     return Done{};
   }
-  const BallPrecision precision(claim.bits);
+  const number::BallPrecision precision(claim.bits);
   const Result<ValenceBalls> balls = ValenceBalls::make(scheme, claim.valence);
   if (!balls) return balls.error();
   if (claim.frequency < 0 || claim.frequency > claim.valence / 2)
     return Error{"a frequency that the valence has not"};
-  const BallMatrix block = balls->block(claim.frequency);
+  const number::BallMatrix block = balls->block(claim.frequency);
   if (claim.eigenvector.size() != block.rows()) return Error{"the eigenvector has another length"};
   const Result<EnclosedPair> leader = enclose_eigenpair(block, claim.eigenvalue, claim.eigenvector);
   if (!leader) return leader.error();
   if (!leader->value.is_positive()) return Error{"the leading eigenvalue is not positive"};
-  if (!is_less(leader->value, Ball(1))) return Error{"the leading eigenvalue is not below 1"};
+  if (!number::is_less(leader->value, number::Ball(1)))
+    return Error{"the leading eigenvalue is not below 1"};
   if (Status same = same_numbers(*leader, claim); !same) return same;
   if (squarings_of_others(*balls, claim.frequency, *leader, leader->value, kMostSquarings) !=
           claim.squarings ||

@@ -87,7 +87,7 @@ class GridFamily final : public Family {
     }
     const GridLayout at = step(level).old_points;
     const std::ptrdiff_t faces = at.patch_faces();
-    parallel_for(
+    base::parallel_for(
         Index{0}, mesh().face_count(),
         [&](Index first, Index last) {
           write_face_blocks(level, first, last, corners.data() + first * this->corners() * faces);

@@ -95,15 +95,16 @@ class KiteFamily final : public Family {
 
   void write_faces(int level, std::span<Index> corners) const override {
     if (level > first_) return layout(level).write_faces(corners.data());
-    parallel_for_each(control_.halfedge_count(),
-                      [&](Index h) { corners[static_cast<std::size_t>(h)] = control_.origin(h); });
+    base::parallel_for_each(control_.halfedge_count(), [&](Index h) {
+      corners[static_cast<std::size_t>(h)] = control_.origin(h);
+    });
   }
 
   [[nodiscard]] Index corners_per_face() const override { return kites_.is_regular() ? 4 : 0; }
 
   void write_face_begin(int level, std::span<Index> begin) const override {
     if (level > first_) return layout(level).write_face_begin(begin.data());
-    parallel_for_each(control_.face_count() + 1, [&](Index f) {
+    base::parallel_for_each(control_.face_count() + 1, [&](Index f) {
       begin[static_cast<std::size_t>(f)] = control_.face_begin(f);
     });
   }

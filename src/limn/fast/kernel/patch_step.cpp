@@ -61,7 +61,7 @@ class LimitLines {
   /// first × second, as unit vectors. In several loops, so that the compiler takes several roots in
   /// one instruction.
   void find_normals(std::size_t count) {
-    constexpr Real kError = Real(kTangentUnits) * std::numeric_limits<Real>::epsilon();
+    constexpr Real kError = Real(mesh::kTangentUnits) * std::numeric_limits<Real>::epsilon();
     for (std::size_t i = 0; i < count; ++i) {
       const LanePoint<Real>&a = first_[i], &b = second_[i];
       normal_[i] = {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
@@ -81,7 +81,8 @@ class LimitLines {
   }
 
   static bool is_sure(Real square, Real least) {
-    return (square > least) & (square > kSafeSquare<Real>)&(square < 1 / kSafeSquare<Real>);
+    return (square > least) &
+           (square > mesh::kSafeSquare<Real>)&(square < 1 / mesh::kSafeSquare<Real>);
   }
 
   /// One by one, where lengths may be lost in products, or be no more than rounding.
@@ -100,7 +101,7 @@ class LimitLines {
           double size = 0;
           for (const auto& numbers : {position, tangents[0], tangents[1]})
             for (const double number : numbers) size = std::max(size, std::abs(number));
-          normal = unit_normal<Real>(tangents, size);
+          normal = mesh::unit_normal<Real>(tangents, size);
         }
         normal_[i].x[lane] = static_cast<Real>(normal[0]);
         normal_[i].y[lane] = static_cast<Real>(normal[1]);
@@ -172,7 +173,7 @@ namespace {
 template <class Real, class Work>
 void for_ranges(const PatchPlan& plan, const PatchProgram& program, const Work& work) {
   if (program.blocks.empty()) return;
-  parallel_for(
+  base::parallel_for(
       Index{0}, plan.patches,
       [&](Index first, Index last) {
         const std::size_t runs = static_cast<std::size_t>(first) * plan.shape.runs.size();

@@ -7,7 +7,7 @@ namespace limn::fast {
 std::vector<PieceGroup> group_pieces(const StepPieces& pieces, const StepPieces& before, Index most,
                                      bool own_vertices) {
   std::vector<std::vector<Index>> sources(static_cast<std::size_t>(pieces.count()));
-  parallel_for(
+  base::parallel_for(
       Index{0}, pieces.count(),
       [&](Index first, Index last) {
         for (Index piece = first; piece < last; ++piece)

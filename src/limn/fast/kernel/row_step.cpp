@@ -7,18 +7,13 @@
 #include <limits>
 
 #include "limn/base/parallel.h"
+#include "limn/fast/kernel/quad.h"
 #include "limn/mesh/unit_normal.h"
 
 namespace limn::fast {
 namespace {
 
 constexpr std::ptrdiff_t kPlaceGrain = 1024;
-
-/// Four numbers at once: a point and what comes after it.
-template <class Real>
-struct Quad {
-  typedef Real Type __attribute__((vector_size(4 * sizeof(Real))));
-};
 
 /// Sums the rows of one table.
 template <class Real>
@@ -82,9 +77,10 @@ std::array<double, 3> numbers(const typename Quad<Real>::Type& sum) {
 template <class Real>
 bool is_normalized(typename Quad<Real>::Type& normal, Real size, Real squares) {
   const Real squared = normal[0] * normal[0] + normal[1] * normal[1] + normal[2] * normal[2];
-  constexpr Real kError = Real(kTangentUnits) * std::numeric_limits<Real>::epsilon();
+  constexpr Real kError = Real(mesh::kTangentUnits) * std::numeric_limits<Real>::epsilon();
   const Real least = kError * size * kError * size * squares;
-  if (!(squared > least && squared > kSafeSquare<Real> && squared < 1 / kSafeSquare<Real>))
+  if (!(squared > least && squared > mesh::kSafeSquare<Real> &&
+        squared < 1 / mesh::kSafeSquare<Real>))
     return false;
   normal *= 1 / std::sqrt(squared);
   return true;
@@ -105,7 +101,7 @@ void careful_normal(const RowWorker<Real>& worker, int row, int end, Real size,
     worker.sum(row, sum);
     chain.push_back(numbers<Real>(sum));
   }
-  const std::array<double, 3> unit = unit_normal<Real>(chain, static_cast<double>(size));
+  const std::array<double, 3> unit = mesh::unit_normal<Real>(chain, static_cast<double>(size));
   for (int i = 0; i < 3; ++i) normal[i] = static_cast<Real>(unit[static_cast<std::size_t>(i)]);
 }
 
@@ -163,7 +159,7 @@ void for_places(const RowPlan& plan, const std::vector<Real>& weights, const Row
 template <class Work>
 void for_all_places(const RowPlan& plan, const Work& work) {
   const auto places = static_cast<std::ptrdiff_t>(plan.places());
-  parallel_for(
+  base::parallel_for(
       std::ptrdiff_t{0}, places,
       [&](std::ptrdiff_t first, std::ptrdiff_t last) {
         const auto begin = static_cast<std::size_t>(first);

@@ -11,9 +11,9 @@ RowTable to_rows(const Stencil& stencil) {
   return table;
 }
 
-FormRows to_rows(std::span<const LinearForm<double>> forms) {
+FormRows to_rows(std::span<const refine::LinearForm<double>> forms) {
   std::map<Index, int> slots;
-  for (const LinearForm<double>& form : forms)
+  for (const refine::LinearForm<double>& form : forms)
     for (const auto& [vertex, weight] : form.terms)
       if (weight != 0) slots.emplace(vertex, 0);
   FormRows found;
@@ -22,7 +22,7 @@ FormRows to_rows(std::span<const LinearForm<double>> forms) {
     slot = table.sources++;
     vertices.push_back(vertex);
   }
-  for (const LinearForm<double>& form : forms) {
+  for (const refine::LinearForm<double>& form : forms) {
     for (const auto& [vertex, weight] : form.terms)
       if (weight != 0) table.terms.push_back({slots.at(vertex), weight});
     table.row_begin.push_back(static_cast<int>(table.terms.size()));

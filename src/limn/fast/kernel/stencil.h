@@ -44,6 +44,6 @@ struct FormRows {
   RowTable rows;
   std::vector<Index> vertices;
 };
-[[nodiscard]] FormRows to_rows(std::span<const LinearForm<double>> forms);
+[[nodiscard]] FormRows to_rows(std::span<const refine::LinearForm<double>> forms);
 
 }  // namespace limn::fast

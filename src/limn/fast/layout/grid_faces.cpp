@@ -260,7 +260,7 @@ void GridLayout::write_edge_faces(Index* out) const {
   if (edge_faces() == 0) return;
   const Mesh& mesh = control();
   const std::vector<Index> before = boundary_before();
-  parallel_for_each(mesh.edge_count(), [&](Index e) {
+  base::parallel_for_each(mesh.edge_count(), [&](Index e) {
     const Index h = mesh.halfedge_of_edge(e), twin = mesh.twin(h), last = n() - 1;
     Index* to = out + std::ptrdiff_t{n()} * (std::ptrdiff_t{4} * e - before[e]);
     for (Index t = 0; t <= last; ++t) {

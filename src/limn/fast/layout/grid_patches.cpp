@@ -45,7 +45,7 @@ class Patches {
     const std::size_t each = shape_.frame.size(), runs = shape_.runs.size();
     plan.frame = HugeArray<Index>(static_cast<std::size_t>(plan.patches) * each);
     plan.runs = HugeArray<Index>(static_cast<std::size_t>(plan.patches) * runs);
-    parallel_for(
+    base::parallel_for(
         Index{0}, plan.patches,
         [&](Index first, Index last) {
           for (Index f = first; f < last; ++f) {

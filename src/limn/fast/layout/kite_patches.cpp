@@ -9,8 +9,6 @@
 namespace limn::fast {
 namespace {
 
-constexpr Index kNumberGrain = 16384;  // numbers that one call of a parallel loop makes
-
 /// The patches round one: beyond its sides x = 0, x = n, y = 0, y = n, and beyond two sides.
 constexpr std::size_t kNeighbours = 8;
 std::array<Index, kNeighbours> neighbours(const Mesh& mesh, Index h) {
@@ -98,7 +96,7 @@ std::optional<PatchPlan> plan_kite_patches(const KiteLayout& old, const KiteLayo
   const std::size_t each = plan.shape.frame.size();
   plan.frame = HugeArray<Index>(each * wholes.size());
   plan.runs = HugeArray<Index>(wholes.size());
-  parallel_for(
+  base::parallel_for(
       Index{0}, plan.patches,
       [&](Index first, Index last) {
         for (auto i = static_cast<std::size_t>(first); i < static_cast<std::size_t>(last); ++i) {

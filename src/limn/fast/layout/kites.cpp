@@ -119,14 +119,14 @@ void KiteLayout::write_faces(Index* out) const {
   const Index patch = n_ * n_ - 1, arm = n_ - 1;
   // by so many quads, or a face, for each element of a list
   const auto each = [](const std::vector<Index>& list, Index quads, const auto& write) {
-    parallel_for(
+    base::parallel_for(
         Index{0}, count(list),
         [&](Index first, Index last) {
           for (Index i = first; i < last; ++i) write(list[static_cast<std::size_t>(i)], i);
         },
         std::max<Index>(1, kQuadGrain / std::max<Index>(1, quads)));
   };
-  parallel_for_each(control().halfedge_count(), [&](Index h) { out[h] = point(h, 0, 0); });
+  base::parallel_for_each(control().halfedge_count(), [&](Index h) { out[h] = point(h, 0, 0); });
   out += control().halfedge_count();
   each(kites_->inner_vertices(), 1,
        [&](Index v, Index i) { write_vertex(v, out + kites_->vertex_begin(i)); });
@@ -144,14 +144,15 @@ void KiteLayout::write_faces(Index* out) const {
 }
 
 void KiteLayout::write_face_begin(Index* out) const {
-  parallel_for_each(control().face_count(), [&](Index f) { out[f] = control().face_begin(f); });
+  base::parallel_for_each(control().face_count(),
+                          [&](Index f) { out[f] = control().face_begin(f); });
   out += control().face_count();
   const Index vertices_at = control().halfedge_count();
-  parallel_for_each(inner_count(),
-                    [&](Index i) { out[i] = vertices_at + kites_->vertex_begin(i); });
+  base::parallel_for_each(inner_count(),
+                          [&](Index i) { out[i] = vertices_at + kites_->vertex_begin(i); });
   out += inner_count();
   const Index quads_at = vertices_at + kites_->vertex_begin(inner_count());
-  parallel_for_each(quads_ + 1, [&](Index f) { out[f] = quads_at + 4 * f; });
+  base::parallel_for_each(quads_ + 1, [&](Index f) { out[f] = quads_at + 4 * f; });
 }
 
 }  // namespace limn::fast

@@ -33,6 +33,9 @@
 
 namespace limn::fast {
 
+/// Numbers of points that one call of a parallel loop makes.
+inline constexpr Index kNumberGrain = 16384;
+
 /// What the layouts of all levels have in common.
 class Kites {
  public:

@@ -18,7 +18,7 @@ PatchTopology::PatchTopology(const Mesh& control, Index sides)
 
 template <int kSides>
 void PatchTopology::fill(const Mesh& control) {
-  parallel_for_each(control.face_count(), [&](Index f) {
+  base::parallel_for_each(control.face_count(), [&](Index f) {
     Index* out = data_.data() + f * size(kSides);
     const Index first = f * kSides;
     for (int k = 0; k < kSides; ++k) *out++ = control.origin(first + k);

@@ -19,10 +19,10 @@ Offset spoke(Lattice lattice, Index s) {
 
 /// Vertices before ring r ≥ 1, or r ≥ 0 of an offset star.
 Index ring_begin(const StarShape& shape, Index r) {
-  if (shape.offset) return r == 0 ? 0 : face_star_size(shape.sectors, r);
+  if (shape.offset) return r == 0 ? 0 : mesh::face_star_size(shape.sectors, r);
   if (r == 1) return 1;
-  return shape.open ? fan_size(shape.lattice, shape.sectors, r - 1)
-                    : star_size(shape.lattice, shape.sectors, r - 1);
+  return shape.open ? mesh::fan_size(shape.lattice, shape.sectors, r - 1)
+                    : mesh::star_size(shape.lattice, shape.sectors, r - 1);
 }
 
 }  // namespace

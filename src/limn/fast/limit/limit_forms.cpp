@@ -5,12 +5,12 @@
 namespace limn::fast {
 namespace {
 
-using Form = LinearForm<double>;
-using Spot = LimitPlace<Form>;
+using Form = refine::LinearForm<double>;
+using Spot = limit::LimitPlace<Form>;
 
 Form difference(const Form& to, const Form& from) {
   Form sum = to;
-  add_scaled(sum, -1.0, from);
+  refine::add_scaled(sum, -1.0, from);
   return sum;
 }
 
@@ -65,15 +65,15 @@ Status LimitReader::search(const Mesh& mesh, int steps_made, bool closed,
                            const std::vector<Index>& vertices, Read read) {
   const auto no_curvature = [](const Spot&) {};
   const LimitOptions options = options_of(steps_made, closed);
-  return LimitSearch<Form, Read, decltype(no_curvature)>(scheme_, kinds_, options, read,
-                                                         no_curvature)
-      .run(mesh, unit_forms<double>(mesh.vertex_count()), vertices, nullptr);
+  return limit::LimitSearch<Form, Read, decltype(no_curvature)>(scheme_, kinds_, options, read,
+                                                                no_curvature)
+      .run(mesh, refine::unit_forms<double>(mesh.vertex_count()), vertices, nullptr);
 }
 
 Result<Index> LimitReader::regular_rings(bool open) {
   const Lattice lattice = scheme_.split->lattice;
   const int size = open ? half_plane_sectors(lattice) : plane_sectors(lattice);
-  const Result<const LimitKind*> kind = kinds_.find({open, size});
+  const Result<const limit::LimitKind*> kind = kinds_.find({open, size});
   if (!kind) return kind.error();
   return (*kind)->shape;
 }

@@ -11,12 +11,12 @@ namespace limn::fast {
 
 /// The limit surface at a vertex of a mesh, as sums over the mesh's vertices: position and two
 /// tangents, whose cross product points outward.
-using LimitForms = std::array<LinearForm<double>, 3>;
+using LimitForms = std::array<refine::LinearForm<double>, 3>;
 
 /// The same at a vertex whose normal is not that of two sums.
 struct LimitChain {
   /// Position, and vectors t₀, t₁, … such that Σ tᵢ × tᵢ₊₁ points outward.
-  std::vector<LinearForm<double>> forms;
+  std::vector<refine::LinearForm<double>> forms;
   /// As many rings, but for the outermost, must be regular so that these are the sums.
   Index rings = 1;
 };
@@ -50,7 +50,7 @@ class LimitReader {
                               const std::vector<Index>& vertices, Read read);
 
   const Scheme& scheme_;
-  LimitKinds kinds_;
+  limit::LimitKinds kinds_;
 };
 
 }  // namespace limn::fast

@@ -8,7 +8,7 @@
 namespace limn::fast {
 namespace {
 
-using Form = LinearForm<double>;
+using Form = refine::LinearForm<double>;
 
 double largest_of(const Form& form) {
   double largest = 0;
@@ -58,7 +58,7 @@ Stencil rounded_stencil(const std::vector<Offset>& places, std::vector<double> w
 bool same_limit(std::span<const Form> a, std::span<const Form> b) {
   constexpr double kSame = 1e-10;
   const auto differ = [](Form form, double weight, const Form& other) {
-    add_scaled(form, -weight, other);
+    refine::add_scaled(form, -weight, other);
     return form;
   };
   if (largest_of(differ(a[0], 1, b[0])) > kSame) return false;

@@ -8,7 +8,7 @@
 namespace limn::fast {
 namespace {
 
-using Form = LinearForm<double>;
+using Form = refine::LinearForm<double>;
 using Places = std::vector<SectorPoint>;
 
 constexpr Index kRim = 2;            // edges from the rim that sums must not come to
@@ -17,9 +17,9 @@ constexpr Index kFewestSeen = 2;     // edges round a vertex, or from a side, th
 constexpr Index kMostSeen = 8;       // if need be more. Those of the last edge must not differ.
 constexpr Index kLargestZone = 200;  // valence of a zone wider than its vertex
 
-class TableMaker {
+class LimitTableMaker {
  public:
-  TableMaker(const LimitControl& control, int level, int steps_made, LimitReader& reader)
+  LimitTableMaker(const LimitControl& control, int level, int steps_made, LimitReader& reader)
       : control_(control),
         step_(control.cycle, level),
         n_(power(control.cycle.cut, level / control.cycle.steps)),
@@ -33,8 +33,8 @@ class TableMaker {
   Result<std::optional<StencilTables>> make() {
     using Found = std::optional<StencilTables>;
     for (const auto read :
-         {&TableMaker::find_rings, &TableMaker::read_plane, &TableMaker::read_sides,
-          &TableMaker::read_kinds, &TableMaker::read_near}) {
+         {&LimitTableMaker::find_rings, &LimitTableMaker::read_plane, &LimitTableMaker::read_sides,
+          &LimitTableMaker::read_kinds, &LimitTableMaker::read_near}) {
       Known found = (this->*read)();
       // a coarse mesh may have no regular vertex to fail at
       if (!found && n_ > 1) return found.error();
@@ -206,7 +206,7 @@ class TableMaker {
       for (const Tap& tap : stencils[i]) {
         const std::optional<SectorPoint> point = at(tap.place);
         if (!point) return std::nullopt;
-        add_scaled(sums[i], tap.weight, Form::unit(site.old_vertex(index_, *point)));
+        refine::add_scaled(sums[i], tap.weight, Form::unit(site.old_vertex(index_, *point)));
       }
     return sums;
   }
@@ -362,7 +362,8 @@ class TableMaker {
       if (sectors == 0) continue;
       std::vector<LimitForms> read;
       for (const Index rings : {reach_ + kRim, Index{1}}) {
-        const Mesh near = open ? fan(lattice_, sectors, rings) : star(lattice_, sectors, rings);
+        const Mesh near =
+            open ? mesh::fan(lattice_, sectors, rings) : mesh::star(lattice_, sectors, rings);
         auto limit = reader_.read(near, steps_made_ - index_, !open, {0});
         if (!limit || !limit->front()) return false;
         for (Form& form : *limit->front()) drop_rounding(form);
@@ -393,7 +394,7 @@ class TableMaker {
 
 Result<std::optional<StencilTables>> read_limit_tables(const LimitControl& control, int level,
                                                        int steps_made, LimitReader& reader) {
-  return TableMaker(control, level, steps_made, reader).make();
+  return LimitTableMaker(control, level, steps_made, reader).make();
 }
 
 }  // namespace limn::fast

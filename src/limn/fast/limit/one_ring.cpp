@@ -102,7 +102,7 @@ Result<std::optional<StepPlan>> plan_one_rings(const Mesh& mesh, std::span<const
     if (!forms->front()) return Found();
     RowTable table;
     table.sources = ring.vertex_count();
-    for (const LinearForm<double>& form : *forms->front()) {
+    for (const refine::LinearForm<double>& form : *forms->front()) {
       for (const auto& [vertex, weight] : form.terms)
         if (weight != 0) table.terms.push_back({vertex, weight});
       table.row_begin.push_back(static_cast<int>(table.terms.size()));

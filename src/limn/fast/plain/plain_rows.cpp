@@ -6,6 +6,7 @@
 #include <cstring>
 
 #include "limn/base/parallel.h"
+#include "limn/fast/kernel/quad.h"
 
 namespace limn::fast {
 namespace {
@@ -19,7 +20,7 @@ class RowWriter {
             WeightLists& lists)
       : places_(places), faces_at_(faces_at), sources_(sources), lists_(lists) {}
 
-  void operator()(Source source, double weight) {
+  void operator()(refine::Source source, double weight) {
     if (source.is_face) {
       const Index i = faces_at_ + source.index;
       face_sources_.push_back(places_.empty() ? i : places_[i]);
@@ -88,7 +89,7 @@ class RowWriter {
 /// The chunks of new vertices [begin, end) come after these.
 void add_chunks(Index begin, Index end, std::vector<PlainRows::Chunk>& chunks) {
   for (Index first = begin; first < end;) {
-    const Index rows = std::min(static_cast<Index>(kDefaultGrain), end - first);
+    const Index rows = std::min(static_cast<Index>(base::kDefaultGrain), end - first);
     chunks.emplace_back().first = first;
     chunks.back().lists.resize(static_cast<std::size_t>(rows));
     first += rows;
@@ -97,15 +98,9 @@ void add_chunks(Index begin, Index end, std::vector<PlainRows::Chunk>& chunks) {
 
 template <class Do>
 void for_chunks(std::size_t begin, std::size_t end, Do do_chunk) {
-  parallel_for(
+  base::parallel_for(
       begin, end, [&](std::size_t first, std::size_t) { do_chunk(first); }, 1);
 }
-
-/// Four numbers at once: a point and what comes after it.
-template <class Real>
-struct Quad {
-  typedef Real Type __attribute__((vector_size(4 * sizeof(Real))));
-};
 
 }  // namespace
 
@@ -186,9 +181,9 @@ std::size_t PlainRows::bytes() const {
   return indices * sizeof(Index) + lists_.bytes();
 }
 
-template std::optional<PlainRows> PlainRows::record_any(const StepStencils<double>&,
+template std::optional<PlainRows> PlainRows::record_any(const refine::StepStencils<double>&,
                                                         std::vector<Index>, std::size_t);
-template std::optional<PlainRows> PlainRows::record_any(const CreaseStencils<double>&,
+template std::optional<PlainRows> PlainRows::record_any(const refine::CreaseStencils<double>&,
                                                         std::vector<Index>, std::size_t);
 template void PlainRows::evaluate<float>(const float*, float*) const;
 template void PlainRows::evaluate<double>(const double*, double*) const;

@@ -18,15 +18,15 @@ class PlainRows {
   /// The rows of one step, for which `stencils` has prepared all. New vertex i gets the number
   /// places[i], or i where `places` is empty. Nothing where they would take more than `limit` bytes
   /// (`places` not counted). Cost: about that of refining points once, on all threads.
-  [[nodiscard]] static std::optional<PlainRows> record(const StepStencils<double>& stencils,
+  [[nodiscard]] static std::optional<PlainRows> record(const refine::StepStencils<double>& stencils,
                                                        std::vector<Index> places,
                                                        std::size_t limit) {
     return record_any(stencils, std::move(places), limit);
   }
   /// The same of a mesh with sharpness.
-  [[nodiscard]] static std::optional<PlainRows> record(const CreaseStencils<double>& stencils,
-                                                       std::vector<Index> places,
-                                                       std::size_t limit) {
+  [[nodiscard]] static std::optional<PlainRows> record(
+      const refine::CreaseStencils<double>& stencils, std::vector<Index> places,
+      std::size_t limit) {
     return record_any(stencils, std::move(places), limit);
   }
 
@@ -61,10 +61,10 @@ class PlainRows {
   std::size_t of_faces_ = 0;
 };
 
-extern template std::optional<PlainRows> PlainRows::record_any(const StepStencils<double>&,
+extern template std::optional<PlainRows> PlainRows::record_any(const refine::StepStencils<double>&,
                                                                std::vector<Index>, std::size_t);
-extern template std::optional<PlainRows> PlainRows::record_any(const CreaseStencils<double>&,
-                                                               std::vector<Index>, std::size_t);
+extern template std::optional<PlainRows> PlainRows::record_any(
+    const refine::CreaseStencils<double>&, std::vector<Index>, std::size_t);
 extern template void PlainRows::evaluate<float>(const float*, float*) const;
 extern template void PlainRows::evaluate<double>(const double*, double*) const;
 

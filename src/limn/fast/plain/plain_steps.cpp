@@ -28,13 +28,13 @@ Result<PlainSteps> PlainSteps::make(const Scheme& scheme, const Mesh& control, i
 Status PlainSteps::add_step(bool alone, Sharpness& sharpness) {
   const Split& split = *scheme_->split;
   const Mesh& old = mesh(static_cast<std::size_t>(count_));
-  std::unique_ptr<CreaseStep> creases;
+  std::unique_ptr<refine::CreaseStep> creases;
   SplitResult made;
   if (sharpness.any()) {
-    Result<CreaseStep> step = CreaseStep::make(split, old, sharpness, count_);
+    Result<refine::CreaseStep> step = refine::CreaseStep::make(split, old, sharpness, count_);
     if (!step) return step.error();
-    if (Status status = prepare_tables(tables_, *step); !status) return status;
-    creases = std::make_unique<CreaseStep>(std::move(*step));
+    if (Status status = refine::prepare_tables(tables_, *step); !status) return status;
+    creases = std::make_unique<refine::CreaseStep>(std::move(*step));
     sharpness = creases->fine_sharpness();
     made = alone ? SplitResult{{}, creases->fine().births} : creases->fine();
   } else {
@@ -50,10 +50,10 @@ Status PlainSteps::add_step(bool alone, Sharpness& sharpness) {
 
 std::optional<PlainRows> PlainSteps::rows_of(std::size_t step, std::vector<Index> places) const {
   if (creases_[step]) {
-    const CreaseStencils<double> stencils(*scheme_, *creases_[step], tables_);
+    const refine::CreaseStencils<double> stencils(*scheme_, *creases_[step], tables_);
     return PlainRows::record(stencils, std::move(places), row_limit(stencils.count()));
   }
-  StepStencils<double> stencils(*scheme_, mesh(step), splits_[step].births, tables_);
+  refine::StepStencils<double> stencils(*scheme_, mesh(step), splits_[step].births, tables_);
   stencils.prepare_all();
   return PlainRows::record(stencils, std::move(places), row_limit(stencils.count()));
 }
@@ -111,9 +111,11 @@ void PlainSteps::evaluate_anew(const Real* control, Real* fine) const {
   for (std::size_t v = 0; v < vertices; ++v, control += 3)
     points[v] = {double(control[0]), double(control[1]), double(control[2])};
   for (std::size_t step = 0; step < splits_.size(); ++step)
-    points = creases_[step]
-                 ? refine_values(CreaseStencils<double>(*scheme_, *creases_[step], tables_), points)
-                 : refine_values(*scheme_, mesh(step), splits_[step].births, tables_, points);
+    points =
+        creases_[step]
+            ? refine::refine_values(
+                  refine::CreaseStencils<double>(*scheme_, *creases_[step], tables_), points)
+            : refine::refine_values(*scheme_, mesh(step), splits_[step].births, tables_, points);
   for (std::size_t i = 0; i < points.size(); ++i) {
     const Point3& point = points[order_.empty() ? i : static_cast<std::size_t>(order_[i])];
     *fine++ = static_cast<Real>(point.x);

@@ -51,12 +51,12 @@ class PlainSteps {
 
   const Scheme* scheme_;
   const Mesh* control_;
-  RuleTables<double> tables_;
+  refine::RuleTables<double> tables_;
   int count_ = 0;
-  std::vector<SplitResult> splits_;                   ///< unless there are rows
-  std::vector<std::unique_ptr<CreaseStep>> creases_;  ///< likewise; null: nothing is sharp
-  std::vector<Index> order_;                          ///< likewise
-  std::vector<PlainRows> rows_;                       ///< of each step, or empty
+  std::vector<SplitResult> splits_;                           ///< unless there are rows
+  std::vector<std::unique_ptr<refine::CreaseStep>> creases_;  ///< likewise; null: nothing is sharp
+  std::vector<Index> order_;                                  ///< likewise
+  std::vector<PlainRows> rows_;                               ///< of each step, or empty
 };
 
 extern template void PlainSteps::evaluate<float>(const float*, float*) const;

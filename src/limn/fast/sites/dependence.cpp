@@ -15,7 +15,7 @@ class Explorer {
   void explore(RuleKind kind, Index h, bool at_target = false) {
     const std::optional<Rule>& rule = scheme_.rule(kind);
     if (!rule) return;
-    const AnchorFlags anchor = anchor_flags(kind, mesh_, h, at_target);
+    const scheme::AnchorFlags anchor = scheme::anchor_flags(kind, mesh_, h, at_target);
     for (int i = 0; i < anchor.count; ++i) {
       see(anchor.flags[i].halfedge);
       for (const RuleCase& rule_case : *rule)

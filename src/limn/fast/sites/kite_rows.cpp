@@ -7,8 +7,6 @@
 namespace limn::fast {
 namespace {
 
-constexpr Index kNumberGrain = 16384;  // numbers that one call of a parallel loop makes
-
 /// How a face touches the boundary; empty where it does not.
 RimPattern pattern_of(const Kites& kites, Index f) {
   const Mesh& mesh = kites.control();
@@ -48,7 +46,7 @@ HugeArray<Index> number_points(const KiteCentres& centres, const KiteLevel& leve
   }
   const Index count = static_cast<Index>(centres.sectors.size()) / centres.sides;
   HugeArray<Index> numbers(static_cast<std::size_t>(count) * points.size());
-  parallel_for(
+  base::parallel_for(
       Index{0}, count,
       [&](Index first, Index end) {
         Index* number = numbers.data() + first * std::ssize(points);

@@ -35,7 +35,7 @@ class Finder {
         count_(lattice_ == Lattice::triangle ? 3 : 4),
         sides_(sides),
         boundary_(!cycle.offset && std::find(sides.begin() + 1, sides.end(), true) != sides.end()),
-        seen_from_(!cycle.offset && has_rules_seen_from(scheme)) {}
+        seen_from_(!cycle.offset && scheme::has_rules_seen_from(scheme)) {}
 
   std::optional<Reach> find() {
     const bool quads = lattice_ == Lattice::quad;

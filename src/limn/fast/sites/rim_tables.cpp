@@ -9,7 +9,7 @@ constexpr Index kMargin = 3;  // points between what is read and the end of a si
 const RimPattern kWideSide{3, 3, 0, 1}, kNarrowSide{0, 1, 0, 1};
 
 /// What is to be read at points of a site: as many forms for each, one after the other; or none.
-using RimForms = std::vector<LinearForm<double>>;
+using RimForms = std::vector<refine::LinearForm<double>>;
 
 template <class Read>
 class RimMaker {
@@ -86,7 +86,7 @@ class RimMaker {
 
 Result<RimTables> read_rims(const Scheme& scheme, const GridCycle& cycle,
                             const std::set<RimPattern>& patterns, const Reach& reach) {
-  RuleTables<double> rules(scheme, Boundary::left_out);
+  refine::RuleTables<double> rules(scheme, refine::Boundary::left_out);
   const auto read = [&](const Site& site, const std::vector<SectorPoint>& points) {
     return read_new_points(scheme, rules, site, 0, points);
   };

@@ -7,10 +7,12 @@
 #include <string>
 #include <unordered_map>
 
+#include "limn/mesh/index.h"
+
 namespace limn::fast {
 namespace {
 
-std::size_t at(Index i) { return static_cast<std::size_t>(i); }
+using mesh::at;
 
 /// Whether a crease or the boundary lies on the edge of h.
 bool cuts(const Mesh& mesh, const Sharpness& sharpness, Index h) {

@@ -3,22 +3,23 @@
 #include <algorithm>
 #include <cmath>
 
+#include "limn/mesh/index.h"
 #include "limn/refine/crease_stencils.h"
 
 namespace limn::fast {
 namespace {
 
-using Form = LinearForm<double>;
+using Form = refine::LinearForm<double>;
 
-std::size_t at(Index i) { return static_cast<std::size_t>(i); }
+using mesh::at;
 
 /// What a new vertex weighs, in old ones.
 template <class Stencils>
 Form form_of(const Stencils& stencils, Index fresh) {
   std::vector<std::pair<Index, double>> parts;
-  stencils.visit(fresh, [&](Source source, double weight) {
+  stencils.visit(fresh, [&](refine::Source source, double weight) {
     if (!source.is_face) return parts.emplace_back(source.index, weight), void();
-    stencils.visit(stencils.faces_at() + source.index, [&](Source of_face, double inner) {
+    stencils.visit(stencils.faces_at() + source.index, [&](refine::Source of_face, double inner) {
       parts.emplace_back(of_face.index, weight * inner);
     });
   });
@@ -38,7 +39,7 @@ constexpr double kRounding = 1e-14;  // of weights
 /// Whether two forms differ by more than rounding.
 bool differ(const Form& a, const Form& b) {
   Form difference = a;
-  add_scaled(difference, -1.0, b);
+  refine::add_scaled(difference, -1.0, b);
   return std::any_of(difference.terms.begin(), difference.terms.end(),
                      [](const auto& term) { return std::abs(term.second) > kRounding; });
 }
@@ -98,12 +99,13 @@ Result<SharpTables::Forms> SharpTables::read(const Site& site, const SharpPatter
                                              const std::vector<SectorPoint>& points) {
   const Mesh& mesh = site.mesh(0);
   const Sharpness sharpness = sharpness_of(site, pattern);
-  const Result<CreaseStep> step = CreaseStep::make(*scheme_.split, mesh, sharpness, 0);
+  const Result<refine::CreaseStep> step =
+      refine::CreaseStep::make(*scheme_.split, mesh, sharpness, 0);
   if (!step) return step.error();
-  if (Status status = prepare_tables(rules_, *step); !status) return status.error();
+  if (Status status = refine::prepare_tables(rules_, *step); !status) return status.error();
   if (Status status = rules_.prepare(mesh, site.births(0)); !status) return status.error();
-  const CreaseStencils<double> sharp(scheme_, *step, rules_);
-  const StepStencils<double> smooth(scheme_, mesh, site.births(0), rules_);
+  const refine::CreaseStencils<double> sharp(scheme_, *step, rules_);
+  const refine::StepStencils<double> smooth(scheme_, mesh, site.births(0), rules_);
   Forms result;
   for (const SectorPoint& point : points) {
     const Index fresh = site.new_vertex(0, point);

@@ -58,7 +58,7 @@ class SharpTables {
   [[nodiscard]] Result<const std::vector<SideRow>*> strip(double sharpness);
 
  private:
-  using Form = LinearForm<double>;
+  using Form = refine::LinearForm<double>;
   struct Forms {
     std::vector<SectorPoint> points;
     std::vector<Form> forms;
@@ -73,7 +73,7 @@ class SharpTables {
   const Scheme& scheme_;
   const GridCycle& cycle_;
   const StencilTables& tables_;
-  RuleTables<double> rules_;
+  refine::RuleTables<double> rules_;
   std::map<std::pair<Index, bool>, Site> sites_;
   std::map<SharpPattern, ZoneTable> zones_;
   std::map<double, std::vector<SideRow>> strips_;

@@ -86,7 +86,7 @@ Parents parents(const Mesh& mesh, const Birth& birth, bool dual) {
 
 /// A face star without the points that a pattern has not.
 Mesh receding_star(const StarShape& shape, Index rings, const RimPattern& pattern) {
-  const Mesh whole = face_star(shape.sectors, rings);
+  const Mesh whole = mesh::face_star(shape.sectors, rings);
   const auto there = [&](Index v) { return has_point(pattern, sector_point(shape, v)); };
   std::vector<Index> number;
   Polygons polygons;
@@ -126,8 +126,8 @@ Site::Site(const Split& split, const GridCycle& cycle, const StarShape& shape, I
   shape_.offset = cycle.offset;
   Step first;
   first.mesh = shape_.offset ? receding_star(shape_, rings, pattern)
-               : shape.open  ? fan(shape.lattice, shape.sectors, rings)
-                             : star(shape.lattice, shape.sectors, rings);
+               : shape.open  ? mesh::fan(shape.lattice, shape.sectors, rings)
+                             : mesh::star(shape.lattice, shape.sectors, rings);
   controls_.assign(at(slots), kNone);
   for (Index v = 0; std::ssize(first.places) < first.mesh.vertex_count(); ++v) {
     const SectorPoint point = sector_point(shape_, v);

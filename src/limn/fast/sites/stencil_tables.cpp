@@ -7,7 +7,7 @@
 namespace limn::fast {
 namespace {
 
-using Form = LinearForm<double>;
+using Form = refine::LinearForm<double>;
 using Places = std::vector<SectorPoint>;
 
 class TableMaker {
@@ -18,8 +18,8 @@ class TableMaker {
         cycle_(cycle),
         kinds_(kinds),
         sides_(sides),
-        closed_(scheme, Boundary::left_out),
-        open_(scheme, Boundary::refined),
+        closed_(scheme, refine::Boundary::left_out),
+        open_(scheme, refine::Boundary::refined),
         tables_(static_cast<std::size_t>(cycle.steps)) {}
 
   Result<std::vector<StencilTables>> make() {
@@ -135,7 +135,7 @@ class TableMaker {
   const GridCycle& cycle_;
   const std::vector<StarShape>& kinds_;
   BoundarySides sides_;
-  RuleTables<double> closed_, open_;
+  refine::RuleTables<double> closed_, open_;
   std::vector<StencilTables> tables_;  // by step
 };
 
@@ -153,7 +153,7 @@ Index rings_of_site(const GridCycle& cycle, std::span<const StencilTables> table
   return (seen + more) / cycle.edge() + kMargin;
 }
 
-Result<std::vector<Form>> read_new_points(const Scheme& scheme, RuleTables<double>& rules,
+Result<std::vector<Form>> read_new_points(const Scheme& scheme, refine::RuleTables<double>& rules,
                                           const Site& site, int step,
                                           const std::vector<SectorPoint>& points) {
   const Mesh& mesh = site.mesh(step);
@@ -162,8 +162,8 @@ Result<std::vector<Form>> read_new_points(const Scheme& scheme, RuleTables<doubl
   std::vector<Index> vertices;
   vertices.reserve(points.size());
   for (const SectorPoint& point : points) vertices.push_back(site.new_vertex(step, point));
-  return refine_values_at(scheme, mesh, births, rules, unit_forms<double>(mesh.vertex_count()),
-                          vertices);
+  return refine::refine_values_at(scheme, mesh, births, rules,
+                                  refine::unit_forms<double>(mesh.vertex_count()), vertices);
 }
 
 ZoneTable zone_table(std::span<const Form> forms, const Site& site, int step,

@@ -11,8 +11,8 @@
 namespace limn::fast {
 
 /// Forms of new points over site.mesh(step).
-[[nodiscard]] Result<std::vector<LinearForm<double>>> read_new_points(
-    const Scheme& scheme, RuleTables<double>& rules, const Site& site, int step,
+[[nodiscard]] Result<std::vector<refine::LinearForm<double>>> read_new_points(
+    const Scheme& scheme, refine::RuleTables<double>& rules, const Site& site, int step,
     const std::vector<SectorPoint>& points);
 
 /// New points round a vertex, as sums over the old ones round it.
@@ -30,8 +30,8 @@ struct ZoneTables {
 };
 
 /// Forms over the old vertices of a site's step, as rows of the targets.
-[[nodiscard]] ZoneTable zone_table(std::span<const LinearForm<double>> forms, const Site& site,
-                                   int step, std::vector<SectorPoint> targets);
+[[nodiscard]] ZoneTable zone_table(std::span<const refine::LinearForm<double>> forms,
+                                   const Site& site, int step, std::vector<SectorPoint> targets);
 
 /// A row of points along a side of the mesh that runs along the first axis, the mesh lying above:
 /// those (x, y) with x ≡ phase (mod period). One sum for each, or several.
@@ -42,7 +42,7 @@ struct SideRow {
 };
 
 /// Forms of a point of a site on the plane, or on half of it, as that of a row.
-[[nodiscard]] SideRow side_row(std::span<const LinearForm<double>> forms, const Site& site,
+[[nodiscard]] SideRow side_row(std::span<const refine::LinearForm<double>> forms, const Site& site,
                                int step, const SectorPoint& point, Index period);
 
 /// Of one step, or of the limit surface at a level (limit_tables.h).

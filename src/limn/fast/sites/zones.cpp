@@ -18,7 +18,7 @@ void find_sectors(const Mesh& control, ZoneGroup& group) {
   group.sectors.resize(size);
   group.codes.resize(size);
   group.ends.resize(size);
-  parallel_for(
+  base::parallel_for(
       Index{0}, static_cast<Index>(group.vertices.size()),
       [&](Index first, Index last) {
         std::size_t at = static_cast<std::size_t>(first) * sectors;
@@ -35,7 +35,7 @@ void find_sectors(const Mesh& control, ZoneGroup& group) {
 }
 
 /// A point round any vertex of a group: where its number is found.
-struct Finder {
+struct ZoneFinder {
   enum From { vertex, spoke, patch, beyond } from = vertex;
   std::size_t sector = 0;
   Index x = 0, y = 0;
@@ -43,22 +43,22 @@ struct Finder {
   std::array<Index, 4> at{};  ///< inside, by the number of the sector's half-edge in its face
 };
 
-Finder make_finder(const GridLayout& layout, const SectorPoint& p) {
-  Finder finder{Finder::vertex, static_cast<std::size_t>(p.sector), p.x, p.y};
+ZoneFinder make_finder(const GridLayout& layout, const SectorPoint& p) {
+  ZoneFinder finder{ZoneFinder::vertex, static_cast<std::size_t>(p.sector), p.x, p.y};
   if (p.x == 0 && p.y == 0) return finder;
   if (!patch_holds(layout.lattice(), layout.side(), {p.x, p.y})) {
-    finder.from = Finder::beyond;
+    finder.from = ZoneFinder::beyond;
     return finder;
   }
   finder.spot = layout.spot(0, p.x, p.y);
-  finder.from = p.y == 0 ? Finder::spoke : Finder::patch;
+  finder.from = p.y == 0 ? ZoneFinder::spoke : ZoneFinder::patch;
   for (Index k = 0; k < layout.sides(); ++k)
     finder.at[static_cast<std::size_t>(k)] = layout.spot(k, p.x, p.y).at;
   return finder;
 }
 
 /// The number of a point in the frame of h.
-Index number_in_patch(const GridLayout& layout, Index h, const Finder& p) {
+Index number_in_patch(const GridLayout& layout, Index h, const ZoneFinder& p) {
   using Spot = GridLayout::Spot;
   if (p.spot.on == Spot::corner) return layout.control().origin(layout.turned(h, p.spot.side));
   if (p.spot.on == Spot::edge) return layout.edge_point(layout.turned(h, p.spot.side), p.spot.at);
@@ -74,28 +74,30 @@ HugeArray<Index> number_points(const ZoneGroup& group, GridLayout layout,
     for (SectorPoint& p : points) p = {p.sector, p.x / layout.unit(), p.y / layout.unit()};
     layout = layout.grid();
   }
-  std::vector<Finder> list;
+  std::vector<ZoneFinder> list;
   list.reserve(points.size());
   for (const SectorPoint& point : points) list.push_back(make_finder(layout, point));
   HugeArray<Index> numbers(group.vertices.size() * points.size());
-  parallel_for(
+  base::parallel_for(
       Index{0}, static_cast<Index>(group.vertices.size()),
       [&](Index first, Index last) {
         Index* number = numbers.data() + first * std::ssize(list);
         for (Index i = first; i < last; ++i) {
           const auto at = static_cast<std::size_t>(i);
           const auto sector = at * static_cast<std::size_t>(group.kind.sectors);
-          for (const Finder& p : list) {
+          for (const ZoneFinder& p : list) {
             const std::size_t s = sector + p.sector;
             switch (p.from) {
-              case Finder::vertex: *number++ = group.vertices[at]; break;
-              case Finder::spoke:
+              case ZoneFinder::vertex: *number++ = group.vertices[at]; break;
+              case ZoneFinder::spoke:
                 *number++ = p.spot.on == GridLayout::Spot::corner
                                 ? group.ends[s]
                                 : layout.point_along(group.codes[s], p.spot.at);
                 break;
-              case Finder::patch: *number++ = number_in_patch(layout, group.sectors[s], p); break;
-              case Finder::beyond: *number++ = layout.point_beyond(group.sectors[s], p.x, p.y);
+              case ZoneFinder::patch:
+                *number++ = number_in_patch(layout, group.sectors[s], p);
+                break;
+              case ZoneFinder::beyond: *number++ = layout.point_beyond(group.sectors[s], p.x, p.y);
             }
           }
         }
@@ -108,7 +110,7 @@ HugeArray<Index> number_points(const ZoneGroup& group, GridLayout layout,
 
 std::vector<ZoneGroup> group_vertices(const Mesh& control, Lattice lattice) {
   const auto at = [](Index i) { return static_cast<std::size_t>(i); };
-  std::vector<Index> key = valences(control);  // → twice the valence, and 1 less in a fan
+  std::vector<Index> key = mesh::valences(control);  // → twice the valence, and 1 less in a fan
   for (Index v = 0; v < control.vertex_count(); ++v)
     key[at(v)] = 2 * key[at(v)] - (control.is_boundary_vertex(v) ? 1 : 0);
   const Index largest = key.empty() ? 0 : *std::max_element(key.begin(), key.end());

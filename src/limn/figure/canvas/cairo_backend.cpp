@@ -18,7 +18,7 @@
 #include <optional>
 #endif
 
-namespace limn {
+namespace limn::figure {
 
 #if LIMN_HAS_CAIRO
 namespace {
@@ -356,4 +356,4 @@ double cairo_text_width(std::string_view text, const TextStyle& style) {
 
 #endif
 
-}  // namespace limn
+}  // namespace limn::figure

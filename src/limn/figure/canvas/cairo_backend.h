@@ -7,7 +7,7 @@
 
 #include "limn/figure/canvas/canvas.h"
 
-namespace limn {
+namespace limn::figure {
 
 [[nodiscard]] bool cairo_available();
 
@@ -20,4 +20,4 @@ namespace limn {
 /// Width in points of the text (in the markup of rich_text.h) set in one line.
 [[nodiscard]] double cairo_text_width(std::string_view text, const TextStyle& style);
 
-}  // namespace limn
+}  // namespace limn::figure

@@ -8,7 +8,7 @@
 #include "limn/base/files/file.h"
 #include "limn/figure/canvas/cairo_backend.h"
 
-namespace limn {
+namespace limn::figure {
 
 Path& Path::move_to(PagePoint to) {
   verbs_.push_back(Verb::move);
@@ -117,13 +117,13 @@ Status Canvas::write(const std::string& path, FigureFormat format) const {
     error.file = path;
     return error;
   }
-  return write_file(path, *bytes);
+  return base::write_file(path, *bytes);
 }
 
 bool figures_available() { return cairo_available(); }
 
 Result<Image> read_png(const std::string& path) {
-  const Result<std::string> bytes = read_file(path);
+  const Result<std::string> bytes = base::read_file(path);
   if (!bytes) return bytes.error();
   Result<Image> image = cairo_decode_png(*bytes);
   if (image) return image;
@@ -136,4 +136,4 @@ double text_width(std::string_view text, const TextStyle& style) {
   return cairo_text_width(text, style);
 }
 
-}  // namespace limn
+}  // namespace limn::figure

@@ -19,7 +19,7 @@
 
 #include "limn/base/error.h"
 
-namespace limn {
+namespace limn::figure {
 
 /// A place on the page, or a vector between two.
 using PagePoint = std::array<double, 2>;
@@ -181,4 +181,4 @@ class Canvas {
 /// Width in points of the text set in one line; without cairo an estimate.
 [[nodiscard]] double text_width(std::string_view text, const TextStyle& style);
 
-}  // namespace limn
+}  // namespace limn::figure

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace limn {
+namespace limn::figure {
 namespace {
 
 constexpr Colour from_bytes(int red, int green, int blue) {
@@ -70,4 +70,4 @@ std::vector<double> series_dash(int index) {
   return dashes[static_cast<std::size_t>(index) % dashes.size()];
 }
 
-}  // namespace limn
+}  // namespace limn::figure

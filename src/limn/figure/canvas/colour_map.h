@@ -5,7 +5,7 @@
 
 #include "limn/figure/canvas/canvas.h"
 
-namespace limn {
+namespace limn::figure {
 
 /// A sequence from dark blue to yellow in which equal steps look equal, to the colour-blind and in
 /// grey too: viridis, by Nathaniel Smith and Stéfan van der Walt, published under CC0 with
@@ -31,4 +31,4 @@ namespace limn {
 /// A dash for the series, so that they differ in grey too; the first is solid.
 [[nodiscard]] std::vector<double> series_dash(int index);
 
-}  // namespace limn
+}  // namespace limn::figure

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace limn {
+namespace limn::figure {
 
 ParallelView::ParallelView(double azimuth, double elevation) {
   const double a = std::isfinite(azimuth) ? azimuth * std::numbers::pi / 180 : 0;
@@ -35,4 +35,4 @@ FramePlacement::FramePlacement(const ViewFrame& frame, const Box& box) : frame_(
           scale_ * width, scale_ * height};
 }
 
-}  // namespace limn
+}  // namespace limn::figure

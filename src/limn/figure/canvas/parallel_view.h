@@ -9,7 +9,7 @@
 #include "limn/figure/canvas/space_vector.h"
 #include "limn/figure/canvas/ticks.h"
 
-namespace limn {
+namespace limn::figure {
 
 /// Surfaces are lit from the left above the viewer; in the viewer's coordinates, of length 1.
 inline constexpr SpaceVector kLightFrom = {-0.45, 0.62, 0.643};
@@ -65,4 +65,4 @@ class FramePlacement {
   Box box_;
 };
 
-}  // namespace limn
+}  // namespace limn::figure

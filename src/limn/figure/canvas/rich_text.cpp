@@ -3,7 +3,7 @@
 #include "limn/base/printable.h"
 #include "limn/base/utf8.h"
 
-namespace limn {
+namespace limn::figure {
 namespace {
 
 /// The font of what a mark encloses, given the one around it; `text` of the result is empty.
@@ -40,8 +40,8 @@ std::vector<TextRun> parse_rich_text(std::string_view text) {
     } else if (text[0] == '}' && open.size() > 1) {
       open.pop_back();
       change_font(open.back());
-    } else if (const std::size_t length = utf8_length(text)) {
-      run.text += printable(text.substr(0, length));
+    } else if (const std::size_t length = base::utf8_length(text)) {
+      run.text += base::printable(text.substr(0, length));
       taken = length;
     } else {
       run.text += "\uFFFD";
@@ -52,4 +52,4 @@ std::vector<TextRun> parse_rich_text(std::string_view text) {
   return runs;
 }
 
-}  // namespace limn
+}  // namespace limn::figure

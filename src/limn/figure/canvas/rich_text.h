@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-namespace limn {
+namespace limn::figure {
 
 /// A piece of a line of text in one font.
 struct TextRun {
@@ -24,4 +24,4 @@ struct TextRun {
 /// characters escapes (base/printable.h).
 [[nodiscard]] std::vector<TextRun> parse_rich_text(std::string_view text);
 
-}  // namespace limn
+}  // namespace limn::figure

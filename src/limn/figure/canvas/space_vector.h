@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-namespace limn {
+namespace limn::figure {
 
 using SpaceVector = std::array<double, 3>;
 
@@ -39,4 +39,4 @@ using SpaceVector = std::array<double, 3>;
   return std::isfinite(a[0]) && std::isfinite(a[1]) && std::isfinite(a[2]);
 }
 
-}  // namespace limn
+}  // namespace limn::figure

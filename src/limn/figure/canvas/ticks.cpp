@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-namespace limn {
+namespace limn::figure {
 namespace {
 
 /// U+2212 for a leading hyphen.
@@ -149,4 +149,4 @@ std::string number_label(double value, int digits) {
   return with_minus(text.substr(0, e)) + "·" + power_label(std::stoi(text.substr(e + 1)));
 }
 
-}  // namespace limn
+}  // namespace limn::figure

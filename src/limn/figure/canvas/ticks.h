@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-namespace limn {
+namespace limn::figure {
 
 struct Range {
   double low = 0, high = 1;
@@ -44,4 +44,4 @@ struct Ticks {
 /// The number with this many significant digits, without trailing zeros.
 [[nodiscard]] std::string number_label(double value, int digits = 3);
 
-}  // namespace limn
+}  // namespace limn::figure

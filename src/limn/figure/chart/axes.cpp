@@ -5,7 +5,7 @@
 #include <limits>
 #include <utility>
 
-namespace limn {
+namespace limn::figure {
 namespace {
 
 constexpr double kNumberGap = 1.5;  // between a tick and its number
@@ -120,4 +120,4 @@ void draw_title(Canvas& canvas, const std::string& title, double left, double ri
       {.size = kTitleSize, .align = Align::centre, .vertical = VerticalAlign::top, .bold = true});
 }
 
-}  // namespace limn
+}  // namespace limn::figure

@@ -6,7 +6,7 @@
 #include "limn/figure/canvas/canvas.h"
 #include "limn/figure/canvas/ticks.h"
 
-namespace limn {
+namespace limn::figure {
 
 inline constexpr double kTickSize = 7;     ///< points; numbers at ticks
 inline constexpr double kLabelSize = 8;    ///< axis labels, legends, captions
@@ -59,4 +59,4 @@ class Axis {
 /// The title, centred over [left, right] with its top at `y`; nothing if it is empty.
 void draw_title(Canvas& canvas, const std::string& title, double left, double right, double y);
 
-}  // namespace limn
+}  // namespace limn::figure

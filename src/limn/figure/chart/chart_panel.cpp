@@ -9,7 +9,7 @@
 #include "limn/figure/chart/axes.h"
 #include "limn/figure/chart/label_places.h"
 
-namespace limn {
+namespace limn::figure {
 namespace {
 
 constexpr double kRightMargin = 8;  // half of a number at the end of the x axis
@@ -237,4 +237,4 @@ void ChartPanel::draw(Canvas& canvas, const Box& box) const {
   plot.y.draw_as_y(canvas, inside.x, inside.bottom(), inside.y);
 }
 
-}  // namespace limn
+}  // namespace limn::figure

@@ -7,7 +7,7 @@
 
 #include "limn/figure/canvas/canvas.h"
 
-namespace limn {
+namespace limn::figure {
 
 /// A panel (see map_panel.h) of named lines. Each has a colour and a dash of its own, so that a
 /// grey copy can be read too; so has each a marker, larger from series to series, so that points
@@ -37,4 +37,4 @@ struct ChartPanel {
   void draw(Canvas& canvas, const Box& box) const;
 };
 
-}  // namespace limn
+}  // namespace limn::figure

@@ -5,12 +5,12 @@
 
 #include "limn/figure/canvas/colour_map.h"
 
-namespace limn {
+namespace limn::figure {
 namespace {
 
 constexpr double kBarWidth = 7;
-constexpr double kNumberGap = 1.5;
-constexpr double kLabelGap = 3;
+constexpr double kBarNumberGap = 1.5;
+constexpr double kBarLabelGap = 3;
 constexpr double kLighten = 0.12;  // black lines must show on the darkest band
 constexpr int kBandsPerTick = 4;
 
@@ -110,8 +110,8 @@ Colour colour_of(const ColourScale& scale, double value) {
 
 double colour_bar_width(const ColourScale& scale, const std::string& label) {
   // The widest possible numbers: those without regard to clearance.
-  const double width = kBarWidth + kTickLength + kNumberGap + widest(numbers(scale, 0));
-  return full_label(scale, label).empty() ? width : width + kLabelGap + kLabelSize;
+  const double width = kBarWidth + kTickLength + kBarNumberGap + widest(numbers(scale, 0));
+  return full_label(scale, label).empty() ? width : width + kBarLabelGap + kLabelSize;
 }
 
 void draw_colour_bar(Canvas& canvas, const ColourScale& scale, const std::string& label, double x,
@@ -133,18 +133,18 @@ void draw_colour_bar(Canvas& canvas, const ColourScale& scale, const std::string
   for (const Ticks::Tick& tick : scale.ticks.ticks) draw_tick(tick.value, kTickLength * 0.6);
   for (const BarNumber& number : all) {
     draw_tick(number.value, kTickLength);
-    canvas.text({right + kTickLength + kNumberGap, at(number.value)}, number.label,
+    canvas.text({right + kTickLength + kBarNumberGap, at(number.value)}, number.label,
                 {.size = kTickSize, .vertical = VerticalAlign::middle});
   }
   canvas.text(
-      {right + kTickLength + kNumberGap + widest(all) + kLabelGap, (bottom + top) / 2},
+      {right + kTickLength + kBarNumberGap + widest(all) + kBarLabelGap, (bottom + top) / 2},
       full_label(scale, label),
       {.size = kLabelSize, .align = Align::centre, .vertical = VerticalAlign::top, .angle = 90});
 }
 
 double lying_colour_bar_height(const ColourScale& scale, const std::string& label) {
-  const double height = kBarWidth + kTickLength + kNumberGap + kTickSize;
-  return full_label(scale, label).empty() ? height : height + kLabelGap + kLabelSize;
+  const double height = kBarWidth + kTickLength + kBarNumberGap + kTickSize;
+  return full_label(scale, label).empty() ? height : height + kBarLabelGap + kLabelSize;
 }
 
 void draw_lying_colour_bar(Canvas& canvas, const ColourScale& scale, const std::string& label,
@@ -163,12 +163,12 @@ void draw_lying_colour_bar(Canvas& canvas, const ColourScale& scale, const std::
   for (const BarNumber& number : numbers(scale, clearance / (right - left) * size)) {
     const double x = at(number.value);
     canvas.stroke(Path::segment({x, bottom}, {x, bottom + kTickLength}), grey(0), {});
-    canvas.text({x, bottom + kTickLength + kNumberGap}, number.label,
+    canvas.text({x, bottom + kTickLength + kBarNumberGap}, number.label,
                 {.size = kTickSize, .align = Align::centre, .vertical = VerticalAlign::top});
   }
-  canvas.text({(left + right) / 2, bottom + kTickLength + kNumberGap + kTickSize + kLabelGap},
+  canvas.text({(left + right) / 2, bottom + kTickLength + kBarNumberGap + kTickSize + kBarLabelGap},
               full_label(scale, label),
               {.size = kLabelSize, .align = Align::centre, .vertical = VerticalAlign::top});
 }
 
-}  // namespace limn
+}  // namespace limn::figure

@@ -6,7 +6,7 @@
 
 #include "limn/figure/chart/axes.h"
 
-namespace limn {
+namespace limn::figure {
 
 /// Bands of a range of values: band i goes from edges[i−1] (from below everything, if i = 0) to
 /// edges[i]. Every tick is an edge, so contour lines at the ticks run between bands.
@@ -41,4 +41,4 @@ void draw_lying_colour_bar(Canvas& canvas, const ColourScale& scale, const std::
 /// In points.
 [[nodiscard]] double lying_colour_bar_height(const ColourScale& scale, const std::string& label);
 
-}  // namespace limn
+}  // namespace limn::figure

@@ -6,7 +6,7 @@
 #include <numbers>
 #include <optional>
 
-namespace limn {
+namespace limn::figure {
 namespace {
 
 constexpr double kSize = 5.5;
@@ -118,4 +118,4 @@ void label_contours(Canvas& canvas, const std::vector<ContourLine>& lines, const
   }
 }
 
-}  // namespace limn
+}  // namespace limn::figure

@@ -6,7 +6,7 @@
 
 #include "limn/figure/canvas/canvas.h"
 
-namespace limn {
+namespace limn::figure {
 
 /// A line on the page with the number of its level.
 struct ContourLine {
@@ -19,4 +19,4 @@ struct ContourLine {
 /// no other line is near and earlier labels are far. `within`: labels stay inside this box.
 void label_contours(Canvas& canvas, const std::vector<ContourLine>& lines, const Box& within);
 
-}  // namespace limn
+}  // namespace limn::figure

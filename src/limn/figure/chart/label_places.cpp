@@ -5,7 +5,7 @@
 #include <limits>
 #include <numbers>
 
-namespace limn {
+namespace limn::figure {
 namespace {
 
 constexpr int kDirections = 24;
@@ -89,4 +89,4 @@ std::vector<PagePoint> label_places(const std::vector<LabelWish>& labels,
   return middles;
 }
 
-}  // namespace limn
+}  // namespace limn::figure

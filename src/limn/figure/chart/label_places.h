@@ -6,7 +6,7 @@
 
 #include "limn/figure/canvas/canvas.h"
 
-namespace limn {
+namespace limn::figure {
 
 /// A label of this size that belongs to a point.
 struct LabelWish {
@@ -34,4 +34,4 @@ struct LabelSurroundings {
 /// Whether the segment has a point inside the box.
 [[nodiscard]] bool crosses(const std::array<PagePoint, 2>& segment, const Box& box);
 
-}  // namespace limn
+}  // namespace limn::figure

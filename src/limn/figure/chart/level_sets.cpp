@@ -6,7 +6,7 @@
 #include <tuple>
 #include <utility>
 
-namespace limn {
+namespace limn::figure {
 namespace {
 
 /// A corner's name: both nodes of the edge that it cuts, the smaller first; of a node, itself
@@ -191,4 +191,4 @@ std::vector<Polyline> contour_lines(const TriangleGrid& grid, const std::vector<
   return LevelSets(grid, values).contour_lines(level);
 }
 
-}  // namespace limn
+}  // namespace limn::figure

@@ -9,7 +9,7 @@
 #include <array>
 #include <vector>
 
-namespace limn {
+namespace limn::figure {
 
 /// A triangulated region. Triangles are counterclockwise (clockwise ones are turned) and share
 /// edges by node number; indices are in range.
@@ -54,4 +54,4 @@ class LevelSets {
 [[nodiscard]] std::vector<Polyline> contour_lines(const TriangleGrid& grid,
                                                   const std::vector<double>& values, double level);
 
-}  // namespace limn
+}  // namespace limn::figure

@@ -7,7 +7,7 @@
 #include "limn/figure/chart/contour_labels.h"
 #include "limn/figure/chart/region_plot.h"
 
-namespace limn {
+namespace limn::figure {
 namespace {
 
 constexpr double kBarGap = 8;
@@ -77,4 +77,4 @@ void MapPanel::draw(Canvas& canvas, const Box& box) const {
   draw_colour_bar(canvas, scale, value_label, inner.right() + kBarGap, inner.bottom(), inner.y);
 }
 
-}  // namespace limn
+}  // namespace limn::figure

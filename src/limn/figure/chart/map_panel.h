@@ -13,7 +13,7 @@
 #include "limn/figure/canvas/canvas.h"
 #include "limn/figure/chart/level_sets.h"
 
-namespace limn {
+namespace limn::figure {
 
 /// A function in colour (viridis; where both signs occur, blue below 0 and red above it) with black
 /// contour lines at round values and a colour bar. Where a value is not finite the map is empty.
@@ -38,4 +38,4 @@ struct MapPanel {
   void draw(Canvas& canvas, const Box& box) const;
 };
 
-}  // namespace limn
+}  // namespace limn::figure

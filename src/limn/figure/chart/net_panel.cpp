@@ -7,15 +7,15 @@
 #include "limn/figure/chart/axes.h"
 #include "limn/figure/chart/label_places.h"
 
-namespace limn {
+namespace limn::figure {
 namespace {
 
-constexpr double kMargin = 10;        // also for labels at the border
+constexpr double kNetMargin = 10;     // also for labels at the border
 constexpr double kPlacedMargin = 16;  // where they are free to go outwards
 constexpr double kLabelText = 7.5;
 constexpr double kHead = 5;  // of an arrow
 
-double margin_of(const NetPanel& panel) { return panel.place_labels ? kPlacedMargin : kMargin; }
+double margin_of(const NetPanel& panel) { return panel.place_labels ? kPlacedMargin : kNetMargin; }
 
 ViewFrame frame(const NetPanel& panel) {
   std::vector<SpaceVector> points;
@@ -100,4 +100,4 @@ void NetPanel::draw(Canvas& canvas, const Box& box) const {
   }
 }
 
-}  // namespace limn
+}  // namespace limn::figure

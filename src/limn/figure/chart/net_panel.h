@@ -7,7 +7,7 @@
 
 #include "limn/figure/canvas/canvas.h"
 
-namespace limn {
+namespace limn::figure {
 
 /// A panel (see map_panel.h) of nets drawn over one another, in their order, and of labels.
 struct NetPanel {
@@ -42,4 +42,4 @@ struct NetPanel {
   void draw(Canvas& canvas, const Box& box) const;
 };
 
-}  // namespace limn
+}  // namespace limn::figure

@@ -7,11 +7,11 @@
 #include "limn/figure/canvas/colour_map.h"
 #include "limn/figure/chart/region_plot.h"
 
-namespace limn {
+namespace limn::figure {
 namespace {
 
-constexpr double kLegendRow = 11;
-constexpr double kLegendGap = 5;
+constexpr double kLayerRow = 11;
+constexpr double kLayersGap = 5;
 constexpr double kSwatchWidth = 22, kSwatchHeight = 6;
 constexpr double kTotalAlpha = 0.62;  // of all fills of a layer, one upon the other
 
@@ -90,11 +90,11 @@ std::string legend_text(const OverlayPanel::Layer& layer, int contours) {
 
 /// A row for each layer, the first with its top at `y`; its swatch shows the nested fills.
 void draw_legend(Canvas& canvas, const OverlayPanel& panel, double x, double y) {
-  for (std::size_t i = 0; i < panel.layers.size(); ++i, y += kLegendRow) {
+  for (std::size_t i = 0; i < panel.layers.size(); ++i, y += kLayerRow) {
     const OverlayPanel::Layer& layer = panel.layers[i];
     const std::size_t count = levels_of(layer, panel.contours).size();
     const Colour colour = layer_colour(layer, i);
-    const double top = y + (kLegendRow - kSwatchHeight) / 2;
+    const double top = y + (kLayerRow - kSwatchHeight) / 2;
     for (std::size_t k = 0; k < count; ++k) {
       const double skip = kSwatchWidth * static_cast<double>(k) / static_cast<double>(count);
       canvas.fill(Path::rectangle({x + skip, top, kSwatchWidth - skip, kSwatchHeight}),
@@ -102,7 +102,7 @@ void draw_legend(Canvas& canvas, const OverlayPanel& panel, double x, double y) 
     }
     canvas.stroke(Path::rectangle({x, top, kSwatchWidth, kSwatchHeight}), darkened(colour),
                   {0.5, {}});
-    canvas.text({x + kSwatchWidth + 4, y + kLegendRow / 2}, legend_text(layer, panel.contours),
+    canvas.text({x + kSwatchWidth + 4, y + kLayerRow / 2}, legend_text(layer, panel.contours),
                 {.size = kTickSize, .vertical = VerticalAlign::middle});
   }
 }
@@ -115,7 +115,7 @@ double legend_width(const OverlayPanel& panel) {
 }
 
 double legend_height(const OverlayPanel& panel) {
-  return kLegendGap + kLegendRow * static_cast<double>(panel.layers.size());
+  return kLayersGap + kLayerRow * static_cast<double>(panel.layers.size());
 }
 
 }  // namespace
@@ -139,7 +139,7 @@ void OverlayPanel::draw(Canvas& canvas, const Box& box) const {
   draw_title(canvas, title, inner.x, inner.right(), inner.y - top);
   const double centred = (inner.x + inner.right() - legend_width(*this)) / 2;
   const double x = std::max(std::min(centred, box.right() - legend_width(*this)), box.x);
-  draw_legend(canvas, *this, x, inner.bottom() + plot.bottom_margin() + kLegendGap);
+  draw_legend(canvas, *this, x, inner.bottom() + plot.bottom_margin() + kLayersGap);
 }
 
-}  // namespace limn
+}  // namespace limn::figure

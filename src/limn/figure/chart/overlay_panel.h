@@ -8,7 +8,7 @@
 #include "limn/figure/canvas/canvas.h"
 #include "limn/figure/chart/level_sets.h"
 
-namespace limn {
+namespace limn::figure {
 
 /// A panel (see map_panel.h) of several functions on one region, each in nested translucent fills
 /// of its own colour, darker where it is larger, with contour lines, and a legend with its range.
@@ -31,4 +31,4 @@ struct OverlayPanel {
   void draw(Canvas& canvas, const Box& box) const;
 };
 
-}  // namespace limn
+}  // namespace limn::figure

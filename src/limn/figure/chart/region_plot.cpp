@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace limn {
+namespace limn::figure {
 namespace {
 
 constexpr double kAxisGap = 3;  // between the region and its axes
@@ -89,4 +89,4 @@ void RegionPlot::draw_axes(Canvas& canvas) const {
   y_.draw_as_y(canvas, box_.x - kAxisGap, box_.bottom(), box_.y);
 }
 
-}  // namespace limn
+}  // namespace limn::figure

@@ -7,7 +7,7 @@
 #include "limn/figure/chart/axes.h"
 #include "limn/figure/chart/level_sets.h"
 
-namespace limn {
+namespace limn::figure {
 
 /// Where the bounding rectangle of a region lies on the page. x and y have one scale.
 class RegionPlot {
@@ -38,4 +38,4 @@ class RegionPlot {
   Box box_;
 };
 
-}  // namespace limn
+}  // namespace limn::figure

@@ -7,12 +7,12 @@
 #include "limn/figure/canvas/parallel_view.h"
 #include "limn/figure/chart/axes.h"
 
-namespace limn {
+namespace limn::figure {
 namespace {
 
 using Vector = SpaceVector;
 
-constexpr double kMargin = 3;
+constexpr double kSurfaceMargin = 3;
 
 /// The points in the viewer's coordinates, heights stretched.
 std::vector<Vector> all_seen(const SurfacePanel& panel, const std::vector<Vector>& points) {
@@ -97,15 +97,15 @@ void draw_net(Canvas& canvas, const SurfacePanel& panel, const FramePlacement& p
 }  // namespace
 
 double SurfacePanel::height(double width) const {
-  const double inner = std::max(width - 2 * kMargin, 1.0) * frame(*this).aspect();
-  return title_height(title, 0) + std::min(inner, 1.3 * width) + 2 * kMargin;
+  const double inner = std::max(width - 2 * kSurfaceMargin, 1.0) * frame(*this).aspect();
+  return title_height(title, 0) + std::min(inner, 1.3 * width) + 2 * kSurfaceMargin;
 }
 
 void SurfacePanel::draw(Canvas& canvas, const Box& box) const {
   const double top = title_height(title, 0);
-  const FramePlacement place(
-      frame(*this), {box.x + kMargin, box.y + top + kMargin, std::max(box.width - 2 * kMargin, 1.0),
-                     std::max(box.height - top - 2 * kMargin, 1.0)});
+  const FramePlacement place(frame(*this), {box.x + kSurfaceMargin, box.y + top + kSurfaceMargin,
+                                            std::max(box.width - 2 * kSurfaceMargin, 1.0),
+                                            std::max(box.height - top - 2 * kSurfaceMargin, 1.0)});
   draw_title(canvas, title, box.x, box.right(), box.y);
   draw_surface(canvas, *this, place);
   draw_net(canvas, *this, place);
@@ -120,4 +120,4 @@ SurfacePanel height_field(const TriangleGrid& grid, const std::vector<double>& z
   return panel;
 }
 
-}  // namespace limn
+}  // namespace limn::figure

@@ -8,7 +8,7 @@
 #include "limn/figure/canvas/canvas.h"
 #include "limn/figure/chart/level_sets.h"
 
-namespace limn {
+namespace limn::figure {
 
 /// A panel (see map_panel.h) of a polygon mesh in grey shading, far faces painted before near ones,
 /// which is right for surfaces whose faces are small and do not cross. Faces with a vertex that
@@ -36,4 +36,4 @@ struct SurfacePanel {
 /// A panel of the surface z over the nodes of the grid; the rest of the panel as it is by default.
 [[nodiscard]] SurfacePanel height_field(const TriangleGrid& grid, const std::vector<double>& z);
 
-}  // namespace limn
+}  // namespace limn::figure

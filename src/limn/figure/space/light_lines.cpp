@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace limn {
+namespace limn::figure {
 namespace {
 
 constexpr double kFirst = 0.5;  // the first line's angle from the eye, in distances of lines
@@ -35,4 +35,4 @@ MirroredLights::HalfPlane MirroredLights::half_plane(int line) const {
   return {at(std::cos(angle), std::sin(angle)), at(-std::sin(angle), std::cos(angle))};
 }
 
-}  // namespace limn
+}  // namespace limn::figure

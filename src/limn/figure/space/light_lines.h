@@ -11,7 +11,7 @@
 #include "limn/figure/canvas/parallel_view.h"
 #include "limn/figure/canvas/space_vector.h"
 
-namespace limn {
+namespace limn::figure {
 
 struct LightLines {
   /// L, in space; any length but 0. Without it along the horizon, from the left to the right.
@@ -50,4 +50,4 @@ class MirroredLights {
   SpaceVector first_, second_;  // at angles 0 and 90° about L
 };
 
-}  // namespace limn
+}  // namespace limn::figure

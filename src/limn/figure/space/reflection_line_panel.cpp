@@ -10,7 +10,7 @@
 #include "limn/figure/space/scene_lines.h"
 #include "limn/figure/space/surface_curves.h"
 
-namespace limn {
+namespace limn::figure {
 namespace {
 
 constexpr double kShift = 0.02;  // of a reflection line by interpolation, in points
@@ -19,7 +19,7 @@ constexpr double kApart = 1;     // points between lines, at least
 std::vector<DrawnCurves> drawn_lines(const std::vector<std::vector<SpaceCurve>>& lines,
                                      const RayCaster& rays, const FramePlacement& place) {
   std::vector<DrawnCurves> drawn(lines.size());
-  parallel_for(
+  base::parallel_for(
       std::size_t{0}, lines.size(),
       [&](std::size_t first, std::size_t last) {
         for (std::size_t i = first; i < last; ++i) drawn[i] = drawn_curves(lines[i], rays, place);
@@ -72,4 +72,4 @@ void ReflectionLinePanel::draw(Canvas& canvas, const Box& box) const {
   draw_scene_marks(canvas, scene, *rays, place);
 }
 
-}  // namespace limn
+}  // namespace limn::figure

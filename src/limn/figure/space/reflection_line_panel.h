@@ -8,7 +8,7 @@
 #include "limn/figure/space/light_lines.h"
 #include "limn/figure/space/surface_scene.h"
 
-namespace limn {
+namespace limn::figure {
 
 /// An error where so many light lines cannot be told apart in a picture of the scene, `width`
 /// points wide: where their mirror images would lie less than a point apart, in the mean over a
@@ -31,4 +31,4 @@ struct ReflectionLinePanel {
   void draw(Canvas& canvas, const Box& box) const;
 };
 
-}  // namespace limn
+}  // namespace limn::figure

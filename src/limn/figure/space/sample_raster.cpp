@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-namespace limn {
+namespace limn::figure {
 namespace {
 
 constexpr int kBandRows = 4;
@@ -283,4 +283,4 @@ bool SampleRaster::Band::uniform(int row, int column) const {
                      [&](std::uint16_t owner) { return owner == owners[0]; });
 }
 
-}  // namespace limn
+}  // namespace limn::figure

@@ -19,7 +19,7 @@
 #include "limn/figure/canvas/parallel_view.h"
 #include "limn/figure/space/surface_scene.h"
 
-namespace limn {
+namespace limn::figure {
 
 inline constexpr int kPixelSamples = 16;
 
@@ -119,4 +119,4 @@ class SampleRaster {
   std::vector<Layer> layers_;
 };
 
-}  // namespace limn
+}  // namespace limn::figure

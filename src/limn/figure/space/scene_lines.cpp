@@ -6,7 +6,7 @@
 #include "limn/figure/figure.h"
 #include "limn/figure/space/surface_curves.h"
 
-namespace limn {
+namespace limn::figure {
 namespace {
 
 constexpr Colour kSeen = {0.10, 0.12, 0.16}, kHidden = {0.10, 0.12, 0.16, 0.4};
@@ -84,4 +84,4 @@ void draw_scene_note(Canvas& canvas, const FramePlacement& place, const Error& e
   }
 }
 
-}  // namespace limn
+}  // namespace limn::figure

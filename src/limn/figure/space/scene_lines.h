@@ -7,7 +7,7 @@
 #include "limn/figure/space/space_curves.h"
 #include "limn/figure/space/surface_scene.h"
 
-namespace limn {
+namespace limn::figure {
 
 /// What is seen of the outlines of surface `index`; width in points.
 void draw_outline(Canvas& canvas, const SurfaceScene& scene, std::size_t index,
@@ -29,4 +29,4 @@ void draw_scene_note(Canvas& canvas, const FramePlacement& place, const Error& e
 /// Polylines as one path.
 [[nodiscard]] Path path_of(const std::vector<Polyline>& lines);
 
-}  // namespace limn
+}  // namespace limn::figure

@@ -7,7 +7,7 @@
 #include "limn/figure/canvas/canvas.h"
 #include "limn/figure/canvas/space_vector.h"
 
-namespace limn {
+namespace limn::figure {
 
 /// Lines and points of one kind, on the surfaces of a scene or near them. They are seen where no
 /// surface hides them; what is not placeable (surface_scene.h) is left out.
@@ -19,4 +19,4 @@ struct SceneMarks {
   std::string name = {};  ///< in the legend; empty: it is not there
 };
 
-}  // namespace limn
+}  // namespace limn::figure

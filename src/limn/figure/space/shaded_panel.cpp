@@ -8,16 +8,16 @@
 #include "limn/figure/space/scene_lines.h"
 #include "limn/figure/space/shading.h"
 
-namespace limn {
+namespace limn::figure {
 namespace {
 
 constexpr double kOutline = 0.5;  // points; bright stripes would end nowhere without it
-constexpr double kBarGap = 4, kBarWidth = 0.7;  // of the panel's width
-constexpr int kTicks = 4;
-constexpr double kLegendRow = 11, kSwatch = 7, kSwatchGap = 4;
+constexpr double kValuesGap = 4, kValuesWidth = 0.7;  // of the panel's width
+constexpr int kValueTicks = 4;
+constexpr double kSurfaceRow = 11, kSwatch = 7, kSwatchGap = 4;
 constexpr TextStyle kLegend = {.size = kTickSize, .vertical = VerticalAlign::middle};
 
-constexpr double kMostPixels = 8000;  // a side
+constexpr double kMostSidePixels = 8000;  // a side
 
 /// An image's place on the page, and its size in pixels.
 struct ImagePlace {
@@ -30,14 +30,14 @@ ImagePlace image_place(const Canvas& canvas, const Box& box, double resolution) 
   if (const double density = canvas.density(); density > 0) {
     const double left = std::floor(box.x * density), right = std::ceil(box.right() * density);
     const double top = std::floor(box.y * density), bottom = std::ceil(box.bottom() * density);
-    if (right - left <= kMostPixels && bottom - top <= kMostPixels)
+    if (right - left <= kMostSidePixels && bottom - top <= kMostSidePixels)
       return {{left / density, top / density, (right - left) / density, (bottom - top) / density},
               static_cast<int>(right - left),
               static_cast<int>(bottom - top)};
   }
   const double density = resolution >= 1 ? std::min(resolution, 2400.0) : 1;
   const auto pixels = [density](double points) {
-    return static_cast<int>(std::clamp(std::round(points * density / 72), 1.0, kMostPixels));
+    return static_cast<int>(std::clamp(std::round(points * density / 72), 1.0, kMostSidePixels));
   };
   return {box, pixels(box.width), pixels(box.height)};
 }
@@ -50,7 +50,7 @@ bool has_values(const ShadedPanel& panel) {
 ColourScale scale_of(const SurfaceValues& values) {
   const Range data = range_of(values.values);
   return colour_scale({values.low.value_or(data.low), values.high.value_or(data.high)}, data,
-                      kTicks);
+                      kValueTicks);
 }
 
 struct LegendRow {
@@ -73,11 +73,11 @@ std::vector<LegendRow> legend_of(const ShadedPanel& panel) {
 
 double bar_height(const ShadedPanel& panel) {
   if (!has_values(panel)) return 0;
-  return kBarGap + lying_colour_bar_height(scale_of(*panel.values), panel.values->label);
+  return kValuesGap + lying_colour_bar_height(scale_of(*panel.values), panel.values->label);
 }
 
 double legend_height(const ShadedPanel& panel) {
-  return kLegendRow * static_cast<double>(legend_of(panel).size());
+  return kSurfaceRow * static_cast<double>(legend_of(panel).size());
 }
 
 void draw_sign(Canvas& canvas, const LegendRow& row, double x, double y) {
@@ -101,21 +101,21 @@ void draw_legend(Canvas& canvas, const ShadedPanel& panel, const Box& box) {
   for (const LegendRow& row : rows)
     width = std::max(width, kSwatch + kSwatchGap + text_width(row.name, kLegend));
   const double x = box.x + std::max(box.width - width, 0.0) / 2;
-  double y = box.bottom() - legend_height(panel) + kLegendRow / 2;
+  double y = box.bottom() - legend_height(panel) + kSurfaceRow / 2;
   for (const LegendRow& row : rows) {
     draw_sign(canvas, row, x, y);
     canvas.text({x + kSwatch + kSwatchGap, y}, row.name, kLegend);
-    y += kLegendRow;
+    y += kSurfaceRow;
   }
 }
 
 /// Above the legend.
 void draw_bar(Canvas& canvas, const ShadedPanel& panel, const Box& box) {
   if (!has_values(panel)) return;
-  const double inset = box.width * (1 - kBarWidth) / 2;
+  const double inset = box.width * (1 - kValuesWidth) / 2;
   draw_lying_colour_bar(canvas, scale_of(*panel.values), panel.values->label, box.x + inset,
                         box.right() - inset,
-                        box.bottom() - legend_height(panel) - bar_height(panel) + kBarGap);
+                        box.bottom() - legend_height(panel) - bar_height(panel) + kValuesGap);
 }
 
 /// Of each surface alone.
@@ -189,4 +189,4 @@ void ShadedPanel::draw(Canvas& canvas, const Box& box) const {
   draw_legend(canvas, *this, box);
 }
 
-}  // namespace limn
+}  // namespace limn::figure

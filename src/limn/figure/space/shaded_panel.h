@@ -10,7 +10,7 @@
 #include "limn/figure/space/light_lines.h"
 #include "limn/figure/space/surface_scene.h"
 
-namespace limn {
+namespace limn::figure {
 
 /// Numbers on the first surface of a scene, in bands of colour, with a bar that explains them.
 struct SurfaceValues {
@@ -62,4 +62,4 @@ struct ShadedPanel {
   void draw(Canvas& canvas, const Box& box) const;
 };
 
-}  // namespace limn
+}  // namespace limn::figure

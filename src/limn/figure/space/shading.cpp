@@ -6,7 +6,7 @@
 
 #include "limn/base/parallel.h"
 
-namespace limn {
+namespace limn::figure {
 namespace {
 
 constexpr std::array kProbes = {5, 11, 2, 14};  // samples all over a pixel
@@ -234,7 +234,7 @@ Image shaded_image(const std::vector<SeenSurface>& surfaces, const PixelGrid& gr
   image.rgba.resize(4 * std::size_t(image.width) * std::size_t(image.height));
   const SampleRaster raster(surfaces, grid);
   const Camera camera(surfaces, grid, shading, image);
-  parallel_for(
+  base::parallel_for(
       0, raster.band_count(),
       [&](int first, int last) {
         SampleRaster::Band samples;
@@ -248,4 +248,4 @@ Image shaded_image(const std::vector<SeenSurface>& surfaces, const PixelGrid& gr
   return image;
 }
 
-}  // namespace limn
+}  // namespace limn::figure

@@ -12,7 +12,7 @@
 #include "limn/figure/space/sample_raster.h"
 #include "limn/figure/space/surface_scene.h"
 
-namespace limn {
+namespace limn::figure {
 
 /// Numbers at a surface's vertices and the colours they have.
 struct ValueColours {
@@ -54,4 +54,4 @@ struct Shading {
 /// the middle between two.
 [[nodiscard]] double stripe_darkness(double turn);
 
-}  // namespace limn
+}  // namespace limn::figure

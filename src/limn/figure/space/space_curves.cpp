@@ -6,24 +6,24 @@
 
 #include "limn/base/parallel.h"
 
-namespace limn {
+namespace limn::figure {
 namespace {
 
-constexpr double kStep = 0.35;       // points of the page between two rays
+constexpr double kRayStep = 0.35;    // points of the page between two rays
 constexpr double kCut = 0.005;       // and between the last ones about a cut
 constexpr double kShortest = 0.25;   // of a part
 constexpr double kDeviation = 0.02;  // of a simplified line
 
-double distance(const PagePoint& a, const PagePoint& b) {
+double page_distance(const PagePoint& a, const PagePoint& b) {
   return std::hypot(b[0] - a[0], b[1] - a[1]);
 }
 
 /// From a point of the page to a segment.
-double distance(const PagePoint& p, const PagePoint& a, const PagePoint& b) {
+double page_distance(const PagePoint& p, const PagePoint& a, const PagePoint& b) {
   const double x = b[0] - a[0], y = b[1] - a[1], square = x * x + y * y;
   double t = square > 0 ? ((p[0] - a[0]) * x + (p[1] - a[1]) * y) / square : 0;
   t = std::clamp(t, 0.0, 1.0);
-  return distance(p, {a[0] + t * x, a[1] + t * y});
+  return page_distance(p, {a[0] + t * x, a[1] + t * y});
 }
 
 /// Part of a curve, all visible or all hidden.
@@ -34,7 +34,7 @@ struct Part {
 
 double length_of(const Polyline& line) {
   double sum = 0;
-  for (std::size_t i = 1; i < line.size(); ++i) sum += distance(line[i - 1], line[i]);
+  for (std::size_t i = 1; i < line.size(); ++i) sum += page_distance(line[i - 1], line[i]);
   return sum;
 }
 
@@ -55,8 +55,8 @@ class Cutter {
   [[nodiscard]] bool hidden(const SpaceVector& at) const { return rays_.hides(at, tolerance_); }
 
   void add_segment(const SpaceVector& a, const SpaceVector& b) {
-    const double size = distance(place_.page(a), place_.page(b));
-    const int steps = static_cast<int>(std::clamp(std::ceil(size / kStep), 1.0, 1e5));
+    const double size = page_distance(place_.page(a), place_.page(b));
+    const int steps = static_cast<int>(std::clamp(std::ceil(size / kRayStep), 1.0, 1e5));
     double before = 0;
     for (int i = 1; i <= steps; ++i) {
       const double t = static_cast<double>(i) / steps;
@@ -167,7 +167,7 @@ DrawnCurves drawn_curves(const std::vector<SpaceCurve>& curves, const RayCaster&
     parts[i] = without_specks(Cutter(rays, place, tolerance).parts(curves[i]));
     for (Part& part : parts[i]) part.line = simplified(part.line, kDeviation);
   };
-  parallel_for(
+  base::parallel_for(
       std::size_t{0}, curves.size(),
       [&](std::size_t first, std::size_t last) {
         for (std::size_t i = first; i < last; ++i) cut(i);
@@ -192,7 +192,7 @@ Polyline simplified(const Polyline& line, double tolerance) {
     double farthest = tolerance;
     std::size_t corner = 0;
     for (std::size_t i = first + 1; i < last; ++i) {
-      const double off = distance(line[i], line[first], line[last]);
+      const double off = page_distance(line[i], line[first], line[last]);
       if (off > farthest) farthest = off, corner = i;
     }
     if (corner == 0) continue;
@@ -206,4 +206,4 @@ Polyline simplified(const Polyline& line, double tolerance) {
   return result;
 }
 
-}  // namespace limn
+}  // namespace limn::figure

@@ -8,7 +8,7 @@
 #include "limn/figure/chart/level_sets.h"
 #include "limn/figure/space/visibility.h"
 
-namespace limn {
+namespace limn::figure {
 
 using SpaceCurve = std::vector<SpaceVector>;
 
@@ -39,4 +39,4 @@ struct DrawnCurves {
 /// The polyline without points that are nearer than `tolerance` to it. The ends stay.
 [[nodiscard]] Polyline simplified(const Polyline& line, double tolerance);
 
-}  // namespace limn
+}  // namespace limn::figure

@@ -6,7 +6,7 @@
 
 #include "limn/base/parallel.h"
 
-namespace limn {
+namespace limn::figure {
 namespace {
 
 constexpr int kMostCuts = 6;
@@ -216,7 +216,7 @@ std::vector<std::vector<SpaceCurve>> reflection_lines(const SeenSurface& surface
     }
   }
   std::vector<std::vector<SpaceCurve>> curves(count);
-  parallel_for(
+  base::parallel_for(
       std::size_t{0}, count,
       [&](std::size_t first, std::size_t last) {
         for (std::size_t k = first; k < last; ++k) curves[k] = joined(segments[k]);
@@ -281,4 +281,4 @@ std::vector<SpaceCurve> outlines(const SeenSurface& surface) {
   return joined(segments);
 }
 
-}  // namespace limn
+}  // namespace limn::figure

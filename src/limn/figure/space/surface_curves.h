@@ -8,7 +8,7 @@
 #include "limn/figure/space/space_curves.h"
 #include "limn/figure/space/surface_scene.h"
 
-namespace limn {
+namespace limn::figure {
 
 /// The surface with its triangles cut, until the mirror direction r of interpolated normals is
 /// linear along their edges to within what shifts a reflection line by `tolerance` (in the units of
@@ -37,4 +37,4 @@ namespace limn {
 /// Edges of only one triangle, and edges at which the surface turns away from the viewer.
 [[nodiscard]] std::vector<SpaceCurve> outlines(const SeenSurface& surface);
 
-}  // namespace limn
+}  // namespace limn::figure

@@ -6,7 +6,7 @@
 
 #include "limn/figure/chart/axes.h"
 
-namespace limn {
+namespace limn::figure {
 namespace {
 
 constexpr double kMargin = 3;
@@ -124,4 +124,4 @@ FramePlacement scene_placement(const SurfaceScene& scene, const std::string& tit
            std::max(box.height - top - 2 * kMargin, 1.0)}};
 }
 
-}  // namespace limn
+}  // namespace limn::figure

@@ -12,7 +12,7 @@
 #include "limn/figure/canvas/space_vector.h"
 #include "limn/figure/space/scene_marks.h"
 
-namespace limn {
+namespace limn::figure {
 
 /// Surfaces less than this, of the size of the cube that holds all that is drawn, apart along the
 /// line of sight are at one place.
@@ -101,4 +101,4 @@ struct SeenBox {
 [[nodiscard]] FramePlacement scene_placement(const SurfaceScene& scene, const std::string& title,
                                              const Box& box);
 
-}  // namespace limn
+}  // namespace limn::figure

@@ -10,7 +10,7 @@
 #include <limits>
 #endif
 
-namespace limn {
+namespace limn::figure {
 
 #if LIMN_HAS_EMBREE
 namespace {
@@ -19,12 +19,12 @@ constexpr double kBeside = 0.51;  // from the centre of the cube of side 1; only
 
 constexpr int kMoves = 4;  // of a ray that meets an edge
 
-struct Release {
+struct ReleaseRays {
   void operator()(RTCDevice device) const { rtcReleaseDevice(device); }
   void operator()(RTCScene scene) const { rtcReleaseScene(scene); }
 };
-using Device = std::unique_ptr<std::remove_pointer_t<RTCDevice>, Release>;
-using Scene = std::unique_ptr<std::remove_pointer_t<RTCScene>, Release>;
+using Device = std::unique_ptr<std::remove_pointer_t<RTCDevice>, ReleaseRays>;
+using Scene = std::unique_ptr<std::remove_pointer_t<RTCScene>, ReleaseRays>;
 
 Error no_memory() {
   Error error;
@@ -196,4 +196,4 @@ bool RayCaster::hides(const SpaceVector& point, double tolerance) const {
   return false;
 }
 
-}  // namespace limn
+}  // namespace limn::figure

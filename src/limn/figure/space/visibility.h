@@ -16,7 +16,7 @@
 #include "limn/base/error.h"
 #include "limn/figure/space/surface_scene.h"
 
-namespace limn {
+namespace limn::figure {
 
 /// Whether this limn was built with Embree. If not, `RayCaster::over` is an error.
 [[nodiscard]] bool rays_available();
@@ -62,4 +62,4 @@ class RayCaster {
   std::shared_ptr<const Scenes> scenes_;
 };
 
-}  // namespace limn
+}  // namespace limn::figure

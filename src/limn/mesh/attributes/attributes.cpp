@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <utility>
 
+#include "limn/mesh/index.h"
+
 namespace limn {
 namespace {
 
-std::size_t at(Index i) { return static_cast<std::size_t>(i); }
+using mesh::at;
 
 template <class Value>
 std::vector<Value> taken(const std::vector<Value>& values, const std::vector<Index>& from,

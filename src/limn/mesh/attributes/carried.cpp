@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <numeric>
 
-namespace limn {
-namespace {
+#include "limn/mesh/index.h"
 
-std::size_t at(Index i) { return static_cast<std::size_t>(i); }
+namespace limn::mesh {
+namespace {
 
 /// Gives new corners the points of others, and takes those of faces that lack some.
 void fill_new_corners(const Repaired& repaired, TextureCoordinates& texture) {
@@ -56,4 +56,4 @@ MeshAttributes carried(const MeshAttributes& attributes, const Triangulation& cu
   return mapped(attributes, {&vertices, &cut.corner_of, &cut.face_of});
 }
 
-}  // namespace limn
+}  // namespace limn::mesh

@@ -5,7 +5,7 @@
 #include "limn/mesh/polygon/triangulate.h"
 #include "limn/mesh/repair/repair.h"
 
-namespace limn {
+namespace limn::mesh {
 
 /// Of a vertex that was joined with another, that one's numbers stay; its corners keep their
 /// texture coordinates, so that a seam stays where those differ, and goes where they are equal. A
@@ -17,4 +17,4 @@ namespace limn {
 /// Triangles have what their polygons have. Cost O(size).
 [[nodiscard]] MeshAttributes carried(const MeshAttributes& attributes, const Triangulation& cut);
 
-}  // namespace limn
+}  // namespace limn::mesh

@@ -3,13 +3,14 @@
 #include <algorithm>
 
 #include "limn/base/large_vector.h"
+#include "limn/mesh/index.h"
 #include "limn/mesh/sharpness/cut_mesh.h"
 #include "limn/mesh/sharpness/resting_with.h"
 
 namespace limn {
 namespace {
 
-std::size_t at(Index i) { return static_cast<std::size_t>(i); }
+using mesh::at;
 
 /// The half-edges with twins whose corners, or those of the twin, name different points.
 std::vector<bool> seams_of(const Mesh& mesh, const TextureCoordinates& texture, bool& any) {
@@ -37,7 +38,8 @@ struct Fan {
 /// Finds the corners at one vertex of the mesh after the other.
 class Corners {
  public:
-  Corners(const Mesh& mesh, const TextureCoordinates& texture, TextureRule rule, TextureMesh& out)
+  Corners(const Mesh& mesh, const TextureCoordinates& texture, TextureRule rule,
+          mesh::TextureMesh& out)
       : mesh_(mesh), texture_(texture), rule_(rule), out_(out) {}
 
   /// `copies`: what the vertex has become.
@@ -121,7 +123,7 @@ class Corners {
         !out_.sharpness.vertices.empty() && out_.sharpness.vertices[at(fan.vertex)] > 0;
     if (own || !fan.fade.empty()) return;
     for (const Fan& other : fans)
-      if (!other.fade.empty()) sharpen(fan, resting_with(other.fade));
+      if (!other.fade.empty()) sharpen(fan, mesh::resting_with(other.fade));
   }
 
   void sharpen(const Fan& fan, double sharpness) {
@@ -133,7 +135,7 @@ class Corners {
   const Mesh& mesh_;
   const TextureCoordinates& texture_;
   TextureRule rule_;
-  TextureMesh& out_;
+  mesh::TextureMesh& out_;
 };
 
 /// Of each vertex of a cut mesh the first of the same original with the same point; empty where it
@@ -159,7 +161,7 @@ std::vector<Index> first_with_point(const Mesh& cut, const std::vector<Index>& o
 }
 
 /// The sharpness of the cut mesh.
-Sharpness cut_sharpness(const Sharpness& sharpness, const CutMesh& cut) {
+Sharpness cut_sharpness(const Sharpness& sharpness, const mesh::CutMesh& cut) {
   Sharpness result;
   result.method = sharpness.method;
   result.edges = sharpness.edges;
@@ -182,18 +184,18 @@ const std::vector<std::pair<std::string, TextureRule>>& texture_rules() {
   return rules;
 }
 
-bool has_seams(const Mesh& mesh, const TextureCoordinates& texture) {
+bool mesh::has_seams(const Mesh& mesh, const TextureCoordinates& texture) {
   bool any = false;
   if (!texture.empty()) (void)seams_of(mesh, texture, any);
   return any;
 }
 
-TextureMesh make_texture_mesh(const Mesh& mesh, const Sharpness& sharpness,
-                              const TextureCoordinates& texture, TextureRule rule) {
+mesh::TextureMesh mesh::make_texture_mesh(const Mesh& mesh, const Sharpness& sharpness,
+                                          const TextureCoordinates& texture, TextureRule rule) {
   bool any = false;
   const std::vector<bool> seams = seams_of(mesh, texture, any);
-  CutMesh cut = cut_along(mesh, seams);
-  TextureMesh result;
+  mesh::CutMesh cut = mesh::cut_along(mesh, seams);
+  mesh::TextureMesh result;
   result.sharpness = cut_sharpness(sharpness, cut);
   result.mesh = std::move(cut.mesh);
   result.points.resize(cut.originals.size());
@@ -220,7 +222,7 @@ TextureMesh make_texture_mesh(const Mesh& mesh, const Sharpness& sharpness,
   return result;
 }
 
-std::vector<bool> faces_without(const Mesh& mesh, const TextureCoordinates& texture) {
+std::vector<bool> mesh::faces_without(const Mesh& mesh, const TextureCoordinates& texture) {
   std::vector<bool> without;
   for (Index h = 0; h < mesh.halfedge_count(); ++h) {
     if (texture.of_corner[at(h)] != kNone) continue;
@@ -230,17 +232,17 @@ std::vector<bool> faces_without(const Mesh& mesh, const TextureCoordinates& text
   return without;
 }
 
-TextureCoordinates texture_of(Polygons polygons, const std::vector<Index>& first,
-                              const std::vector<bool>& without, NumberType type) {
+TextureCoordinates mesh::texture_of(Polygons polygons, const std::vector<Index>& first,
+                                    const std::vector<bool>& without, NumberType type) {
   TextureCoordinates result;
   result.type = type;
-  reserve_large(result.points, polygons.positions.size());
+  base::reserve_large(result.points, polygons.positions.size());
   if (first.empty() && without.empty()) {
     for (const Point3& p : polygons.positions) result.points.push_back({p.x, p.y});
     result.of_corner = std::move(polygons.corners);
     return result;
   }
-  reserve_large(result.of_corner, polygons.corners.size());
+  base::reserve_large(result.of_corner, polygons.corners.size());
   std::vector<Index> number(polygons.positions.size(), kNone);
   for (Index f = 0; f < polygons.face_count(); ++f)
     for (Index c = polygons.face_begin[at(f)]; c < polygons.face_begin[at(f + 1)]; ++c) {

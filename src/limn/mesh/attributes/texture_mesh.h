@@ -8,7 +8,7 @@
 #include "limn/mesh/attributes/attributes.h"
 #include "limn/mesh/sharpness/sharpness.h"
 
-namespace limn {
+namespace limn::mesh {
 
 /// Whether the two faces of some edge name different points at an end of it. `of_corner`: by
 /// half-edges of the mesh. Corners without a point have, at one vertex, the same. Cost O(H).
@@ -40,4 +40,4 @@ struct TextureMesh {
 [[nodiscard]] TextureCoordinates texture_of(Polygons polygons, const std::vector<Index>& first,
                                             const std::vector<bool>& without, NumberType type);
 
-}  // namespace limn
+}  // namespace limn::mesh

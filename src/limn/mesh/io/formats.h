@@ -76,7 +76,7 @@ std::string emptiness(const Polygons& mesh);
 /// them.
 template <class Use>
 void for_each_triangle(const Polygons& mesh, Index first, Index last, Use use) {
-  FaceCutter cutter(mesh);
+  mesh::FaceCutter cutter(mesh);
   bool gave_up = false;
   for (Index face = first; face < last; ++face) {
     const Index* const corners = mesh.corners.data() + mesh.face_begin[face];
@@ -130,10 +130,10 @@ Status parse_gltf(std::string_view content, const ReadOptions& options, MeshFile
 
 /// Preconditions of these, checked by `format_mesh`: coordinates and normals are finite, and fit
 /// in a float where the format keeps floats; normals are none or one per vertex.
-void format_obj(const Polygons& mesh, const WriteOptions& options, const Sink& sink);
-void format_off(const Polygons& mesh, const WriteOptions& options, const Sink& sink);
-void format_ply(const Polygons& mesh, const WriteOptions& options, const Sink& sink);
-void format_stl(const Polygons& mesh, const WriteOptions& options, const Sink& sink);
-void format_glb(const Polygons& mesh, const WriteOptions& options, const Sink& sink);
+void format_obj(const Polygons& mesh, const WriteOptions& options, const base::Sink& sink);
+void format_off(const Polygons& mesh, const WriteOptions& options, const base::Sink& sink);
+void format_ply(const Polygons& mesh, const WriteOptions& options, const base::Sink& sink);
+void format_stl(const Polygons& mesh, const WriteOptions& options, const base::Sink& sink);
+void format_glb(const Polygons& mesh, const WriteOptions& options, const base::Sink& sink);
 
 }  // namespace limn::io

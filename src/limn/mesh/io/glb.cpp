@@ -12,16 +12,15 @@
 #include "limn/mesh/io/bytes.h"
 #include "limn/mesh/io/formats.h"
 #include "limn/mesh/io/gltf_attributes.h"
+#include "limn/mesh/io/gltf_document.h"
 
 namespace limn::io {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 
 // Constants of the format.
-constexpr std::uint32_t kMagic = 0x46546C67;      // "glTF"
-constexpr std::uint32_t kJsonChunk = 0x4E4F534A;  // "JSON"
-constexpr std::uint32_t kBinaryChunk = 0x004E4942;
+constexpr std::uint32_t kMagic = 0x46546C67;  // "glTF"
 constexpr int kFloat = 5126, kUnsignedInt = 5125;
 constexpr int kArrayBuffer = 34962, kElementArrayBuffer = 34963;
 
@@ -37,7 +36,7 @@ Point3 unit(Point3 normal) {
 
 /// The bounds of the positions as they are written, in floats; a zero without its sign, which would
 /// be that of whichever vertex came first.
-void add_bounds(Json& accessor, const Polygons& mesh) {
+void add_bounds(OrderedJson& accessor, const Polygons& mesh) {
   const Point3 first = mesh.positions.front();
   Point3 low = first, high = first;
   for (const Point3& p : mesh.positions) {
@@ -50,8 +49,8 @@ void add_bounds(Json& accessor, const Polygons& mesh) {
 }
 
 /// Adds a buffer view of `bytes` and its accessor; returns the index of both.
-std::size_t add_block(Json& gltf, std::size_t& offset, std::size_t bytes, int target,
-                      Json accessor) {
+std::size_t add_block(OrderedJson& gltf, std::size_t& offset, std::size_t bytes, int target,
+                      OrderedJson accessor) {
   const std::size_t index = gltf["bufferViews"].size();
   gltf["bufferViews"].push_back(
       {{"buffer", 0}, {"byteOffset", offset}, {"byteLength", bytes}, {"target", target}});
@@ -67,19 +66,19 @@ struct Parts {
   int colours = 0;  ///< 3 or 4; 0: there are none
 };
 
-Json description(const Polygons& mesh, const Parts& parts, std::size_t indices) {
+OrderedJson description(const Polygons& mesh, const Parts& parts, std::size_t indices) {
   const std::size_t vertices = mesh.positions.size();
-  Json gltf;
+  OrderedJson gltf;
   gltf["asset"] = {{"version", "2.0"}, {"generator", "limn"}};
   gltf["scene"] = 0;
-  gltf["scenes"] = Json::array({{{"nodes", {0}}}});
-  gltf["nodes"] = Json::array({{{"mesh", 0}}});
-  gltf["bufferViews"] = Json::array();
-  gltf["accessors"] = Json::array();
+  gltf["scenes"] = OrderedJson::array({{{"nodes", {0}}}});
+  gltf["nodes"] = OrderedJson::array({{{"mesh", 0}}});
+  gltf["bufferViews"] = OrderedJson::array();
+  gltf["accessors"] = OrderedJson::array();
 
   std::size_t size = 0;
-  Json attributes;
-  Json positions = {{"componentType", kFloat}, {"count", vertices}, {"type", "VEC3"}};
+  OrderedJson attributes;
+  OrderedJson positions = {{"componentType", kFloat}, {"count", vertices}, {"type", "VEC3"}};
   add_bounds(positions, mesh);
   attributes["POSITION"] = add_block(gltf, size, 12 * vertices, kArrayBuffer, positions);
   const auto add = [&](const char* name, int numbers) {
@@ -95,9 +94,9 @@ Json description(const Polygons& mesh, const Parts& parts, std::size_t indices) 
   const std::size_t triangles =
       add_block(gltf, size, 4 * indices, kElementArrayBuffer,
                 {{"componentType", kUnsignedInt}, {"count", indices}, {"type", "SCALAR"}});
-  Json primitive = {{"attributes", attributes}, {"indices", triangles}, {"mode", 4}};
-  gltf["meshes"] = Json::array({{{"primitives", Json::array({primitive})}}});
-  gltf["buffers"] = Json::array({{{"byteLength", size}}});
+  OrderedJson primitive = {{"attributes", attributes}, {"indices", triangles}, {"mode", 4}};
+  gltf["meshes"] = OrderedJson::array({{{"primitives", OrderedJson::array({primitive})}}});
+  gltf["buffers"] = OrderedJson::array({{{"byteLength", size}}});
   return gltf;
 }
 
@@ -134,13 +133,13 @@ CutAtSeams cut_at_seams(const Polygons& mesh, const std::vector<Index>& point_of
 
 /// Writes numbers of vertices, in floats.
 template <class Append>
-void write_numbers(const Polygons& mesh, const Sink& sink, const Append& append_numbers) {
+void write_numbers(const Polygons& mesh, const base::Sink& sink, const Append& append_numbers) {
   write_blocks(mesh.vertex_count(), sink, [&](Index first, Index last, std::string& out) {
     for (Index v = first; v < last; ++v) append_numbers(out, static_cast<std::size_t>(v));
   });
 }
 
-void write_head(const Json& gltf, const Sink& sink) {
+void write_head(const OrderedJson& gltf, const base::Sink& sink) {
   std::string json = gltf.dump();
   json.resize((json.size() + 3) / 4 * 4, ' ');
   const std::size_t data = gltf["buffers"][0]["byteLength"];  // a multiple of 4 already
@@ -161,7 +160,7 @@ void write_head(const Json& gltf, const Sink& sink) {
 
 }  // namespace
 
-void format_glb(const Polygons& whole, const WriteOptions& options, const Sink& sink) {
+void format_glb(const Polygons& whole, const WriteOptions& options, const base::Sink& sink) {
   const TextureCoordinates& texture = options.attributes.texture;
   const ColourColumns colour = colour_of(options.attributes);
   Parts parts{!options.normals.empty(), !texture.empty(), 0};

@@ -61,7 +61,7 @@ class GltfReader {
   static GltfDocument::Open opener(const ReadOptions& options) {
     if (options.folder.empty()) return {};
     return [folder = options.folder](const std::string& name) {
-      return read_file(folder + "/" + name);
+      return base::read_file(folder + "/" + name);
     };
   }
 
@@ -219,7 +219,7 @@ class GltfReader {
 
   /// Meshes may be placed again and again: what that needs is known before any is.
   bool place_all() {
-    if (needed_ > kSmall && needed_ > available_memory() / 2)
+    if (needed_ > kSmall && needed_ > base::available_memory() / 2)
       return document_.fail(
           "", "the scene repeats its meshes until they need more memory than there is",
           "export the meshes that are meant alone");
@@ -305,8 +305,8 @@ class GltfReader {
 
   /// Whether so many more can be counted.
   bool fits(std::size_t vertices, std::size_t corners) {
-    return (mesh_.positions.size() + vertices <= kMostElements &&
-            mesh_.corners.size() + corners <= kMostElements) ||
+    return (mesh_.positions.size() + vertices <= mesh::kMostElements &&
+            mesh_.corners.size() + corners <= mesh::kMostElements) ||
            document_.fail("", "2^31 - 1 vertices or corners or more", "cut the mesh into parts");
   }
 
@@ -327,7 +327,7 @@ class GltfReader {
     for (std::size_t i = 0; i < positions.count; ++i) {
       Point3 p{positions.number(i, 0), positions.number(i, 1), positions.number(i, 2)};
       if (moves) p = placed.of(p);
-      if (!options_.keep_faults && !is_finite(p))
+      if (!options_.keep_faults && !mesh::is_finite(p))
         return document_.fail(where, "position " + std::to_string(i) + " is not finite");
       mesh_.positions.push_back(p);
     }

@@ -3,10 +3,12 @@
 #include <array>
 #include <cmath>
 
+#include "limn/mesh/index.h"
+
 namespace limn::io {
 namespace {
 
-std::size_t at(Index i) { return static_cast<std::size_t>(i); }
+using mesh::at;
 
 }  // namespace
 

@@ -14,8 +14,6 @@ namespace {
 
 using Json = GltfDocument::Json;
 
-constexpr std::uint32_t kJsonChunk = 0x4E4F534A;  // "JSON"
-constexpr std::uint32_t kBinaryChunk = 0x004E4942;
 constexpr std::uint64_t kMostExact = std::uint64_t{1} << 53;
 
 /// Bytes of a number of that type; 0: there is no such type.

@@ -13,6 +13,9 @@
 
 namespace limn::io {
 
+/// The kinds of a GLB file's chunks: "JSON" and "BIN".
+inline constexpr std::uint32_t kJsonChunk = 0x4E4F534A, kBinaryChunk = 0x004E4942;
+
 /// Numbers in a buffer: `count` elements of `parts` numbers of one type, `stride` bytes apart.
 struct GltfAccessor {
   const char* data = nullptr;

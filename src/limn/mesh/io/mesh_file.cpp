@@ -28,7 +28,7 @@ namespace {
 struct Format {
   std::string_view extension;
   Status (*parse)(std::string_view, const ReadOptions&, MeshFile&);
-  void (*format)(const Polygons&, const WriteOptions&, const Sink&);  ///< null: not written
+  void (*format)(const Polygons&, const WriteOptions&, const base::Sink&);  ///< null: not written
   bool keeps_floats;
   bool is_gltf;
 };
@@ -273,10 +273,11 @@ Result<MeshFile> parse_mesh_file(std::string_view content, std::string_view exte
   const io::Format* format = io::find_format(extension.empty() ? recognised : extension, true);
   if (format == nullptr) return io::unknown_extension(extension, name, true);
   if (content.empty()) return Error{"the file is empty", "", name, 1, 1};
-  if (const std::string wide = wide_encoding(content); !wide.empty()) {
+  if (const std::string wide = base::wide_encoding(content); !wide.empty()) {
     const bool binary = (format->extension == "stl" && io::has_size_of_binary_stl(content)) ||
                         (format->is_gltf && content.starts_with("glTF"));
-    if (!binary) return Error{wide_text_fault(wide), wide_text_remedy(wide), name, 1, 1};
+    if (!binary)
+      return Error{base::wide_text_fault(wide), base::wide_text_remedy(wide), name, 1, 1};
   }
   MeshFile mesh;
   mesh.source.file = name;
@@ -293,7 +294,7 @@ Result<MeshFile> parse_mesh_file(std::string_view content, std::string_view exte
 
 Result<MeshFile> read_mesh_file(const std::string& path, const ReadOptions& options) {
   if (Status known = check_readable(path); !known) return known.error();
-  const Result<std::string> content = read_file(path);
+  const Result<std::string> content = base::read_file(path);
   if (!content) return content.error();
   ReadOptions with_folder = options;
   if (with_folder.folder.empty()) {
@@ -337,7 +338,8 @@ Status write_mesh(const std::string& path, std::string_view extension, const Pol
                   const WriteOptions& options) {
   Result<const io::Format*> format = io::format_for(extension, path, mesh, options);
   if (!format) return format.error();
-  return write_file(path, [&](const Sink& sink) { (*format)->format(mesh, options, sink); });
+  return base::write_file(path,
+                          [&](const base::Sink& sink) { (*format)->format(mesh, options, sink); });
 }
 
 Status check_readable(const std::string& path) {

@@ -10,7 +10,7 @@
 #include "limn/mesh/io/formats.h"
 #include "limn/mesh/io/ply_records.h"
 
-namespace limn {
+namespace limn::mesh {
 namespace {
 
 /// Whether all numbers are at most so large; without a branch, for vectors.
@@ -39,21 +39,21 @@ struct FirstFault {
 }  // namespace
 
 struct MeshPieceSink::State {
-  State(const MeshCounts& counts, const PlacedSink& to)
+  State(const MeshCounts& counts, const base::PlacedSink& to)
       : records{counts.vertices, counts.faces, counts.normals, counts.largest_face > 255},
         corners_per_face(counts.corners_per_face),
         sink(to) {}
 
   const io::PlyRecords records;
   const Index corners_per_face;
-  const PlacedSink& sink;
+  const base::PlacedSink& sink;
   std::size_t vertices_at = 0, faces_at = 0;  // bytes from the beginning
   std::atomic<bool> failed = false;           // nothing more need be written
   std::mutex lock;                            // of what follows
   FirstFault position, normal;
 };
 
-MeshPieceSink::MeshPieceSink(const MeshCounts& counts, const PlacedSink& sink)
+MeshPieceSink::MeshPieceSink(const MeshCounts& counts, const base::PlacedSink& sink)
     : state_(std::make_unique<State>(counts, sink)) {
   const std::string header = state_->records.header();
   state_->vertices_at = header.size();
@@ -107,16 +107,16 @@ Status MeshPieceSink::status() const {
 }
 
 bool takes_mesh_pieces(const std::string& path, std::string_view extension) {
-  return io::is_extension(extension, "ply") && takes_places(path);
+  return io::is_extension(extension, "ply") && base::takes_places(path);
 }
 
 Status write_mesh_pieces(const std::string& path, const MeshCounts& counts,
                          const std::function<void(MeshPieceSink&)>& fill) {
-  return write_file_at_places(path, [&](const PlacedSink& sink) -> Status {
+  return base::write_file_at_places(path, [&](const base::PlacedSink& sink) -> Status {
     MeshPieceSink pieces(counts, sink);
     fill(pieces);
     return pieces.status();
   });
 }
 
-}  // namespace limn
+}  // namespace limn::mesh

@@ -10,7 +10,7 @@
 #include "limn/base/files/file.h"
 #include "limn/mesh/polygons.h"
 
-namespace limn {
+namespace limn::mesh {
 
 /// What must be known of a mesh before it is written.
 struct MeshCounts {
@@ -24,7 +24,7 @@ struct MeshCounts {
 /// caller's, to be used again for the next piece.
 class MeshPieceSink {
  public:
-  MeshPieceSink(const MeshCounts& counts, const PlacedSink& sink);
+  MeshPieceSink(const MeshCounts& counts, const base::PlacedSink& sink);
   ~MeshPieceSink();
   MeshPieceSink(const MeshPieceSink&) = delete;
   MeshPieceSink& operator=(const MeshPieceSink&) = delete;
@@ -53,4 +53,4 @@ class MeshPieceSink {
 [[nodiscard]] Status write_mesh_pieces(const std::string& path, const MeshCounts& counts,
                                        const std::function<void(MeshPieceSink&)>& fill);
 
-}  // namespace limn
+}  // namespace limn::mesh

@@ -89,7 +89,7 @@ class ObjReader {
     if (count == 4 && numbers[3] != 1.0) {
       remarks_.left_out(place, "weights w other than 1", "vertices");
     }
-    if (mesh_.positions.size() == kMostElements) {
+    if (mesh_.positions.size() == mesh::kMostElements) {
       return in_.fail(place, "2^31 - 1 vertices or more");
     }
     mesh_.positions.push_back({numbers[0], numbers[1], numbers[2]});
@@ -143,7 +143,7 @@ class ObjReader {
       last_vertex_ = vertex;
       last_vertex_place_ = in_.last_place();
     }
-    if (mesh_.corners.size() == kMostElements) {
+    if (mesh_.corners.size() == mesh::kMostElements) {
       return in_.fail(in_.last_place(), "2^31 - 1 corners or more");
     }
     mesh_.corners.push_back(to_index(vertex));
@@ -230,7 +230,8 @@ Status parse_obj(std::string_view content, const ReadOptions& options, MeshFile&
 
 namespace {
 
-void write_vertices(const Polygons& mesh, const MeshAttributes& attributes, const Sink& sink) {
+void write_vertices(const Polygons& mesh, const MeshAttributes& attributes,
+                    const base::Sink& sink) {
   const ColourColumns colour = colour_of(attributes);
   write_blocks(mesh.vertex_count(), sink, [&](Index first, Index last, std::string& out) {
     for (Index v = first; v < last; ++v) {
@@ -246,7 +247,7 @@ void write_vertices(const Polygons& mesh, const MeshAttributes& attributes, cons
   });
 }
 
-void write_texture_points(const TextureCoordinates& texture, const Sink& sink) {
+void write_texture_points(const TextureCoordinates& texture, const base::Sink& sink) {
   write_blocks(static_cast<Index>(texture.points.size()), sink,
                [&](Index first, Index last, std::string& out) {
                  for (Index i = first; i < last; ++i) {
@@ -275,7 +276,7 @@ void append_corner(std::string& out, Index vertex, Index point, Index normal) {
 
 }  // namespace
 
-void format_obj(const Polygons& mesh, const WriteOptions& options, const Sink& sink) {
+void format_obj(const Polygons& mesh, const WriteOptions& options, const base::Sink& sink) {
   const MeshAttributes& attributes = options.attributes;
   const TextureCoordinates& texture = attributes.texture;
   if (const std::string head = obj_head_lines(attributes); !head.empty()) sink(head);

@@ -6,7 +6,7 @@ namespace limn::io {
 namespace {
 
 /// By LabelKind.
-constexpr std::array<std::string_view, 4> kKeywords{"o", "g", "usemtl", "s"};
+constexpr std::array<std::string_view, 4> kLabelKeywords{"o", "g", "usemtl", "s"};
 
 /// Names in the order in which statements change them.
 std::size_t at(LabelKind kind) { return static_cast<std::size_t>(kind); }
@@ -17,7 +17,7 @@ bool ObjAttributes::statement(std::string_view keyword, bool& taken) {
   taken = true;
   if (keyword == "vt") return point();
   for (const LabelKind kind : kLabelKinds) {
-    if (keyword != kKeywords.at(at(kind))) continue;
+    if (keyword != kLabelKeywords.at(at(kind))) continue;
     name(kind);
     return true;
   }
@@ -41,7 +41,7 @@ bool ObjAttributes::point() {
                                       : "a texture point of more than three numbers, expected u v");
   if (count == 3 && numbers[2] != 0)
     remarks_.left_out(place, "third texture coordinates", "texture points");
-  if (out_.texture.points.size() == kMostElements)
+  if (out_.texture.points.size() == mesh::kMostElements)
     return in_.fail(place, "2^31 - 1 texture points or more");
   out_.texture.points.push_back({numbers[0], numbers[1]});
   return true;
@@ -149,7 +149,7 @@ void append_obj_names(std::string& out, const MeshAttributes& attributes, Index 
     const Index old = before == kNone ? kNone : labels.of_face[static_cast<std::size_t>(before)];
     const Index name = labels.of_face[static_cast<std::size_t>(face)];
     if (name == old) continue;
-    out += kKeywords.at(at(kind));
+    out += kLabelKeywords.at(at(kind));
     if (name != kNone) out += ' ' + labels.names[static_cast<std::size_t>(name)];
     out += '\n';
   }

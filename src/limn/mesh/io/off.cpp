@@ -137,7 +137,7 @@ class OffReader {
                                        ", more than the " + std::to_string(in_.remaining()) +
                                        " bytes that follow can hold");
     }
-    return count.value <= static_cast<std::int64_t>(kMostElements) ||
+    return count.value <= static_cast<std::int64_t>(mesh::kMostElements) ||
            in_.fail(count.place, what + " is 2^31 - 1 or more");
   }
 
@@ -200,7 +200,7 @@ class OffReader {
                                               " is out of range: expected 0 to " +
                                               std::to_string(vertex_count_ - 1));
       }
-      if (mesh_.corners.size() == kMostElements) {
+      if (mesh_.corners.size() == mesh::kMostElements) {
         return in_.fail(in_.last_place(), "2^31 - 1 corners or more");
       }
       mesh_.corners.push_back(to_index(vertex));
@@ -263,7 +263,7 @@ Status parse_off(std::string_view content, const ReadOptions& options, MeshFile&
   return Done{};
 }
 
-void format_off(const Polygons& mesh, const WriteOptions& options, const Sink& sink) {
+void format_off(const Polygons& mesh, const WriteOptions& options, const base::Sink& sink) {
   std::string head = options.normals.empty() ? "OFF\n" : "NOFF\n";
   append(head, mesh.vertex_count());
   head += ' ';

@@ -97,7 +97,7 @@ class ElementReader {
                                                     " bytes of data can hold");
     }
     const bool kept = element.name == "vertex" || holds_faces(element);
-    return !kept || count <= kMostElements ||
+    return !kept || count <= mesh::kMostElements ||
            body_.fail_at(element.count_place, "2^31 - 1 or more of '" + element.name + "'");
   }
 
@@ -229,7 +229,8 @@ class ElementReader {
       std::int64_t vertex = 0;
       if (!integer(property.type, vertex, "a vertex index")) return false;
       if (!options_.keep_faults && !check_vertex(vertex)) return false;
-      if (mesh_.corners.size() == kMostElements) return body_.fail("2^31 - 1 corners or more");
+      if (mesh_.corners.size() == mesh::kMostElements)
+        return body_.fail("2^31 - 1 corners or more");
       mesh_.corners.push_back(to_index(vertex));
     }
     mesh_.face_begin.push_back(static_cast<Index>(mesh_.corners.size()));
@@ -277,7 +278,8 @@ class ElementReader {
 
   bool triangle(std::int64_t a, std::int64_t b, std::int64_t c) {
     if (a == b || b == c || c == a) return true;
-    if (mesh_.corners.size() > kMostElements - 3) return body_.fail("2^31 - 1 corners or more");
+    if (mesh_.corners.size() > mesh::kMostElements - 3)
+      return body_.fail("2^31 - 1 corners or more");
     note_line(file_.source.face_lines);
     for (const std::int64_t vertex : {a, b, c}) {
       mesh_.corners.push_back(static_cast<Index>(vertex));

@@ -7,12 +7,13 @@
 #include <limits>
 #include <set>
 
+#include "limn/mesh/index.h"
 #include "limn/mesh/io/bytes.h"
 
 namespace limn::io {
 namespace {
 
-std::size_t at(Index i) { return static_cast<std::size_t>(i); }
+using mesh::at;
 
 bool is_one_of(const std::string& name, std::initializer_list<const char*> names) {
   return std::any_of(names.begin(), names.end(), [&](const char* known) { return name == known; });

@@ -7,7 +7,7 @@
 
 namespace limn::io {
 
-void format_ply(const Polygons& mesh, const WriteOptions& options, const Sink& sink) {
+void format_ply(const Polygons& mesh, const WriteOptions& options, const base::Sink& sink) {
   const PlyExtras extras(mesh, options.attributes);
   PlyRecords records{mesh.positions.size(), static_cast<std::size_t>(mesh.face_count()),
                      !options.normals.empty(), false, options.tags.creases.size()};

@@ -102,8 +102,8 @@ Result<std::string> format_of_content(std::string_view content) {
                 "limn reads obj, off, ply, stl, glb, gltf");
   }
   if (io::has_size_of_binary_stl(content)) return std::string("stl");
-  if (const std::string wide = wide_encoding(content); !wide.empty()) {
-    return fail(wide_text_fault(wide), wide_text_remedy(wide));
+  if (const std::string wide = base::wide_encoding(content); !wide.empty()) {
+    return fail(base::wide_text_fault(wide), base::wide_text_remedy(wide));
   }
   if (io::seems_gltf(text)) return std::string("gltf");
   if (io::is_binary_stl(content) || io::begins_with_word(text, "solid")) return std::string("stl");

@@ -84,7 +84,7 @@ class Facets {
     mesh_.corners.reserve(3 * count);
   }
   /// Whether there is room for one more.
-  [[nodiscard]] bool full() const { return mesh_.corners.size() > kMostElements - 3; }
+  [[nodiscard]] bool full() const { return mesh_.corners.size() > mesh::kMostElements - 3; }
 
   /// `line`: 0 in a binary file.
   void add(Point3 a, Point3 b, Point3 c, int line) {
@@ -97,7 +97,7 @@ class Facets {
       file_.dropped.push_back(number);
       return coincident_.add(number, line);
     }
-    if (is_finite(a) && is_finite(b) && is_finite(c) && lie_on_a_line(a, b, c)) {
+    if (mesh::is_finite(a) && mesh::is_finite(b) && mesh::is_finite(c) && lie_on_a_line(a, b, c)) {
       collinear_.add(number, line);
       slivers_.push_back(mesh_.face_count());
     }
@@ -310,7 +310,7 @@ Status parse_binary(std::string_view content, const ReadOptions& options, MeshFi
                 kHeadSize - 4);
   }
   if (count == 0) return fail("the mesh has no faces: the count is 0", kHeadSize - 4);
-  if (count > kMostElements / 3) return fail("2^31 - 1 corners or more", kHeadSize - 4);
+  if (count > mesh::kMostElements / 3) return fail("2^31 - 1 corners or more", kHeadSize - 4);
 
   Facets facets(file);
   facets.reserve(count);
@@ -385,7 +385,7 @@ Status parse_stl(std::string_view content, const ReadOptions& options, MeshFile&
                                 : StlTextReader(content, options, mesh).read();
 }
 
-void format_stl(const Polygons& mesh, const WriteOptions&, const Sink& sink) {
+void format_stl(const Polygons& mesh, const WriteOptions&, const base::Sink& sink) {
   // Must not begin with "solid".
   std::string head = "binary STL by limn";
   head.resize(kHeadSize);

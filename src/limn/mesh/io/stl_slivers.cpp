@@ -136,19 +136,19 @@ bool lie_on_a_line(Point3 a, Point3 b, Point3 c) {
   const auto scaled = [shift](double x) { return std::ldexp(x, shift); };
   for (Point3* p : {&a, &b, &c}) *p = {scaled(p->x), scaled(p->y), scaled(p->z)};
   // As a rule the first plane decides: the one in which the triangle is largest.
-  const std::array<std::array<Point2, 3>, 3> planes{{{{{a.x, a.y}, {b.x, b.y}, {c.x, c.y}}},
-                                                     {{{a.y, a.z}, {b.y, b.z}, {c.y, c.z}}},
-                                                     {{{a.z, a.x}, {b.z, b.x}, {c.z, c.x}}}}};
+  const std::array<std::array<mesh::Point2, 3>, 3> planes{{{{{a.x, a.y}, {b.x, b.y}, {c.x, c.y}}},
+                                                           {{{a.y, a.z}, {b.y, b.z}, {c.y, c.z}}},
+                                                           {{{a.z, a.x}, {b.z, b.x}, {c.z, c.x}}}}};
   std::size_t order[] = {0, 1, 2};
   double areas[3];
   for (const std::size_t k : order) {
-    areas[k] = std::abs(approx_turn(planes[k][0], planes[k][1], planes[k][2]));
+    areas[k] = std::abs(mesh::approx_turn(planes[k][0], planes[k][1], planes[k][2]));
   }
   std::swap(order[0], *std::max_element(order, order + 3, [&](std::size_t k, std::size_t l) {
               return areas[k] < areas[l];
             }));
   return std::all_of(order, order + 3, [&](std::size_t k) {
-    return turn(planes[k][0], planes[k][1], planes[k][2]) == 0;
+    return mesh::turn(planes[k][0], planes[k][1], planes[k][2]) == 0;
   });
 }
 

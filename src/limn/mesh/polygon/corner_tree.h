@@ -10,7 +10,7 @@
 #include "limn/mesh/polygon/orientation.h"
 #include "limn/mesh/polygons.h"
 
-namespace limn {
+namespace limn::mesh {
 
 class CornerTree {
  public:
@@ -120,4 +120,4 @@ class CornerTree {
   std::vector<Node> nodes_;
 };
 
-}  // namespace limn
+}  // namespace limn::mesh

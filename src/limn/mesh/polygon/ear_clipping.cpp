@@ -6,7 +6,7 @@
 
 #include "limn/mesh/polygon/corner_tree.h"
 
-namespace limn {
+namespace limn::mesh {
 namespace {
 
 double extent(Point2 a, Point2 b) { return std::max(std::abs(a.x - b.x), std::abs(a.y - b.y)); }
@@ -197,4 +197,4 @@ bool EarClipper::cut(std::span<const Point2> corners,
   return work_->cut(corners, triangles);
 }
 
-}  // namespace limn
+}  // namespace limn::mesh

@@ -10,7 +10,7 @@
 #include "limn/mesh/polygon/orientation.h"
 #include "limn/mesh/polygons.h"
 
-namespace limn {
+namespace limn::mesh {
 
 /// Keeps its memory from polygon to polygon.
 class EarClipper {
@@ -33,4 +33,4 @@ class EarClipper {
   std::unique_ptr<Work> work_;
 };
 
-}  // namespace limn
+}  // namespace limn::mesh

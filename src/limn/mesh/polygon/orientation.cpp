@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstddef>
 
-namespace limn {
+namespace limn::mesh {
 namespace {
 
 int sign(double x) { return x > 0 ? 1 : x < 0 ? -1 : 0; }
@@ -26,7 +26,7 @@ class Expansion {
   }
   [[nodiscard]] int sign() const {
     for (std::size_t i = size_; i-- > 0;)
-      if (parts_[i] != 0) return limn::sign(parts_[i]);
+      if (parts_[i] != 0) return mesh::sign(parts_[i]);
     return 0;
   }
 
@@ -72,4 +72,4 @@ int turn(Point2 a, Point2 b, Point2 c) {
   return sum.sign();
 }
 
-}  // namespace limn
+}  // namespace limn::mesh

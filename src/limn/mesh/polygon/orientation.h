@@ -1,7 +1,7 @@
 #pragma once
 /// On which side of a line a point of the plane lies, without an error of rounding.
 
-namespace limn {
+namespace limn::mesh {
 
 struct Point2 {
   double x = 0, y = 0;
@@ -18,4 +18,4 @@ struct Point2 {
 /// [Shewchuk 1997, Adaptive precision floating-point arithmetic, §4.3, without the middle stages]
 [[nodiscard]] int turn(Point2 a, Point2 b, Point2 c);
 
-}  // namespace limn
+}  // namespace limn::mesh

@@ -25,7 +25,7 @@ Point3 vector_area(const std::vector<Point3>& points) {
 
 }  // namespace
 
-bool FaceCutter::project(Index face) {
+bool mesh::FaceCutter::project(Index face) {
   scaled_.clear();
   double size = 0;
   const Index first = polygons_.face_begin[face], last = polygons_.face_begin[face + 1];
@@ -71,26 +71,27 @@ bool FaceCutter::project(Index face) {
   return true;
 }
 
-bool FaceCutter::fan_is_positive(Index apex) const {
+bool mesh::FaceCutter::fan_is_positive(Index apex) const {
   constexpr double least_sine = 1e-9;
   const auto point = [&](std::size_t k) {
     return plane_[(static_cast<std::size_t>(apex) + k) % plane_.size()];
   };
-  const Point2 a = point(0);
+  const mesh::Point2 a = point(0);
   for (std::size_t k = 1; k + 1 < plane_.size(); ++k) {
-    const Point2 b = point(k), c = point(k + 1);
+    const mesh::Point2 b = point(k), c = point(k + 1);
     const double far = std::hypot(b.x - a.x, b.y - a.y) * std::hypot(c.x - b.x, c.y - b.y);
-    if (!(approx_turn(a, b, c) > least_sine * far)) return false;
+    if (!(mesh::approx_turn(a, b, c) > least_sine * far)) return false;
   }
   return true;
 }
 
-void FaceCutter::fan(Index degree, Index apex) {
+void mesh::FaceCutter::fan(Index degree, Index apex) {
   for (Index k = 1; k + 1 < degree; ++k)
     triangles_.push_back({apex, (apex + k) % degree, (apex + k + 1) % degree});
 }
 
-const std::vector<std::array<Index, 3>>& FaceCutter::cut(Index face, bool& gave_up, Index apex) {
+const std::vector<std::array<Index, 3>>& mesh::FaceCutter::cut(Index face, bool& gave_up,
+                                                               Index apex) {
   triangles_.clear();
   gave_up = false;
   const Index degree = polygons_.degree(face);
@@ -168,7 +169,7 @@ class SharedCorners {
 
 }  // namespace
 
-Result<Triangulation> triangulate(const Polygons& polygons) {
+Result<mesh::Triangulation> mesh::triangulate(const Polygons& polygons) {
   std::int64_t triangles = 0, corners = 0, before = 0;
   bool ordered = !polygons.face_begin.empty() && polygons.face_begin.front() == 0;
   for (Index f = 0; f < polygons.face_count(); ++f) {
@@ -179,21 +180,21 @@ Result<Triangulation> triangulate(const Polygons& polygons) {
     before = last;
   }
   if (const std::optional<Error> fault =
-          too_many(polygons.positions.size(), static_cast<std::size_t>(triangles),
-                   static_cast<std::size_t>(std::max<std::int64_t>(corners, 0))))
+          mesh::too_many(polygons.positions.size(), static_cast<std::size_t>(triangles),
+                         static_cast<std::size_t>(std::max<std::int64_t>(corners, 0))))
     return *fault;
   if (!ordered || static_cast<std::size_t>(before) != polygons.corners.size())
     return Error{"the face offsets do not run from 0 to the number of corners",
                  "face_begin holds one offset more than there are faces"};
 
-  Triangulation result;
+  mesh::Triangulation result;
   result.polygons.positions = polygons.positions;
   result.polygons.corners.reserve(static_cast<std::size_t>(corners));
   const auto close_face = [&result](Index face) {
     result.polygons.face_begin.push_back(static_cast<Index>(result.polygons.corners.size()));
     result.face_of.push_back(face);
   };
-  FaceCutter cutter(polygons);
+  mesh::FaceCutter cutter(polygons);
   const SharedCorners shared(polygons);
   for (Index f = 0; f < polygons.face_count(); ++f) {
     const Index* const face = polygons.corners.data() + polygons.face_begin[f];
@@ -218,7 +219,7 @@ Result<Triangulation> triangulate(const Polygons& polygons) {
   return result;
 }
 
-Warnings warnings_of(const Triangulation& cut, const MeshSource& source) {
+Warnings mesh::warnings_of(const mesh::Triangulation& cut, const MeshSource& source) {
   if (cut.gave_up.empty()) return {};
   const std::size_t count = cut.gave_up.size();
   const Index first = source.file_face(cut.gave_up.front());
@@ -238,7 +239,7 @@ Warnings warnings_of(const Triangulation& cut, const MeshSource& source) {
   return {std::move(warning)};
 }
 
-MeshSource source_of(const Triangulation& cut, const MeshSource& source) {
+MeshSource mesh::source_of(const mesh::Triangulation& cut, const MeshSource& source) {
   MeshSource result = source;
   result.file_faces.clear();
   for (const Index face : cut.face_of) result.file_faces.push_back(source.file_face(face));
@@ -246,7 +247,7 @@ MeshSource source_of(const Triangulation& cut, const MeshSource& source) {
 }
 
 Polygons triangulated(const Polygons& polygons) {
-  Result<Triangulation> cut = triangulate(polygons);
+  Result<mesh::Triangulation> cut = mesh::triangulate(polygons);
   if (!cut) throw std::length_error("triangulated: " + cut.error().message);
   return std::move(cut->polygons);
 }

@@ -8,7 +8,7 @@
 #include "limn/mesh/polygon/ear_clipping.h"
 #include "limn/mesh/polygons.h"
 
-namespace limn {
+namespace limn::mesh {
 
 /// Cuts one face after the other; keeps its memory.
 class FaceCutter {
@@ -57,4 +57,4 @@ struct Triangulation {
 /// The source of the triangles: `source` is that of the polygons.
 [[nodiscard]] MeshSource source_of(const Triangulation& cut, const MeshSource& source);
 
-}  // namespace limn
+}  // namespace limn::mesh

@@ -9,7 +9,7 @@
 #include "limn/mesh/joined_sets.h"
 #include "limn/mesh/repair/steps.h"
 
-namespace limn::detail {
+namespace limn::mesh::detail {
 namespace {
 
 class SheetCutter {
@@ -149,4 +149,4 @@ void cut_one_sided(RepairWork& work) {
        " of one-sided surfaces cut open, with " + std::to_string(copies) + " copies of vertices");
 }
 
-}  // namespace limn::detail
+}  // namespace limn::mesh::detail

@@ -10,7 +10,7 @@
 #include "limn/mesh/repair/places.h"
 #include "limn/mesh/repair/steps.h"
 
-namespace limn::detail {
+namespace limn::mesh::detail {
 namespace {
 
 bool has_vertices(const Polygons& mesh, Index f) {
@@ -190,4 +190,4 @@ bool drop_flat_faces(RepairWork& work) {
   return dropped > 0;
 }
 
-}  // namespace limn::detail
+}  // namespace limn::mesh::detail

@@ -5,7 +5,7 @@
 
 #include "limn/mesh/io/stl_slivers.h"
 
-namespace limn::detail {
+namespace limn::mesh::detail {
 
 bool is_flat_face(const Polygons& polygons, Index face) {
   const auto corner = [&](Index c) { return polygons.positions[polygons.corners[c]]; };
@@ -55,4 +55,4 @@ FaceShape FaceShapes::of(Index face) {
   return shape;
 }
 
-}  // namespace limn::detail
+}  // namespace limn::mesh::detail

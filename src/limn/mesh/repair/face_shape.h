@@ -5,7 +5,7 @@
 
 #include "limn/mesh/polygons.h"
 
-namespace limn::detail {
+namespace limn::mesh::detail {
 
 /// Whether all corners of a face lie on a line, or in one place: exact, at any size. Preconditions:
 /// the corners are vertices, their positions are finite. Cost O(corners).
@@ -29,4 +29,4 @@ class FaceShapes {
   std::vector<Point3> corners_;  // from the centroid, of size about 1
 };
 
-}  // namespace limn::detail
+}  // namespace limn::mesh::detail

@@ -6,7 +6,7 @@
 #include "limn/mesh/joined_sets.h"
 #include "limn/mesh/repair/steps.h"
 
-namespace limn::detail {
+namespace limn::mesh::detail {
 namespace {
 
 /// Which faces to reverse: of each part those of the side that has fewer. Where a surface is
@@ -49,4 +49,4 @@ void orient_faces(RepairWork& work) {
   note(work, "faces_reversed", count, "face", "faces", " reversed");
 }
 
-}  // namespace limn::detail
+}  // namespace limn::mesh::detail

@@ -10,7 +10,7 @@
 #include "limn/mesh/edge_sides.h"
 #include "limn/mesh/finite_point.h"
 
-namespace limn {
+namespace limn::mesh {
 namespace {
 
 using Cell = std::array<std::int64_t, 3>;
@@ -147,4 +147,4 @@ OpenSeams open_seams(const std::vector<Index>& boundary, const std::vector<Point
   return seams;
 }
 
-}  // namespace limn
+}  // namespace limn::mesh

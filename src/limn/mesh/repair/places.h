@@ -5,7 +5,7 @@
 
 #include "limn/mesh/polygons.h"
 
-namespace limn {
+namespace limn::mesh {
 
 /// For each point the one that stands for its place: itself, or an earlier one that stands for
 /// itself and lies within `distance` ≥ 0, the nearest of those (of several the first). So no point
@@ -30,4 +30,4 @@ struct OpenSeams {
 [[nodiscard]] OpenSeams open_seams(const std::vector<Index>& boundary,
                                    const std::vector<Point3>& points);
 
-}  // namespace limn
+}  // namespace limn::mesh

@@ -7,7 +7,7 @@
 #include "limn/mesh/mesh_limits.h"
 #include "limn/mesh/repair/steps.h"
 
-namespace limn {
+namespace limn::mesh {
 namespace detail {
 
 void note(RepairWork& work, const char* what, Index count, const char* one, const char* many,
@@ -102,29 +102,29 @@ Result<Repaired> repair(const Polygons& polygons, const RepairOptions& options) 
   const MeshFaults faults = find_mesh_faults(polygons);
   if (!faults.list.empty() && faults.list.front().kind == MeshFault::Kind::offsets)
     return error_of(faults, polygons, {});
-  check_interrupt();
+  base::check_interrupt();
   detail::RepairWork work = detail::start(polygons);
   if (options.weld || options.drop) {
     std::vector<char> joined;
     const std::vector<char> used_before = detail::used_vertices(polygons);
     if (options.weld) detail::weld_vertices(work, *options.weld, joined);
-    check_interrupt();
+    base::check_interrupt();
     if (options.drop) {
       detail::split_repeated_corners(work, nullptr);
       detail::drop_repeated_faces(work);
       // what is cut beside a flat face may be flat or repeated again
       for (int k = 0; k < detail::kMostRounds && detail::drop_flat_faces(work); ++k) {
-        check_interrupt();
+        base::check_interrupt();
         detail::drop_repeated_faces(work);
       }
     }
     detail::compact(work, used_before, joined);
   }
-  check_interrupt();
+  base::check_interrupt();
   if (options.cut) detail::cut_sheets(work);
-  check_interrupt();
+  base::check_interrupt();
   if (options.orient) detail::orient_faces(work);
-  check_interrupt();
+  base::check_interrupt();
   if (options.cut) detail::cut_one_sided(work);
   if (work.polygons.face_count() == 0 && polygons.face_count() > 0)
     return Error{"no face is left of the mesh: none has three different corners",
@@ -146,4 +146,4 @@ MeshSource source_of(const Repaired& repaired, const MeshSource& source) {
   return result;
 }
 
-}  // namespace limn
+}  // namespace limn::mesh

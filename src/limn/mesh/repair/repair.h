@@ -12,7 +12,7 @@
 #include "limn/base/error.h"
 #include "limn/mesh/polygons.h"
 
-namespace limn {
+namespace limn::mesh {
 
 /// What may be done; what is not asked for is not done. The order is that of the fields, and
 /// one-sided surfaces are cut last.
@@ -74,4 +74,4 @@ struct Repaired {
 /// The source of what was repaired: `source` is that of the input.
 [[nodiscard]] MeshSource source_of(const Repaired& repaired, const MeshSource& source);
 
-}  // namespace limn
+}  // namespace limn::mesh

@@ -7,7 +7,7 @@
 #include "limn/mesh/mesh_faults.h"
 #include "limn/mesh/repair/repair.h"
 
-namespace limn::detail {
+namespace limn::mesh::detail {
 
 /// What is repaired, between the steps: each adds what it did to `done`. Vertices are added at the
 /// end, and none is taken away before `compact`.
@@ -66,4 +66,4 @@ void cut_one_sided(RepairWork& work);
 /// Reverses faces.
 void orient_faces(RepairWork& work);
 
-}  // namespace limn::detail
+}  // namespace limn::mesh::detail

@@ -10,7 +10,7 @@
 #include "limn/mesh/joined_sets.h"
 #include "limn/mesh/repair/face_shape.h"
 
-namespace limn {
+namespace limn::mesh {
 namespace {
 
 using detail::EdgeSide;
@@ -33,11 +33,11 @@ class Surveyor {
     found_.faults = find_mesh_faults(mesh_);
     find_left_out();
     look_at_vertices();
-    check_interrupt();
+    base::check_interrupt();
     look_at_faces();
-    check_interrupt();
+    base::check_interrupt();
     look_at_edges();
-    check_interrupt();
+    base::check_interrupt();
     look_at_places();
     found_.refinable = found_.faults.list.empty() && found_.not_finite.empty();
     return std::move(found_);
@@ -108,11 +108,11 @@ class Surveyor {
   }
 
   void look_at_edges() {
-    const std::vector<EdgeSide> sides = detail::sorted_sides(mesh_, out_);
+    const std::vector<mesh::detail::EdgeSide> sides = detail::sorted_sides(mesh_, out_);
     JoinedSets fans(static_cast<Index>(mesh_.corners.size()));
     std::vector<Index> valence(used_.size(), 0);
     std::vector<char> open(used_.size(), 0);
-    std::vector<EdgeSide> boundary;
+    std::vector<mesh::detail::EdgeSide> boundary;
     detail::for_each_edge(sides, [&](std::size_t k, std::size_t last) {
       const Index v = detail::low_end(sides[k].edge), w = detail::high_end(sides[k].edge);
       if (v == w) return;  // a corner that is repeated at once
@@ -122,7 +122,7 @@ class Surveyor {
         open[end] |= last - k != 2 ? 1 : 0;
       }
       if (last - k == 1) boundary.push_back(sides[k]);
-      if (last - k == 2) join_fans(mesh_, sides[k], sides[k + 1], fans);
+      if (last - k == 2) mesh::detail::join_fans(mesh_, sides[k], sides[k + 1], fans);
     });
     for (std::size_t v = 0; v < used_.size(); ++v) {
       if (used_[v] != 0) ++found_.valences[valence[v]];
@@ -141,13 +141,13 @@ class Surveyor {
           (2 * std::int64_t{found_.components} - found_.euler - found_.boundary_loops) / 2;
   }
 
-  void count_loops(const std::vector<EdgeSide>& boundary, JoinedSets& fans) {
+  void count_loops(const std::vector<mesh::detail::EdgeSide>& boundary, JoinedSets& fans) {
     found_.boundary_edges = static_cast<Index>(boundary.size());
     JoinedSets loops(found_.boundary_edges);
     std::vector<Index> met(mesh_.corners.size(), kNone);  // a boundary edge at each fan
     std::vector<Index> ends;
     for (Index b = 0; b < found_.boundary_edges; ++b) {
-      const EdgeSide& side = boundary[b];
+      const mesh::detail::EdgeSide& side = boundary[b];
       const Index next = detail::next_corner(mesh_, side.face, side.corner);
       for (const Index corner : {side.corner, next}) {
         Index& first = met[fans.root(corner)];
@@ -196,4 +196,4 @@ OpenSeams open_seams(const Mesh& mesh, const std::vector<Point3>& points) {
   return open_seams(ends, points);
 }
 
-}  // namespace limn
+}  // namespace limn::mesh

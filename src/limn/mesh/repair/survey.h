@@ -10,7 +10,7 @@
 #include "limn/mesh/polygons.h"
 #include "limn/mesh/repair/places.h"
 
-namespace limn {
+namespace limn::mesh {
 
 /// Lists are in order of faces or vertices. Edges are pairs of vertices that a face joins; faces
 /// with a corner that is no vertex have none.
@@ -54,4 +54,4 @@ struct MeshSurvey {
 /// `open_seams` of the boundary of a mesh with these positions.
 [[nodiscard]] OpenSeams open_seams(const Mesh& mesh, const std::vector<Point3>& points);
 
-}  // namespace limn
+}  // namespace limn::mesh

@@ -5,12 +5,13 @@
 #include <utility>
 
 #include "limn/mesh/edge_sides.h"
+#include "limn/mesh/index.h"
 #include "limn/mesh/sharpness/cuts.h"
 
 namespace limn {
 namespace {
 
-std::size_t at(Index i) { return static_cast<std::size_t>(i); }
+using mesh::at;
 
 /// Of each edge, whether others lay in its place before the mesh was cut.
 std::vector<bool> edges_that_were_cut(const Mesh& mesh, const std::vector<Index>& vertex_of) {
@@ -19,7 +20,7 @@ std::vector<bool> edges_that_were_cut(const Mesh& mesh, const std::vector<Index>
   for (Index e = 0; !vertex_of.empty() && e < mesh.edge_count(); ++e) {
     const Index h = mesh.halfedge_of_edge(e), v = mesh.origin(h), w = mesh.target(h);
     if (at(std::max(v, w)) >= vertex_of.size()) continue;  // inside a face
-    edges.emplace_back(detail::edge_between(vertex_of[at(v)], vertex_of[at(w)]), e);
+    edges.emplace_back(mesh::detail::edge_between(vertex_of[at(v)], vertex_of[at(w)]), e);
   }
   std::sort(edges.begin(), edges.end());
   for (std::size_t i = 1; i < edges.size(); ++i)
@@ -29,7 +30,7 @@ std::vector<bool> edges_that_were_cut(const Mesh& mesh, const std::vector<Index>
 }
 
 /// What holds of a copy of a vertex then holds of all.
-void spread_to_copies(const Cuts& cuts, std::vector<bool>& of_vertices) {
+void spread_to_copies(const mesh::Cuts& cuts, std::vector<bool>& of_vertices) {
   std::vector<bool> of_cut(at(cuts.vertices), false);
   for (std::size_t v = 0; v < cuts.vertex_of.size(); ++v)
     if (of_vertices[v]) of_cut[at(cuts.vertex_of[v])] = true;
@@ -37,7 +38,7 @@ void spread_to_copies(const Cuts& cuts, std::vector<bool>& of_vertices) {
     of_vertices[v] = of_cut[at(cuts.vertex_of[v])];
 }
 
-void make_boundary_holes(const Mesh& mesh, const Cuts& cuts, Sharpness& sharpness) {
+void make_boundary_holes(const Mesh& mesh, const mesh::Cuts& cuts, Sharpness& sharpness) {
   const std::vector<bool> cut = edges_that_were_cut(mesh, cuts.vertex_of);
   std::vector<bool> open(at(mesh.vertex_count()), false);  // has a boundary edge that is not stated
   for (Index e = 0; e < mesh.edge_count(); ++e) {
@@ -54,7 +55,7 @@ void make_boundary_holes(const Mesh& mesh, const Cuts& cuts, Sharpness& sharpnes
   }
 }
 
-void sharpen_corners(const Mesh& mesh, const Cuts& cuts, Sharpness& sharpness) {
+void sharpen_corners(const Mesh& mesh, const mesh::Cuts& cuts, Sharpness& sharpness) {
   const std::vector<Index>& vertex_of = cuts.vertex_of;
   std::vector<Index> fans(at(cuts.vertices), 0);  // copies that have faces
   for (std::size_t v = 0; v < vertex_of.size(); ++v)
@@ -70,8 +71,8 @@ void sharpen_corners(const Mesh& mesh, const Cuts& cuts, Sharpness& sharpness) {
 
 }  // namespace
 
-void apply_boundary_mode(const Mesh& mesh, BoundaryMode mode, const Cuts& cuts,
-                         Sharpness& sharpness) {
+void mesh::apply_boundary_mode(const Mesh& mesh, BoundaryMode mode, const mesh::Cuts& cuts,
+                               Sharpness& sharpness) {
   switch (mode) {
     case BoundaryMode::none: return make_boundary_holes(mesh, cuts, sharpness);
     case BoundaryMode::edge_only: return;
@@ -80,7 +81,7 @@ void apply_boundary_mode(const Mesh& mesh, BoundaryMode mode, const Cuts& cuts,
 }
 
 void apply_boundary_mode(const Mesh& mesh, BoundaryMode mode, Sharpness& sharpness) {
-  apply_boundary_mode(mesh, mode, {}, sharpness);
+  mesh::apply_boundary_mode(mesh, mode, {}, sharpness);
 }
 
 }  // namespace limn

@@ -5,12 +5,11 @@
 
 #include <fmt/core.h>
 
+#include "limn/mesh/index.h"
 #include "limn/mesh/sharpness/sharpness.h"
 
-namespace limn {
+namespace limn::mesh {
 namespace {
-
-std::size_t at(Index i) { return static_cast<std::size_t>(i); }
 
 Mesh::Arrays arrays_of(const Mesh& mesh) {
   Mesh::Arrays arrays;
@@ -151,4 +150,4 @@ Result<JoinedMesh> join_again(const Mesh& mesh, const CutMesh& cut, const SplitR
   return Joining(mesh, cut, fine).run();
 }
 
-}  // namespace limn
+}  // namespace limn::mesh

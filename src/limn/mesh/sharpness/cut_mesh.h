@@ -7,7 +7,7 @@
 #include "limn/base/error.h"
 #include "limn/mesh/split/split.h"
 
-namespace limn {
+namespace limn::mesh {
 
 /// A mesh that was cut: the same faces and half-edges, by the same numbers. A vertex is there once
 /// for each fan that the cuts leave of its faces; one of these keeps its number, further ones are
@@ -33,4 +33,4 @@ struct JoinedMesh {
 [[nodiscard]] Result<JoinedMesh> join_again(const Mesh& mesh, const CutMesh& cut,
                                             const SplitResult& fine);
 
-}  // namespace limn
+}  // namespace limn::mesh

@@ -2,13 +2,12 @@
 
 #include <algorithm>
 
+#include "limn/mesh/index.h"
 #include "limn/mesh/sharpness/edges_between.h"
 #include "limn/mesh/sharpness/resting_with.h"
 
-namespace limn {
+namespace limn::mesh {
 namespace {
-
-std::size_t at(Index i) { return static_cast<std::size_t>(i); }
 
 void make_sharp(std::vector<double>& values, Index i, Index count, double sharpness) {
   values.resize(at(count), 0);
@@ -87,4 +86,4 @@ void hold_cuts(const Mesh& mesh, const Cuts& cuts, Sharpness& sharpness) {
     make_sharp(sharpness.vertices, v, mesh.vertex_count(), kInfinitelySharp);
 }
 
-}  // namespace limn
+}  // namespace limn::mesh

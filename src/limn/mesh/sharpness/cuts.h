@@ -8,7 +8,7 @@
 #include "limn/mesh/repair/repair.h"
 #include "limn/mesh/sharpness/sharpness.h"
 
-namespace limn {
+namespace limn::mesh {
 
 /// By numbers of the repaired mesh; empty where repair cut nothing.
 struct Cuts {
@@ -33,4 +33,4 @@ void hold_cuts(const Mesh& mesh, const Cuts& cuts, Sharpness& sharpness);
 void apply_boundary_mode(const Mesh& mesh, BoundaryMode mode, const Cuts& cuts,
                          Sharpness& sharpness);
 
-}  // namespace limn
+}  // namespace limn::mesh

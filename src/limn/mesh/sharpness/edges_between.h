@@ -5,7 +5,7 @@
 
 #include "limn/mesh/mesh.h"
 
-namespace limn {
+namespace limn::mesh {
 
 /// The edges between two vertices: more than one where a mesh has such. Cost O(valence).
 [[nodiscard]] inline std::vector<Index> edges_between(const Mesh& mesh, Index a, Index b) {
@@ -21,4 +21,4 @@ namespace limn {
   return edges;
 }
 
-}  // namespace limn
+}  // namespace limn::mesh

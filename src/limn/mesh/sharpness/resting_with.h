@@ -5,7 +5,7 @@
 #include <cmath>
 #include <vector>
 
-namespace limn {
+namespace limn::mesh {
 
 /// The sharpness of a vertex that rests as long as one of these edges is sharp, and is then blended
 /// as they are: by the mean of what is left of those that end last. 0 without edges.
@@ -22,4 +22,4 @@ namespace limn {
   return count > 0 ? last + sum / count : 0;
 }
 
-}  // namespace limn
+}  // namespace limn::mesh

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "limn/mesh/index.h"
 #include "limn/mesh/split/heritage.h"
 
 namespace limn {
@@ -12,7 +13,7 @@ namespace {
 bool is_sharp(double s) { return s > 0; }
 bool is_fading(double s) { return s > 0 && s < kInfinitelySharp; }
 
-std::size_t at(Index i) { return static_cast<std::size_t>(i); }
+using mesh::at;
 
 }  // namespace
 
@@ -90,7 +91,7 @@ Sharpness inherit(const Mesh& mesh, const Sharpness& sharpness, const ChildSharp
     std::copy(children.vertices.begin(), children.vertices.end(), result.vertices.begin());
   }
   if (sharpness.edges.empty() && sharpness.holes.empty()) return result;
-  const std::vector<Index> on = old_halfedges(mesh, fine);
+  const std::vector<Index> on = mesh::old_halfedges(mesh, fine);
   if (!sharpness.edges.empty()) {
     result.edges.assign(at(fine.mesh.edge_count()), 0);
     for (Index e = 0; e < fine.mesh.edge_count(); ++e) {
@@ -100,7 +101,7 @@ Sharpness inherit(const Mesh& mesh, const Sharpness& sharpness, const ChildSharp
     }
   }
   if (!sharpness.holes.empty()) {
-    const std::vector<Index> parents = faces_between(mesh, fine.mesh, on);
+    const std::vector<Index> parents = mesh::faces_between(mesh, fine.mesh, on);
     result.holes.resize(parents.size());
     for (std::size_t f = 0; f < parents.size(); ++f)
       result.holes[f] = parents[f] != kNone && sharpness.holes[at(parents[f])];

@@ -4,12 +4,13 @@
 
 #include <fmt/core.h>
 
+#include "limn/mesh/index.h"
 #include "limn/mesh/sharpness/edges_between.h"
 
 namespace limn {
 namespace {
 
-std::size_t at(Index i) { return static_cast<std::size_t>(i); }
+using mesh::at;
 
 class Applying {
  public:
@@ -61,7 +62,7 @@ class Applying {
     std::vector<Index> edges;
     for (const Index from : vertices_of(a))
       for (const Index to : vertices_of(b))
-        for (const Index e : edges_between(mesh_, from, to)) edges.push_back(e);
+        for (const Index e : mesh::edges_between(mesh_, from, to)) edges.push_back(e);
     return edges;
   }
 

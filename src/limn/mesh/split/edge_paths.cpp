@@ -6,12 +6,11 @@
 #include <numeric>
 #include <utility>
 
+#include "limn/mesh/index.h"
 #include "limn/mesh/split/heritage.h"
 
-namespace limn {
+namespace limn::mesh {
 namespace {
-
-std::size_t at(Index i) { return static_cast<std::size_t>(i); }
 
 /// Gathers points, each refined vertex once.
 class Paths {
@@ -297,4 +296,4 @@ EdgePaths edge_paths(const Split& split, const Mesh& control, int levels) {
   return paths.take();
 }
 
-}  // namespace limn
+}  // namespace limn::mesh

@@ -5,7 +5,7 @@
 
 #include "limn/mesh/split/split.h"
 
-namespace limn {
+namespace limn::mesh {
 
 /// Paths along control edges. Their points are means of refined vertices, and where refined edges
 /// are parts of control edges, vertices alone.
@@ -27,4 +27,4 @@ struct EdgePaths {
 /// O(the refined mesh).
 [[nodiscard]] EdgePaths edge_paths(const Split& split, const Mesh& control, int levels);
 
-}  // namespace limn
+}  // namespace limn::mesh

@@ -2,10 +2,10 @@
 
 #include <array>
 
-namespace limn {
-namespace {
+#include "limn/mesh/index.h"
 
-std::size_t at(Index i) { return static_cast<std::size_t>(i); }
+namespace limn::mesh {
+namespace {
 
 /// Of splits that keep old edges.
 class OldEdges {
@@ -150,4 +150,4 @@ std::vector<Index> parent_faces(const Split& split, const Mesh& mesh, const Spli
   return parents;
 }
 
-}  // namespace limn
+}  // namespace limn::mesh

@@ -6,7 +6,7 @@
 
 #include "limn/mesh/split/split.h"
 
-namespace limn {
+namespace limn::mesh {
 
 /// Whether old edges are made of refined ones after every step, so that each refined face lies in
 /// one old face: no dual splits, nor those that refine the boundary in every second step only.
@@ -30,4 +30,4 @@ namespace limn {
 [[nodiscard]] std::vector<Index> parent_faces(const Split& split, const Mesh& mesh,
                                               const SplitResult& fine);
 
-}  // namespace limn
+}  // namespace limn::mesh

@@ -10,7 +10,7 @@
 #include "limn/base/large_vector.h"
 #include "limn/mesh/split/split.h"
 
-namespace limn::detail {
+namespace limn::mesh::detail {
 
 SplitResult split_triangle_dyadic(const Mesh& mesh, int step);
 SplitResult split_quad_dyadic(const Mesh& mesh, int step);
@@ -60,9 +60,9 @@ inline Mesh::Arrays make_arrays(Index vertices, Index edges, Index degree,
   arrays.edge_count = edges;
   arrays.degree = degree;
   const auto size = static_cast<std::size_t>(halfedges);
-  arrays.origin = large_vector<Index>(size);
-  arrays.twin = large_vector<Index>(size, kNone);
-  arrays.edge = large_vector<Index>(size);
+  arrays.origin = base::large_vector<Index>(size);
+  arrays.twin = base::large_vector<Index>(size, kNone);
+  arrays.edge = base::large_vector<Index>(size);
   return arrays;
 }
 
@@ -76,4 +76,4 @@ inline bool is_triangular(const Mesh& mesh) {
   return mesh.face_count() == 0 || mesh.uniform_degree() == 3;
 }
 
-}  // namespace limn::detail
+}  // namespace limn::mesh::detail

@@ -25,7 +25,7 @@
 #include "limn/base/parallel.h"
 #include "limn/mesh/split/split_list.h"
 
-namespace limn::detail {
+namespace limn::mesh::detail {
 namespace {
 
 class MidEdge {
@@ -41,14 +41,14 @@ class MidEdge {
     out_ = make_arrays(births_.from_edges + static_cast<Index>(births_.isolated.size()),
                        corners + static_cast<Index>(closed_.size()) + open_edges_, 0,
                        face_begin_.back());
-    parallel_for_each(corners, [&](Index h) {
+    base::parallel_for_each(corners, [&](Index h) {
       out_.origin[h] = point(h);
       out_.edge[h] = h;
     });
-    parallel_for_each(mesh_.vertex_count(), [&](Index v) {
+    base::parallel_for_each(mesh_.vertex_count(), [&](Index v) {
       if (vertex_begin_[v] != kNone) make_vertex_face(v, vertex_begin_[v], mesh_.valence(v));
     });
-    parallel_for_each(static_cast<Index>(closed_.size()), [&](Index i) { close(i); });
+    base::parallel_for_each(static_cast<Index>(closed_.size()), [&](Index i) { close(i); });
     squeeze();
     out_.face_begin = std::move(face_begin_);
     return {Mesh::from_arrays(std::move(out_)), std::move(births_)};
@@ -181,4 +181,4 @@ class MidEdge {
 
 SplitResult split_midedge(const Mesh& mesh, int step) { return MidEdge(mesh, step).run(); }
 
-}  // namespace limn::detail
+}  // namespace limn::mesh::detail

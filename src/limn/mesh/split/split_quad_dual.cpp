@@ -14,7 +14,7 @@
 #include "limn/base/parallel.h"
 #include "limn/mesh/split/split_list.h"
 
-namespace limn::detail {
+namespace limn::mesh::detail {
 namespace {
 
 struct Plan {
@@ -31,7 +31,7 @@ Plan make_plan(const Mesh& mesh) {
   for (Index e = 0; e < mesh.edge_count(); ++e)
     if (!mesh.is_boundary_edge(e)) plan.inner_edge[e] = plan.inner_edges++;
   plan.vertex_valence.assign(static_cast<std::size_t>(mesh.vertex_count()), 0);
-  parallel_for_each(mesh.vertex_count(), [&](Index v) {
+  base::parallel_for_each(mesh.vertex_count(), [&](Index v) {
     if (!mesh.is_boundary_vertex(v)) plan.vertex_valence[v] = mesh.valence(v);
   });
   plan.face_begin.reserve(static_cast<std::size_t>(mesh.face_count()) + plan.inner_edges +
@@ -54,12 +54,12 @@ class DualSplit {
       : mesh_(mesh), plan_(plan), out_(out) {}
 
   void run() {
-    parallel_for_each(mesh_.halfedge_count(), [&](Index h) {
+    base::parallel_for_each(mesh_.halfedge_count(), [&](Index h) {
       out_.origin[h] = h;
       out_.edge[h] = h;
     });
-    parallel_for_each(mesh_.edge_count(), [&](Index e) { make_edge_face(e); });
-    parallel_for_each(mesh_.vertex_count(), [&](Index v) {
+    base::parallel_for_each(mesh_.edge_count(), [&](Index e) { make_edge_face(e); });
+    base::parallel_for_each(mesh_.vertex_count(), [&](Index v) {
       if (plan_.vertex_valence[v] >= 3) make_vertex_face(v);
     });
     squeeze();
@@ -136,4 +136,4 @@ SplitResult split_quad_dual(const Mesh& mesh, int /*step*/) {
   return {Mesh::from_arrays(std::move(out)), std::move(births)};
 }
 
-}  // namespace limn::detail
+}  // namespace limn::mesh::detail

@@ -6,7 +6,7 @@
 #include "limn/base/parallel.h"
 #include "limn/mesh/split/split_list.h"
 
-namespace limn::detail {
+namespace limn::mesh::detail {
 namespace {
 
 void split_corner(const Mesh& mesh, Index h, Mesh::Arrays& out) {
@@ -32,7 +32,7 @@ SplitResult split_quad_dyadic(const Mesh& mesh, int /*step*/) {
   const Index edges = mesh.edge_count(), corners = mesh.halfedge_count();
   Mesh::Arrays out = make_arrays(mesh.vertex_count() + edges + mesh.face_count(),
                                  2 * edges + corners, 4, std::ptrdiff_t{4} * corners);
-  parallel_for_each(corners, [&](Index h) { split_corner(mesh, h, out); });
+  base::parallel_for_each(corners, [&](Index h) { split_corner(mesh, h, out); });
   SplitResult result{Mesh::from_arrays(std::move(out)), {}};
   result.births.from_vertices = mesh.vertex_count();
   result.births.from_edges = edges;
@@ -40,4 +40,4 @@ SplitResult split_quad_dyadic(const Mesh& mesh, int /*step*/) {
   return result;
 }
 
-}  // namespace limn::detail
+}  // namespace limn::mesh::detail

@@ -22,7 +22,7 @@
 #include "limn/base/parallel.h"
 #include "limn/mesh/split/split_list.h"
 
-namespace limn::detail {
+namespace limn::mesh::detail {
 namespace {
 
 class QuadSqrt2 {
@@ -38,7 +38,7 @@ class QuadSqrt2 {
     const bool quads = triangles_ == 0;
     const Index vertices = births_.from_vertices + births_.from_edges + births_.from_faces;
     out_ = make_arrays(vertices, uncut_, quads ? 4 : 0, begin_.back());
-    parallel_for_each(mesh_.edge_count(), [&](Index e) {
+    base::parallel_for_each(mesh_.edge_count(), [&](Index e) {
       const Index h = mesh_.halfedge_of_edge(e);
       if (mesh_.twin(h) != kNone)
         make_quad(h);
@@ -159,4 +159,4 @@ class QuadSqrt2 {
 
 SplitResult split_quad_sqrt2(const Mesh& mesh, int step) { return QuadSqrt2(mesh, step).run(); }
 
-}  // namespace limn::detail
+}  // namespace limn::mesh::detail

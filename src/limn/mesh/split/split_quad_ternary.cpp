@@ -17,10 +17,10 @@
 #include "limn/base/parallel.h"
 #include "limn/mesh/split/split_list.h"
 
-namespace limn::detail {
+namespace limn::mesh::detail {
 namespace {
 
-void split_side(const Mesh& mesh, Index h, Mesh::Arrays& out) {
+void split_quad_side(const Mesh& mesh, Index h, Mesh::Arrays& out) {
   const Index corners = mesh.vertex_count() + 2 * mesh.edge_count();
   const Index inner = 3 * mesh.edge_count(), middle = 8 * mesh.halfedge_count();
   const Index n = mesh.next(h), p = mesh.prev(h), t = mesh.twin(h), g = mesh.twin(p);
@@ -50,7 +50,7 @@ SplitResult split_quad_ternary(const Mesh& mesh, int /*step*/) {
   const Index sides = mesh.halfedge_count();
   Mesh::Arrays out = make_arrays(mesh.vertex_count() + 2 * mesh.edge_count() + sides,
                                  3 * (mesh.edge_count() + sides), 4, std::ptrdiff_t{9} * sides);
-  parallel_for_each(sides, [&](Index h) { split_side(mesh, h, out); });
+  base::parallel_for_each(sides, [&](Index h) { split_quad_side(mesh, h, out); });
   SplitResult result{Mesh::from_arrays(std::move(out)), {}};
   result.births.from_vertices = mesh.vertex_count();
   result.births.thirds = true;
@@ -59,4 +59,4 @@ SplitResult split_quad_ternary(const Mesh& mesh, int /*step*/) {
   return result;
 }
 
-}  // namespace limn::detail
+}  // namespace limn::mesh::detail

@@ -10,7 +10,7 @@
 #include "limn/base/parallel.h"
 #include "limn/mesh/split/split_list.h"
 
-namespace limn::detail {
+namespace limn::mesh::detail {
 namespace {
 
 class QuadTriangle {
@@ -38,7 +38,7 @@ class QuadTriangle {
     out_ = make_arrays(vertices + edges + cuts, 2 * edges + mesh_.halfedge_count(), degree,
                        std::ptrdiff_t{4} * mesh_.halfedge_count());
     if (degree == 0) make_face_begin();
-    parallel_for_each(mesh_.halfedge_count(), [&](Index h) {
+    base::parallel_for_each(mesh_.halfedge_count(), [&](Index h) {
       if (is_triangle(h))
         cut_triangle(h);
       else
@@ -64,7 +64,7 @@ class QuadTriangle {
   void make_face_begin() {
     out_.face_begin.resize(static_cast<std::size_t>(begin_.back()) + 1);
     out_.face_begin.front() = 0;
-    parallel_for_each(mesh_.face_count(), [&](Index f) {
+    base::parallel_for_each(mesh_.face_count(), [&](Index f) {
       const Index from = 4 * mesh_.face_begin(f), corners = mesh_.degree(f) == 3 ? 3 : 4;
       const Index children = begin_[f + 1] - begin_[f];
       for (Index i = 1; i <= children; ++i) out_.face_begin[begin_[f] + i] = from + i * corners;
@@ -112,4 +112,4 @@ class QuadTriangle {
 
 SplitResult split_quad_triangle(const Mesh& mesh, int /*step*/) { return QuadTriangle(mesh).run(); }
 
-}  // namespace limn::detail
+}  // namespace limn::mesh::detail

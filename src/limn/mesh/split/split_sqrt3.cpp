@@ -17,7 +17,7 @@
 #include "limn/base/parallel.h"
 #include "limn/mesh/split/split_list.h"
 
-namespace limn::detail {
+namespace limn::mesh::detail {
 namespace {
 
 class Sqrt3 {
@@ -33,7 +33,7 @@ class Sqrt3 {
     out_ = make_arrays(births_.from_vertices + births_.from_edges + births_.from_faces,
                        mesh_.edge_count() + corners + births_.from_edges / 2, 3,
                        std::ptrdiff_t{3} * corners);
-    parallel_for_each(corners, [&](Index h) {
+    base::parallel_for_each(corners, [&](Index h) {
       if (mesh_.twin(h) != kNone) return make_inner(h);
       if (cut(h) == kNone) return make_boundary(h);
       make_cut(h);
@@ -139,4 +139,4 @@ SplitResult split_sqrt3(const Mesh& mesh, int step) {
   return Sqrt3(mesh, step).run();
 }
 
-}  // namespace limn::detail
+}  // namespace limn::mesh::detail

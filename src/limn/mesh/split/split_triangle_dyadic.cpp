@@ -6,7 +6,7 @@
 #include "limn/base/parallel.h"
 #include "limn/mesh/split/split_list.h"
 
-namespace limn::detail {
+namespace limn::mesh::detail {
 namespace {
 
 // first half-edge of the child at the origin of h
@@ -43,11 +43,11 @@ SplitResult split_triangle_dyadic(const Mesh& mesh, int /*step*/) {
   const Index faces = mesh.face_count(), edges = mesh.edge_count();
   Mesh::Arrays out = make_arrays(mesh.vertex_count() + edges, 2 * edges + 3 * faces, 3,
                                  std::ptrdiff_t{12} * faces);
-  parallel_for_each(faces, [&](Index f) { split_face(mesh, f, out); });
+  base::parallel_for_each(faces, [&](Index f) { split_face(mesh, f, out); });
   SplitResult result{Mesh::from_arrays(std::move(out)), {}};
   result.births.from_vertices = mesh.vertex_count();
   result.births.from_edges = edges;
   return result;
 }
 
-}  // namespace limn::detail
+}  // namespace limn::mesh::detail

@@ -3,7 +3,7 @@
 #include "limn/base/parallel.h"
 #include "limn/mesh/split/split_list.h"
 
-namespace limn::detail {
+namespace limn::mesh::detail {
 
 void squeeze_two_gons(Mesh::Arrays& arrays, const std::vector<std::pair<Index, Index>>& sides) {
   if (sides.empty()) return;
@@ -16,10 +16,10 @@ void squeeze_two_gons(Mesh::Arrays& arrays, const std::vector<std::pair<Index, I
   }
   std::sort(lost.begin(), lost.end());
   arrays.edge_count -= static_cast<Index>(lost.size());
-  parallel_for_each(static_cast<Index>(arrays.edge.size()), [&](Index i) {
+  base::parallel_for_each(static_cast<Index>(arrays.edge.size()), [&](Index i) {
     const auto below = std::lower_bound(lost.begin(), lost.end(), arrays.edge[i]);
     arrays.edge[i] -= static_cast<Index>(below - lost.begin());
   });
 }
 
-}  // namespace limn::detail
+}  // namespace limn::mesh::detail

@@ -5,7 +5,7 @@
 
 #include "limn/regular/algebra/invariant_subspaces.h"
 
-namespace limn {
+namespace limn::regular {
 
 /// Each entry is off by a unit in the last place at most.
 [[nodiscard]] inline Eigen::MatrixXd approx_matrix(const RationalMatrix& a) {
@@ -17,4 +17,4 @@ namespace limn {
   return result;
 }
 
-}  // namespace limn
+}  // namespace limn::regular

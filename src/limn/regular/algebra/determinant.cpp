@@ -8,7 +8,7 @@
 
 #include "limn/base/parallel.h"
 
-namespace limn {
+namespace limn::regular {
 namespace {
 
 __extension__ using Wide = unsigned __int128;
@@ -181,7 +181,7 @@ std::optional<int> sign_of_determinant(const RationalMatrix& a, const Stop& stop
   const std::vector<std::uint64_t> primes = largest_primes((*bits + 1) / kPrimeBits + 1);
   std::vector<std::uint64_t> residues(primes.size());
   std::atomic<bool> ended{false};
-  parallel_for(
+  base::parallel_for(
       std::size_t{0}, primes.size(),
       [&](std::size_t first, std::size_t last) {
         for (std::size_t i = first; i < last; ++i) {
@@ -227,4 +227,4 @@ RationalMatrix product_of(const std::vector<const RationalMatrix*>& factors) {
   return result;
 }
 
-}  // namespace limn
+}  // namespace limn::regular

@@ -8,7 +8,7 @@
 #include "limn/base/time_budget.h"
 #include "limn/regular/algebra/invariant_subspaces.h"
 
-namespace limn {
+namespace limn::regular {
 
 /// -1, 0 or 1; nothing where `stop` asked for an end. Cost: size³ for each 61 bits that Hadamard's
 /// bound of the determinant has; the primes are looked at in parallel.
@@ -21,4 +21,4 @@ namespace limn {
 /// a[0] … a[k], multiplied in integers. Precondition: at least one, square, of one size.
 [[nodiscard]] RationalMatrix product_of(const std::vector<const RationalMatrix*>& factors);
 
-}  // namespace limn
+}  // namespace limn::regular

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-namespace limn {
+namespace limn::regular {
 
 template <class Field>
 using FieldVector = std::vector<Field>;
@@ -178,4 +178,4 @@ template <class Field>
   return space;
 }
 
-}  // namespace limn
+}  // namespace limn::regular

@@ -8,7 +8,7 @@
 #include "limn/regular/algebra/modular.h"
 #include "limn/regular/algebra/modular_roots.h"
 
-namespace limn {
+namespace limn::regular {
 namespace {
 
 constexpr int kTries = 24;        // elements of the algebra that are looked at for one block
@@ -127,15 +127,15 @@ bool is_proper(const Echelon<Modular>& space) {
 }
 
 /// What one block gave.
-struct Verdict {
+struct SplitVerdict {
   std::optional<Halves> halves;
   bool irreducible = false;
 };
 
 /// Norton's criterion with the eigenvalue `root` of `a`: null vectors are spun, and those of the
 /// transposes.
-Verdict try_root(const std::vector<RationalMatrix>& matrices, const ModularFamily& family,
-                 const ModularFamily& dual, FieldMatrix<Modular> a, Modular root) {
+SplitVerdict try_root(const std::vector<RationalMatrix>& matrices, const ModularFamily& family,
+                      const ModularFamily& dual, FieldMatrix<Modular> a, Modular root) {
   for (std::size_t i = 0; i < a.size(); ++i) a[i][i] -= root;
   const Echelon<Modular> null = null_space(a);
   for (std::size_t i = 0; i < std::min(null.dimension(), kMostNullVectors); ++i) {
@@ -172,7 +172,7 @@ std::optional<Halves> split_trivially(const std::vector<RationalMatrix>& matrice
   return std::nullopt;
 }
 
-Verdict split(const std::vector<RationalMatrix>& matrices, const Stop& stop) {
+SplitVerdict split(const std::vector<RationalMatrix>& matrices, const Stop& stop) {
   if (matrices.front().size() == 1) return {std::nullopt, true};
   const std::optional<ModularFamily> family = shadow(matrices);
   if (!family) return {};
@@ -183,7 +183,7 @@ Verdict split(const std::vector<RationalMatrix>& matrices, const Stop& stop) {
   for (int number = 0; number < kTries && !asked(stop); ++number) {
     const FieldMatrix<Modular> a = element(*family, number, random);
     for (const Modular root : eigenvalues_in_field(a, kRootsForEach)) {
-      Verdict verdict = try_root(matrices, *family, dual, a, root);
+      SplitVerdict verdict = try_root(matrices, *family, dual, a, root);
       if (verdict.halves || verdict.irreducible) return verdict;
     }
   }
@@ -199,7 +199,7 @@ RationalMatrix identity(std::size_t size) {
 }  // namespace
 
 std::vector<DiagonalBlock> diagonal_blocks(std::vector<RationalMatrix> matrices, const Stop& stop) {
-  Verdict verdict = split(matrices, stop);
+  SplitVerdict verdict = split(matrices, stop);
   if (!verdict.halves) {
     RationalMatrix basis = identity(matrices.front().size());
     return {{std::move(matrices), std::move(basis), verdict.irreducible}};
@@ -214,4 +214,4 @@ std::vector<DiagonalBlock> diagonal_blocks(std::vector<RationalMatrix> matrices,
   return blocks;
 }
 
-}  // namespace limn
+}  // namespace limn::regular

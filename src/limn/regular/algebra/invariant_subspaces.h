@@ -7,7 +7,7 @@
 #include "limn/base/time_budget.h"
 #include "limn/regular/algebra/echelon.h"
 
-namespace limn {
+namespace limn::regular {
 
 using RationalMatrix = FieldMatrix<Rational>;
 
@@ -29,4 +29,4 @@ struct DiagonalBlock {
 [[nodiscard]] std::vector<DiagonalBlock> diagonal_blocks(std::vector<RationalMatrix> matrices,
                                                          const Stop& stop = {});
 
-}  // namespace limn
+}  // namespace limn::regular

@@ -2,7 +2,7 @@
 
 #include <utility>
 
-namespace limn {
+namespace limn::regular {
 
 int largest_jordan_block(RationalMatrix a, const Rational& eigenvalue) {
   for (std::size_t i = 0; i < a.size(); ++i) a[i][i] -= eigenvalue;
@@ -19,4 +19,4 @@ int largest_jordan_block(RationalMatrix a, const Rational& eigenvalue) {
   return rows;
 }
 
-}  // namespace limn
+}  // namespace limn::regular

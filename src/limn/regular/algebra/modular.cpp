@@ -2,7 +2,7 @@
 
 #include <utility>
 
-namespace limn {
+namespace limn::regular {
 
 std::optional<Modular> modular(const Rational& q) {
   const Integer prime = Modular::kPrime;
@@ -32,4 +32,4 @@ std::optional<Rational> reconstructed(Modular a) {
   return next_factor < 0 ? Rational(-next, -next_factor) : Rational(next, next_factor);
 }
 
-}  // namespace limn
+}  // namespace limn::regular

@@ -7,7 +7,7 @@
 
 #include "limn/base/rational.h"
 
-namespace limn {
+namespace limn::regular {
 
 class Modular {
  public:
@@ -53,4 +53,4 @@ class Modular {
 /// The p/q with |p|, q < 2³⁰ in that class; nothing where there is none.
 [[nodiscard]] std::optional<Rational> reconstructed(Modular a);
 
-}  // namespace limn
+}  // namespace limn::regular

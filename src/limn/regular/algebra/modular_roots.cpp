@@ -2,7 +2,7 @@
 
 #include <utility>
 
-namespace limn {
+namespace limn::regular {
 namespace {
 
 /// Coefficients by exponent; the last is not 0.
@@ -160,4 +160,4 @@ std::vector<Modular> eigenvalues_in_field(const FieldMatrix<Modular>& a, int mos
   return roots;
 }
 
-}  // namespace limn
+}  // namespace limn::regular

@@ -4,10 +4,10 @@
 #include "limn/regular/algebra/echelon.h"
 #include "limn/regular/algebra/modular.h"
 
-namespace limn {
+namespace limn::regular {
 
 /// At most `most` of them; there may be none, and for a rare unlucky start of the search one may
 /// be missed. Cost: size³.
 [[nodiscard]] std::vector<Modular> eigenvalues_in_field(const FieldMatrix<Modular>& a, int most);
 
-}  // namespace limn
+}  // namespace limn::regular

@@ -1,4 +1,5 @@
 #include "limn/regular/smoothness/attainment.h"
+#include "limn/number/rational_power.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,21 +13,19 @@
 #include "limn/regular/smoothness/growth_power.h"
 #include "limn/regular/smoothness/transition_operators.h"
 
-namespace limn {
+namespace limn::regular {
 namespace {
 
-constexpr int kMostSteps = 3;          // of the difference scheme, whose norms are tried
-constexpr std::size_t kMostRows = 60;  // of the operators: powers of rational matrices are dear
+constexpr int kMostNormSteps = 3;  // of the difference scheme, whose norms are tried
+constexpr std::size_t kMostPowerRows =
+    60;  // of the operators: powers of rational matrices are dear
 
-Rational power(const Rational& q, int n) {
-  Rational result = 1;
-  for (int i = 0; i < n; ++i) result *= q;
-  return result;
-}
+using number::power;
 
-class Decision {
+class AttainmentDecision {
  public:
-  Decision(const Mask& mask, const JointSpectralRadius& radius, int order, const Stop& stop)
+  AttainmentDecision(const Mask& mask, const JointSpectralRadius& radius, int order,
+                     const Stop& stop)
       : mask_(mask), radius_(radius), stop_(stop) {
     found_.order = order;
   }
@@ -49,7 +48,7 @@ class Decision {
     const Result<TransitionOperators> operators = transition_operators(mask_, found_.order);
     if (!operators) return undecided(operators.error().message);
     const std::size_t rows = operators->on_differences.front().size();
-    const bool small = rows <= kMostRows;
+    const bool small = rows <= kMostPowerRows;
     if (small && grows(*operators)) {
       found_.sharp = power_bound(operators->on_differences) == found_.logarithm;
       return found_;
@@ -112,7 +111,7 @@ class Decision {
   /// Norms of fewer and fewer kinds of differences, each bounding all that they span; one step of
   /// each is tried first.
   bool by_norm() {
-    for (const int most_steps : {1, kMostSteps})
+    for (const int most_steps : {1, kMostNormSteps})
       for (int most_alike = found_.order; most_alike >= 1 && !asked(stop_); --most_alike)
         if (const std::optional<int> steps =
                 steps_that_bound_differences(mask_, found_.order, most_alike, most_steps, stop_)) {
@@ -167,9 +166,9 @@ std::string exponent_text(const Rational& eigenvalue, int length, int growth) {
 Attainment decide_attainment(const Mask& mask, const JointSpectralRadius& radius, int sum_rules,
                              double value, bool whole, const Stop& stop) {
   const int order = static_cast<int>(whole ? std::nearbyint(value) : std::ceil(value));
-  Decision decision(mask, radius, order, stop);
+  AttainmentDecision decision(mask, radius, order, stop);
   if (!whole || order == sum_rules) decision.try_one_block();
   return decision.run();
 }
 
-}  // namespace limn
+}  // namespace limn::regular

@@ -8,7 +8,7 @@
 #include "limn/base/time_budget.h"
 #include "limn/regular/smoothness/regularity.h"
 
-namespace limn {
+namespace limn::regular {
 
 /// -log ρ / log √growth for ρ = |eigenvalue|^(1/length): "2", "3/2", "log2(24/7)", "log2(5)/3",
 /// "2*log3(7)". Precondition: 0 < |eigenvalue| < 1, length ≥ 1, growth ≥ 2.
@@ -21,4 +21,4 @@ namespace limn {
                                            int sum_rules, double value, bool whole,
                                            const Stop& stop = {});
 
-}  // namespace limn
+}  // namespace limn::regular

@@ -9,7 +9,7 @@
 
 #include "limn/regular/regular_mask.h"
 
-namespace limn {
+namespace limn::regular {
 namespace {
 
 /// The shortest of the parallel vectors, of the two the one that is greater.
@@ -69,4 +69,4 @@ std::optional<BoxSpline> find_box_spline(const Mask& mask) {
   return spline;
 }
 
-}  // namespace limn
+}  // namespace limn::regular

@@ -7,7 +7,7 @@
 
 #include "limn/scheme/mask.h"
 
-namespace limn {
+namespace limn::regular {
 
 /// A box spline in the plane.
 struct BoxSpline {
@@ -21,11 +21,11 @@ struct BoxSpline {
   [[nodiscard]] std::string text() const;
 };
 
-/// Nothing where the mask is no product of directions (regular_mask.h), or of directions that powers of
-/// M do not carry to one another. Where p steps are a dilation by an integer q, times an isometry
-/// that exchanges the mask's directions up to sign, each direction d comes p times in φ: as d, Md,
-/// … M^{p-1} d, all but for a factor. So the mask (1, 2, 1)² / 8 of quad-sqrt2 makes the box spline
-/// of four directions, each twice.
+/// Nothing where the mask is no product of directions (regular_mask.h), or of directions that
+/// powers of M do not carry to one another. Where p steps are a dilation by an integer q, times an
+/// isometry that exchanges the mask's directions up to sign, each direction d comes p times in φ:
+/// as d, Md, … M^{p-1} d, all but for a factor. So the mask (1, 2, 1)² / 8 of quad-sqrt2 makes the
+/// box spline of four directions, each twice.
 [[nodiscard]] std::optional<BoxSpline> find_box_spline(const Mask& mask);
 
-}  // namespace limn
+}  // namespace limn::regular

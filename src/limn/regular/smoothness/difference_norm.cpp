@@ -13,12 +13,12 @@
 #include "limn/regular/smoothness/symmetric_hull.h"
 #include "limn/regular/smoothness/transition_operators.h"
 
-namespace limn {
+namespace limn::regular {
 namespace {
 
 constexpr double kMostWork = 4e7;  // sequences times the square of their size
 constexpr double kMostExactWork = 2e6;
-constexpr std::ptrdiff_t kGrain = 8;
+constexpr std::ptrdiff_t kNormGrain = 8;
 constexpr int kWider = 2;         // points by which a box may be larger than what it holds
 constexpr double kNearly = 1e-9;  // by which a norm in double precision may miss an exact bound
 
@@ -36,9 +36,9 @@ Laurent standard(const Laurent& v) {
 
 /// The differences that make up the ball, as vectors in a box of points. Sequences orthogonal to
 /// polynomials of degree < order are known without their values at a triangle of points.
-class Box {
+class PointBox {
  public:
-  Box(const std::vector<Laurent>& differences, int order, LatticeVector size)
+  PointBox(const std::vector<Laurent>& differences, int order, LatticeVector size)
       : order_(order), size_(size), hull_(rows()) {
     for (const Laurent& difference : differences) {
       const Laurent atom = standard(difference);
@@ -162,25 +162,25 @@ class RefinedDifferences {
   /// What `measure` says of each, in a box that holds them all.
   template <class T, class Measure>
   [[nodiscard]] std::vector<T> each(Measure measure) const {
-    const Box box = spanned_box();
+    const PointBox box = spanned_box();
     const std::vector<Laurent> list(sequences_.begin(), sequences_.end());
     std::vector<T> results(list.size());
-    parallel_for(
+    base::parallel_for(
         std::size_t{0}, list.size(),
         [&](std::size_t first, std::size_t last) {
           for (std::size_t i = first; i < last; ++i) results[i] = measure(box, list[i]);
         },
-        kGrain);
+        kNormGrain);
     return results;
   }
 
  private:
   /// A box that holds the sequences, and enough differences to combine them from.
-  [[nodiscard]] Box spanned_box() const {
+  [[nodiscard]] PointBox spanned_box() const {
     LatticeVector size = size_of(sequences_, order_);
-    Box box(differences_, order_, size);
+    PointBox box(differences_, order_, size);
     for (int more = 1; more <= kWider && !box.spans(); ++more)
-      box = Box(differences_, order_, {size[0] + more, size[1] + more});
+      box = PointBox(differences_, order_, {size[0] + more, size[1] + more});
     return box;
   }
 
@@ -202,7 +202,7 @@ std::vector<double> difference_norms(const Mask& mask, int order, int most_steps
     if (!differences.step(stop)) return norms;
     if (differences.work() > kMostWork) break;
     const std::vector<double> each = differences.each<double>(
-        [&stop](const Box& box, const Laurent& v) { return asked(stop) ? 0 : box.norm(v); });
+        [&stop](const PointBox& box, const Laurent& v) { return asked(stop) ? 0 : box.norm(v); });
     if (asked(stop)) break;
     norms.push_back(each.empty() ? 0 : *std::max_element(each.begin(), each.end()));
     if (norms.back() < std::pow(enough, k)) break;
@@ -220,12 +220,13 @@ std::optional<int> steps_that_bound_differences(const Mask& mask, int order, int
     for (int i = 0; i < order; ++i) squared /= growth;
     const std::optional<Rational> bound = rational_root(squared, 2);
     if (!bound) continue;
-    const std::vector<char> each = differences.each<char>([&](const Box& box, const Laurent& v) {
-      return static_cast<char>(!asked(stop) && box.is_within(v, *bound) ? 1 : 0);
-    });
+    const std::vector<char> each =
+        differences.each<char>([&](const PointBox& box, const Laurent& v) {
+          return static_cast<char>(!asked(stop) && box.is_within(v, *bound) ? 1 : 0);
+        });
     if (std::find(each.begin(), each.end(), 0) == each.end()) return k;
   }
   return std::nullopt;
 }
 
-}  // namespace limn
+}  // namespace limn::regular

@@ -8,7 +8,7 @@
 #include "limn/base/time_budget.h"
 #include "limn/scheme/mask.h"
 
-namespace limn {
+namespace limn::regular {
 
 /// For k = 1 … most_steps an upper bound, rounded up, of the least c with
 ///   max |D' S^k f| ≤ c · max |D f|,
@@ -31,4 +31,4 @@ namespace limn {
                                                               int most_alike, int most_steps,
                                                               const Stop& stop = {});
 
-}  // namespace limn
+}  // namespace limn::regular

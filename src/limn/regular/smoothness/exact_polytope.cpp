@@ -8,7 +8,7 @@
 #include "limn/regular/smoothness/rounding.h"
 #include "limn/regular/smoothness/symmetric_hull.h"
 
-namespace limn {
+namespace limn::regular {
 namespace {
 
 using Vector = FieldVector<Rational>;
@@ -112,7 +112,7 @@ std::vector<RationalMatrix> normalised(std::vector<RationalMatrix> matrices,
 std::vector<ExactHull::Place> places_of(const ExactHull& hull, const std::vector<Vector>& vectors,
                                         const Stop& stop) {
   std::vector<ExactHull::Place> places(vectors.size());
-  parallel_for(
+  base::parallel_for(
       std::size_t{0}, vectors.size(),
       [&](std::size_t first, std::size_t last) {
         for (std::size_t i = first; i < last && !asked(stop); ++i)
@@ -232,4 +232,4 @@ std::optional<std::vector<FieldVector<Rational>>> find_invariant_polytope(
   return ExactGrowth(matrices, level, limits).run(start);
 }
 
-}  // namespace limn
+}  // namespace limn::regular

@@ -24,7 +24,7 @@
 #include "limn/base/time_budget.h"
 #include "limn/regular/algebra/invariant_subspaces.h"
 
-namespace limn {
+namespace limn::regular {
 
 /// Whether the hull of the vertices and their negatives is spanning and every matrix maps it into
 /// `level` times itself: true is proved, false says nothing. Precondition: level > 0, vectors of
@@ -48,4 +48,4 @@ struct ExactPolytopeLimits {
     const std::vector<RationalMatrix>& matrices, const Rational& level,
     const std::vector<FieldVector<Rational>>& start, const ExactPolytopeLimits& limits = {});
 
-}  // namespace limn
+}  // namespace limn::regular

@@ -1,22 +1,19 @@
 #include "limn/regular/smoothness/exact_radius.h"
+#include "limn/number/rational_power.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include "limn/regular/algebra/determinant.h"
 
-namespace limn {
+namespace limn::regular {
 namespace {
 
 using Vector = FieldVector<Rational>;
 
 constexpr double kSteps = 32;  // of a scale between two powers of 2
 
-Rational power(const Rational& q, std::size_t n) {
-  Rational result = 1;
-  for (std::size_t i = 0; i < n; ++i) result *= q;
-  return result;
-}
+using number::power;
 
 /// The whole number n-th root of one, if it is that.
 std::optional<Rational> whole_root(const Rational& q, int n) {
@@ -120,4 +117,4 @@ std::optional<int> bound_exactly(const std::vector<RationalMatrix>& matrices, co
   return static_cast<int>(vertices->size());
 }
 
-}  // namespace limn
+}  // namespace limn::regular

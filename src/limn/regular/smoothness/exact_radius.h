@@ -8,7 +8,7 @@
 #include "limn/regular/smoothness/exact_polytope.h"
 #include "limn/regular/smoothness/product_search.h"
 
-namespace limn {
+namespace limn::regular {
 
 /// q^(1/n) where it is rational. Precondition: q > 0, n ≥ 1.
 [[nodiscard]] std::optional<Rational> rational_root(const Rational& q, int n);
@@ -29,4 +29,4 @@ namespace limn {
                                                const Rational& level, const Product& best,
                                                const ExactPolytopeLimits& limits);
 
-}  // namespace limn
+}  // namespace limn::regular

@@ -6,10 +6,10 @@
 #include "limn/regular/algebra/approx_matrix.h"
 #include "limn/regular/smoothness/exact_radius.h"
 
-namespace limn {
+namespace limn::regular {
 namespace {
 
-constexpr double kFarBelow = 0.99;         // growth over the level: such a block is lower
+constexpr double kLowerBlock = 0.99;       // growth over the level: such a block is lower
 constexpr int kParts = 1024;               // of the level, to which one between is rounded down
 constexpr std::size_t kMostUnknowns = 80;  // of a change of basis
 constexpr int kMostVertices = 1000;
@@ -28,7 +28,7 @@ Kind kind_of(const DiagonalBlock& block, const Rational& level, int length, cons
   for (const RationalMatrix& matrix : block.matrices) matrices.push_back(approx_matrix(matrix));
   const Product best = approx_best_product(matrices, length, stop);
   const ExactPolytopeLimits limits{kMostVertices, stop, {}};
-  if (best.growth < kFarBelow * to_double(level)) {
+  if (best.growth < kLowerBlock * to_double(level)) {
     const double part = (1 + best.growth / to_double(level)) / 2;
     const Rational between = level * Rational(static_cast<int>(part * kParts), kParts);
     if (bound_exactly(block.matrices, between, best, limits)) return Kind::below;
@@ -143,4 +143,4 @@ std::optional<int> bound_growth_power(const std::vector<RationalMatrix>& matrice
   return std::max(*std::max_element(leading.begin(), leading.end()) - 1, 0);
 }
 
-}  // namespace limn
+}  // namespace limn::regular

@@ -7,7 +7,7 @@
 #include "limn/base/time_budget.h"
 #include "limn/regular/algebra/invariant_subspaces.h"
 
-namespace limn {
+namespace limn::regular {
 
 /// A p for which products of n of the matrices are at most a constant times n^p level^n, exactly;
 /// nothing where none was found, which says nothing.
@@ -25,4 +25,4 @@ namespace limn {
                                                     const Rational& level, int length,
                                                     const Stop& stop = {});
 
-}  // namespace limn
+}  // namespace limn::regular

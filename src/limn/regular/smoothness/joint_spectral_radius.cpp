@@ -18,7 +18,7 @@
 #include "limn/regular/smoothness/rounding.h"
 #include "limn/regular/smoothness/spectral_radius.h"
 
-namespace limn {
+namespace limn::regular {
 namespace {
 
 constexpr double kMostProducts = 4e6;  // times size³: what the search for products may cost
@@ -258,4 +258,4 @@ JointSpectralRadius enclose_joint_spectral_radius(const std::vector<RationalMatr
   return Enclosure(matrices, options).run();
 }
 
-}  // namespace limn
+}  // namespace limn::regular

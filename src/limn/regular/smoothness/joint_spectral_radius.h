@@ -13,7 +13,7 @@
 #include "limn/regular/algebra/invariant_subspaces.h"
 #include "limn/regular/smoothness/regularity.h"
 
-namespace limn {
+namespace limn::regular {
 
 struct JointSpectralRadiusOptions {
   int budget = 7000;        ///< vertices of one polytope
@@ -31,4 +31,4 @@ struct JointSpectralRadiusOptions {
 [[nodiscard]] JointSpectralRadius enclose_joint_spectral_radius(
     const std::vector<RationalMatrix>& matrices, const JointSpectralRadiusOptions& options = {});
 
-}  // namespace limn
+}  // namespace limn::regular

@@ -20,7 +20,7 @@ Rational monomial(const std::array<Rational, 2>& x, int i, int j) {
 std::vector<Rational> moments(const Mask& mask, const std::array<Rational, 2>& centre, int i,
                               int j) {
   std::vector<Rational> sums(cosets(mask.dilation).size(), Rational(0));
-  for (const auto& [k, value] : integer_offsets(mask))
+  for (const auto& [k, value] : regular::integer_offsets(mask))
     sums[static_cast<std::size_t>(coset_of(mask.dilation, k))] +=
         value * monomial({k[0] - centre[0], k[1] - centre[1]}, i, j);
   return sums;
@@ -35,7 +35,7 @@ bool all_equal(const std::vector<Rational>& values) {
 }  // namespace
 
 PolynomialOrders polynomial_orders(const Mask& mask) {
-  const Laurent coefficients = integer_offsets(mask);
+  const Laurent coefficients = regular::integer_offsets(mask);
   std::array<Rational, 2> centre{0, 0};
   for (const auto& [k, value] : coefficients)
     for (std::size_t axis = 0; axis < 2; ++axis)

@@ -9,13 +9,13 @@
 #include "limn/regular/smoothness/rounding.h"
 #include "limn/regular/smoothness/symmetric_hull.h"
 
-namespace limn {
+namespace limn::regular {
 namespace {
 
 constexpr double kInside = 3e-9;  // images may leave the polytope by this part
 constexpr double kProved = 1e-7;  // with all that rounding may have added
-constexpr std::ptrdiff_t kGrain = 8;
-constexpr int kBatch = 256;  // images between two reports of progress
+constexpr std::ptrdiff_t kBoundGrain = 8;
+constexpr int kBoundBatch = 256;  // images between two reports of progress
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 class Growth {
@@ -101,15 +101,16 @@ class Growth {
 
   /// One generation. What lies farthest outside is added first, so that less of the rest does.
   void take_in(std::vector<Image>& images) {
-    for (std::size_t begin = 0; begin < images.size() && !asked(limits_.stop); begin += kBatch) {
+    for (std::size_t begin = 0; begin < images.size() && !asked(limits_.stop);
+         begin += kBoundBatch) {
       tell();
-      parallel_for(
-          begin, std::min(begin + kBatch, images.size()),
+      base::parallel_for(
+          begin, std::min(begin + kBoundBatch, images.size()),
           [&](std::size_t first, std::size_t last) {
             for (std::size_t i = first; i < last && !asked(limits_.stop); ++i)
               measure(images[i], start_, 1 + kInside);
           },
-          kGrain);
+          kBoundGrain);
     }
     if (must_end()) return;
     std::stable_sort(images.begin(), images.end(),
@@ -127,7 +128,7 @@ class Growth {
       count_vertex(image);
       hull_.add(image.value);
       if (must_end()) return;
-      if (made() % kBatch == 0) tell();
+      if (made() % kBoundBatch == 0) tell();
     }
     start_ = hull_.start_at(images.front().found.points);
   }
@@ -152,4 +153,4 @@ PolytopeBound polytope_bound(const std::vector<Eigen::MatrixXd>& matrices, doubl
   return Growth(matrices, level, limits).run(start);
 }
 
-}  // namespace limn
+}  // namespace limn::regular

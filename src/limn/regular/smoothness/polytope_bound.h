@@ -8,7 +8,7 @@
 
 #include "limn/base/time_budget.h"
 
-namespace limn {
+namespace limn::regular {
 
 struct PolytopeBound {
   double upper = 0;  ///< of the joint spectral radius, proved; infinite where it was not reached
@@ -30,4 +30,4 @@ struct PolytopeLimits {
                                            double level, const std::vector<Eigen::VectorXd>& start,
                                            const PolytopeLimits& limits = {});
 
-}  // namespace limn
+}  // namespace limn::regular

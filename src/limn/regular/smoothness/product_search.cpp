@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace limn {
+namespace limn::regular {
 namespace {
 
 constexpr double kBetter = 1 + 1e-9;  // a longer product has to be better than a shorter by this
@@ -68,4 +68,4 @@ Product approx_best_product(const std::vector<Eigen::MatrixXd>& matrices, int le
   return best;
 }
 
-}  // namespace limn
+}  // namespace limn::regular

@@ -6,7 +6,7 @@
 
 #include "limn/base/time_budget.h"
 
-namespace limn {
+namespace limn::regular {
 
 struct Product {
   std::vector<int> factors;  ///< first factor first; no power of a shorter product
@@ -23,4 +23,4 @@ struct Product {
 [[nodiscard]] Product approx_best_product(const std::vector<Eigen::MatrixXd>& matrices, int length,
                                           const Stop& stop = {});
 
-}  // namespace limn
+}  // namespace limn::regular

@@ -8,6 +8,7 @@
 #include <fmt/core.h>
 
 #include "limn/base/outward.h"
+#include "limn/number/rational_power.h"
 #include "limn/regular/smoothness/attainment.h"
 #include "limn/regular/smoothness/box_spline.h"
 #include "limn/regular/smoothness/difference_norm.h"
@@ -18,19 +19,14 @@
 namespace limn {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kNoBound = std::numeric_limits<double>::infinity();
 constexpr double kLogarithms =
     4e-15;  // what quotients of logarithms are off by, relatively, and more
 
 constexpr int kAlways = 2;                // C1 and C2 are always asked for
 constexpr double kShareOfBracket = 0.75;  // of the time; the rest is for the difference schemes
 
-/// qᵏ
-Rational power(const Rational& q, int k) {
-  Rational result = 1;
-  for (int i = 0; i < k; ++i) result *= q;
-  return result;
-}
+using number::power;
 
 /// Whether the proved lower bound of the joint spectral radius is at least |det M|^{-r/2}; exactly,
 /// where it comes from a rational eigenvalue.
@@ -42,7 +38,7 @@ bool radius_reaches(const JointSpectralRadius& radius, int growth, int r) {
 
 /// -log ρ / log √|det M|, moved down or up by what rounding may have done.
 double exponent(double radius, int growth, double direction) {
-  if (radius == 0) return kInfinity;
+  if (radius == 0) return kNoBound;
   const double value = -2 * std::log(radius) / std::log(growth);
   const double off = kLogarithms * (1 + std::abs(value));
   return value + direction * off;
@@ -61,7 +57,7 @@ std::optional<double> whole_exponent(const JointSpectralRadius& radius, int grow
 
 Status check_cosets(const Mask& mask) {
   std::vector<Rational> sums(cosets(mask.dilation).size(), Rational(0));
-  for (const auto& [k, value] : integer_offsets(mask))
+  for (const auto& [k, value] : regular::integer_offsets(mask))
     sums[static_cast<std::size_t>(coset_of(mask.dilation, k))] += value;
   for (const Rational& sum : sums)
     if (sum != 1)
@@ -80,8 +76,8 @@ class Analysis {
   Result<Regularity> run() {
     if (Status status = check_cosets(mask_); !status) return status.error();
     result_.orders = polynomial_orders(mask_);
-    const Result<TransitionOperators> operators =
-        transition_operators(mask_, result_.orders.sum_rules);
+    const Result<regular::TransitionOperators> operators =
+        regular::transition_operators(mask_, result_.orders.sum_rules);
     if (!operators) return operators.error();
     bracket(*operators);
     if (result_.holder.radius.time_ended) raise_by_norms();
@@ -89,7 +85,7 @@ class Analysis {
     find_power(0);
     if (result_.smoothness.front().verdict == Truth::yes) {
       tell("stability of the shifts");
-      const Stability stability = prove_stability(mask_);
+      const regular::Stability stability = regular::prove_stability(mask_);
       result_.stable = stability.verdict;
       result_.stability_reason = stability.reason;
     } else {
@@ -109,9 +105,9 @@ class Analysis {
     if (options_.progress) options_.progress(what);
   }
 
-  void bracket(const TransitionOperators& operators) {
+  void bracket(const regular::TransitionOperators& operators) {
     HolderBracket& holder = result_.holder;
-    const JointSpectralRadiusOptions options{
+    const regular::JointSpectralRadiusOptions options{
         .budget = options_.budget,
         .tolerance = std::pow(growth_, options_.tolerance / 2) - 1,
         .progress = options_.progress,
@@ -119,7 +115,7 @@ class Analysis {
     if (operators.on_differences.front().empty())
       holder.radius.exact = true;
     else
-      holder.radius = enclose_joint_spectral_radius(operators.on_differences, options);
+      holder.radius = regular::enclose_joint_spectral_radius(operators.on_differences, options);
     for (const int factor : holder.radius.product)
       holder.digits.push_back(operators.digits[static_cast<std::size_t>(factor)]);
     const std::optional<double> whole = whole_exponent(holder.radius, growth_);
@@ -154,16 +150,16 @@ class Analysis {
       return;
     }
     tell("whether the exponent is attained");
-    holder.exact =
-        exponent_text(*radius.eigenvalue, static_cast<int>(radius.product.size()), growth_);
-    holder.attained = decide_attainment(mask_, radius, result_.orders.sum_rules, value,
-                                        whole.has_value(), time_.stop());
+    holder.exact = regular::exponent_text(*radius.eigenvalue,
+                                          static_cast<int>(radius.product.size()), growth_);
+    holder.attained = regular::decide_attainment(mask_, radius, result_.orders.sum_rules, value,
+                                                 whole.has_value(), time_.stop());
   }
 
   /// Where differences prove less.
   void state_closed_form() {
     HolderBracket& holder = result_.holder;
-    const std::optional<BoxSpline> spline = find_box_spline(mask_);
+    const std::optional<regular::BoxSpline> spline = regular::find_box_spline(mask_);
     if (!spline || result_.smoothness.front().verdict != Truth::yes) return;
     if (holder.upper == holder.lower) return;
     holder.lower = spline->exponent();
@@ -180,15 +176,16 @@ class Analysis {
 
   void decide_convergence(Smoothness& smoothness) const {
     if (result_.holder.lower > 0)
-      smoothness = {Truth::yes, 0, 0, "Hölder exponent ≥ " + rounded_down(result_.holder.lower)};
+      smoothness = {Truth::yes, 0, 0,
+                    "Hölder exponent ≥ " + base::rounded_down(result_.holder.lower)};
     else if (radius_reaches(result_.holder.radius, growth_, 0))
       smoothness = {
           Truth::no, 0, 0,
           fmt::format("differences do not shrink in the steps with digits {}", product_text())};
     else
       smoothness.reason = fmt::format("the joint spectral radius is known to [{}, {}] only{}",
-                                      rounded_down(result_.holder.radius.lower),
-                                      rounded_up(result_.holder.radius.upper), why_no_more());
+                                      base::rounded_down(result_.holder.radius.lower),
+                                      base::rounded_up(result_.holder.radius.upper), why_no_more());
   }
 
   [[nodiscard]] std::string why_no_more() const {
@@ -202,13 +199,13 @@ class Analysis {
       smoothness = {holder.lower > r ? Truth::yes : Truth::no, 0, 0,
                     fmt::format("Hölder exponent {}: {}", holder.exact, holder.exact_reason)};
     } else if (holder.lower > r) {
-      smoothness = {Truth::yes, 0, 0, "Hölder exponent ≥ " + rounded_down(holder.lower)};
+      smoothness = {Truth::yes, 0, 0, "Hölder exponent ≥ " + base::rounded_down(holder.lower)};
     } else if (result_.smoothness.front().verdict == Truth::no) {
       smoothness = {Truth::no, 0, 0, "the scheme does not converge"};
     } else if (result_.stable != Truth::yes) {
       smoothness.reason =
           fmt::format("Hölder exponent ≥ {}, and more is not excluded: stability is not proved{}",
-                      rounded_down(holder.lower), why_no_more());
+                      base::rounded_down(holder.lower), why_no_more());
     } else if (result_.orders.sum_rules <= r) {
       smoothness = {
           Truth::no, 0, 0,
@@ -221,9 +218,9 @@ class Analysis {
                                 "digits {}",
                                 r + 1, product_text())};
     } else {
-      smoothness.reason =
-          fmt::format("the Hölder exponent is known to [{}, {}] only{}", rounded_down(holder.lower),
-                      rounded_up(*holder.upper), why_no_more());
+      smoothness.reason = fmt::format("the Hölder exponent is known to [{}, {}] only{}",
+                                      base::rounded_down(holder.lower),
+                                      base::rounded_up(*holder.upper), why_no_more());
     }
   }
 
@@ -233,8 +230,8 @@ class Analysis {
     if (!fresh) return at->second;
     tell(fmt::format("steps that shrink for C{}", r));
     const double step = std::pow(growth_, r / 2.0) * (1 + kLogarithms);
-    at->second = difference_norms(mask_, r + 1, options_.most_steps, 1 / (step * (1 + kLogarithms)),
-                                  time_.stop());
+    at->second = regular::difference_norms(mask_, r + 1, options_.most_steps,
+                                           1 / (step * (1 + kLogarithms)), time_.stop());
     return at->second;
   }
 
@@ -258,7 +255,7 @@ class Analysis {
   /// radius on differences of each order, and with it the exponent, up to that order.
   void raise_by_norms() {
     for (int r = 0; r < result_.orders.sum_rules; ++r) {
-      double best = -kInfinity;
+      double best = -kNoBound;
       for (std::size_t k = 0; k < norms(r).size(); ++k)
         best = std::max(best, exponent(norms(r)[k], growth_, -1) / static_cast<double>(k + 1));
       result_.holder.lower = std::max(result_.holder.lower, std::min<double>(best, r + 1));

@@ -5,7 +5,7 @@
 #include <Eigen/Core>
 #include <limits>
 
-namespace limn {
+namespace limn::regular {
 
 /// A sum of `terms` rounded products, or numbers, is exact but for this times the sum of their
 /// sizes; twice the usual γ, so that what is computed with it may itself be rounded. terms ≤ 10⁶.
@@ -19,4 +19,4 @@ namespace limn {
   return value * (1 + 2e-12) + std::numeric_limits<double>::min();
 }
 
-}  // namespace limn
+}  // namespace limn::regular

@@ -10,6 +10,7 @@
 #include <fmt/core.h>
 
 #include "limn/base/outward.h"
+#include "limn/number/rational_power.h"
 #include "limn/regular/algebra/jordan.h"
 #include "limn/regular/regular_mask.h"
 #include "limn/regular/smoothness/box_spline.h"
@@ -27,19 +28,15 @@ constexpr int kMostSteps = 4;             // whose norms are tried
 constexpr std::size_t kMostRows = 72;     // of the transition operators
 constexpr std::size_t kRemembered = 512;  // masks
 // vertices of a polytope: what fits a few tenths of a second falls with the cube of the rows
-constexpr double kMostWork = 1.5e7;
-constexpr int kFewVertices = 60;
+constexpr double kMostDecisionWork = 1.5e7;
+constexpr int kFewDecisionVertices = 60;
 constexpr int kManyVertices = 2000;
 constexpr double kRounding = 1e-12;  // what a comparison in double precision leaves open
 
 /// ρ against 1/|det M|.
 enum class Side { below, equal, above, unknown };
 
-Rational power(const Rational& q, std::size_t k) {
-  Rational result = 1;
-  for (std::size_t i = 0; i < k; ++i) result *= q;
-  return result;
-}
+using number::power;
 
 Side side_of(const JointSpectralRadius& radius, int growth) {
   const double target = 1.0 / growth;
@@ -53,11 +50,11 @@ Side side_of(const JointSpectralRadius& radius, int growth) {
   return radius.lower > target * (1 + kRounding) ? Side::above : Side::unknown;
 }
 
-RationalMatrix product_of(const std::vector<RationalMatrix>& matrices,
-                          const std::vector<int>& factors) {
-  RationalMatrix result = matrices[static_cast<std::size_t>(factors.front())];
+regular::RationalMatrix product_of(const std::vector<regular::RationalMatrix>& matrices,
+                                   const std::vector<int>& factors) {
+  regular::RationalMatrix result = matrices[static_cast<std::size_t>(factors.front())];
   for (std::size_t i = 1; i < factors.size(); ++i)
-    result = product(result, matrices[static_cast<std::size_t>(factors[i])]);
+    result = regular::product(result, matrices[static_cast<std::size_t>(factors[i])]);
   return result;
 }
 
@@ -70,7 +67,8 @@ class Decision {
   RegularPart run() {
     if (orders_.sum_rules < 1 || total(mask_.coefficients) != growth_)
       return {Truth::undecided, "the weights of a new point do not sum to 1 there"};
-    const Result<TransitionOperators> operators = transition_operators(mask_, orders_.sum_rules);
+    const Result<regular::TransitionOperators> operators =
+        regular::transition_operators(mask_, orders_.sum_rules);
     if (!operators) return {Truth::undecided, operators.error().message};
     const std::size_t rows = operators->on_differences.front().size();
     if (rows > kMostRows)
@@ -78,7 +76,7 @@ class Decision {
           Truth::undecided,
           fmt::format("its mask is wide ({} differences to follow), so nothing was tried", rows)};
     if (rows > 0) {
-      radius_ = enclose_joint_spectral_radius(operators->on_differences, options(rows));
+      radius_ = regular::enclose_joint_spectral_radius(operators->on_differences, options(rows));
     }
     if (!(radius_.lower < 1 - kRounding)) {
       if (side_at_one() == Side::unknown)
@@ -89,10 +87,11 @@ class Decision {
   }
 
  private:
-  [[nodiscard]] JointSpectralRadiusOptions options(std::size_t rows) const {
-    JointSpectralRadiusOptions options;
-    options.budget = static_cast<int>(std::clamp<double>(
-        kMostWork / std::pow(static_cast<double>(rows), 3), kFewVertices, kManyVertices));
+  [[nodiscard]] regular::JointSpectralRadiusOptions options(std::size_t rows) const {
+    regular::JointSpectralRadiusOptions options;
+    options.budget = static_cast<int>(
+        std::clamp<double>(kMostDecisionWork / std::pow(static_cast<double>(rows), 3),
+                           kFewDecisionVertices, kManyVertices));
     options.target = 1.0 / growth_;
     return options;
   }
@@ -106,21 +105,21 @@ class Decision {
   [[nodiscard]] std::string exponent_text() const {
     const double exponent =
         -2 * std::log(radius_.lower) / std::log(growth_) * (1 + kRounding) + kRounding;
-    return rounded_up(std::min<double>(exponent, orders_.sum_rules));
+    return base::rounded_up(std::min<double>(exponent, orders_.sum_rules));
   }
 
   /// What holds if shifts are stable: `words` says so then.
   RegularPart unbounded_if_stable(const std::string& words) {
     if (!converges())
       return {Truth::undecided, "whether the scheme converges there is not decided"};
-    const Stability stability = prove_stability(mask_);
+    const regular::Stability stability = regular::prove_stability(mask_);
     if (stability.verdict == Truth::yes) return {Truth::no, words};
     return {Truth::undecided, fmt::format("{} if shifts are stable, which is not proved", words)};
   }
 
   bool converges() {
     if (radius_.upper < 1) return true;
-    const std::vector<double> norms = difference_norms(mask_, 1, kMostSteps, 1);
+    const std::vector<double> norms = regular::difference_norms(mask_, 1, kMostSteps, 1);
     return !norms.empty() && norms.back() < 1;
   }
 
@@ -144,14 +143,14 @@ class Decision {
         break;
       case Side::unknown: break;
     }
-    if (const auto steps = steps_that_bound_differences(mask_, kOrder, kOrder, kMostSteps))
+    if (const auto steps = regular::steps_that_bound_differences(mask_, kOrder, kOrder, kMostSteps))
       return {
           Truth::yes,
           fmt::format("second differences over h² stay bounded: {} multipl{} them by 1 at most, "
                       "exactly",
                       *steps == 1 ? "a step" : fmt::format("{} steps", *steps),
                       *steps == 1 ? "ies" : "y")};
-    const std::optional<BoxSpline> spline = find_box_spline(mask_);
+    const std::optional<regular::BoxSpline> spline = regular::find_box_spline(mask_);
     if (spline && spline->exponent() >= kOrder)
       return {Truth::yes, spline->text() + ", whose second derivatives are bounded"};
     if (orders_.sum_rules <= kOrder) return of_low_order();
@@ -163,21 +162,23 @@ class Decision {
     return {Truth::undecided,
             fmt::format("whether its Hölder exponent is above 2 is not decided: the joint spectral "
                         "radius is known to [{}, {}] only",
-                        rounded_down(radius_.lower), rounded_up(radius_.upper))};
+                        base::rounded_down(radius_.lower), base::rounded_up(radius_.upper))};
   }
 
   /// Whether powers of some product grow on the second differences, the product at hand and each
   /// operator being tried.
   [[nodiscard]] bool grows_at_critical_value() const {
-    const Result<TransitionOperators> operators = transition_operators(mask_, kOrder);
+    const Result<regular::TransitionOperators> operators =
+        regular::transition_operators(mask_, kOrder);
     if (!operators) return false;
     std::vector<std::vector<int>> products{radius_.product};
     for (std::size_t i = 0; i < operators->digits.size(); ++i)
       products.push_back({static_cast<int>(i)});
     return std::any_of(products.begin(), products.end(), [&](const std::vector<int>& factors) {
-      const RationalMatrix a = product_of(operators->on_differences, factors);
+      const regular::RationalMatrix a = product_of(operators->on_differences, factors);
       const Rational critical = 1 / power(Rational(growth_), factors.size());
-      return largest_jordan_block(a, critical) > 1 || largest_jordan_block(a, -critical) > 1;
+      return regular::largest_jordan_block(a, critical) > 1 ||
+             regular::largest_jordan_block(a, -critical) > 1;
     });
   }
 
@@ -209,7 +210,7 @@ RegularPart find_regular_part(const Mask& mask) {
 
 RegularPart find_regular_part(const Scheme& scheme) {
   RegularPart all{Truth::yes, {}};
-  const std::vector<Scheme> lattices = lattice_schemes(scheme);
+  const std::vector<Scheme> lattices = scheme::lattice_schemes(scheme);
   for (const Scheme& one : lattices) {
     const Result<Mask> mask = regular_mask(one);
     RegularPart part =
@@ -217,7 +218,7 @@ RegularPart find_regular_part(const Scheme& scheme) {
     if (lattices.size() == 1) return part;
     all.bounded = all.bounded && part.bounded;
     all.reason += fmt::format("{}on {}s: {}", all.reason.empty() ? "" : "; ",
-                              lattice_name(one.split->lattice), part.reason);
+                              scheme::lattice_name(one.split->lattice), part.reason);
   }
   return all;
 }

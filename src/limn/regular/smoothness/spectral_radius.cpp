@@ -12,7 +12,7 @@
 #include "limn/regular/algebra/determinant.h"
 #include "limn/regular/smoothness/rounding.h"
 
-namespace limn {
+namespace limn::regular {
 namespace {
 
 constexpr double kBelow = 1 - 1e-12;  // a root is sought between this part of it and infinity
@@ -154,4 +154,4 @@ SpectralRadiusBound lower_spectral_radius(const RationalMatrix& a, const Stop& s
   return bound;
 }
 
-}  // namespace limn
+}  // namespace limn::regular

@@ -6,7 +6,7 @@
 #include "limn/base/time_budget.h"
 #include "limn/regular/algebra/invariant_subspaces.h"
 
-namespace limn {
+namespace limn::regular {
 
 struct SpectralRadiusBound {
   double lower = 0;                    ///< ≤ the spectral radius, proved
@@ -19,4 +19,4 @@ struct SpectralRadiusBound {
 [[nodiscard]] SpectralRadiusBound lower_spectral_radius(const RationalMatrix& a,
                                                         const Stop& stop = {});
 
-}  // namespace limn
+}  // namespace limn::regular

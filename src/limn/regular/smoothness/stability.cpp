@@ -9,12 +9,13 @@
 #include "limn/regular/limit_values.h"
 #include "limn/regular/smoothness/transition_operators.h"
 
-namespace limn {
+namespace limn::regular {
 namespace {
 
 constexpr int kMostCuts = 26;  // of the frequency plane, along each axis
 constexpr int kMostSquares = 100'000;
-constexpr double kRounding = 1e-9;  // far above what sums of cosines in double precision are off by
+constexpr double kCosineRounding =
+    1e-9;  // far above what sums of cosines in double precision are off by
 
 /// Σ c_k e^{-iω·k}, k by whole offsets.
 struct Wave {
@@ -69,7 +70,7 @@ class ZeroSearch {
   bool excludes(double x, double y, double half, int cuts = 0) {
     double sum = 0;
     for (const Wave& wave : waves_) sum += wave.squared_size(x, y);
-    if (std::sqrt(sum) > slope_ * half * (1 + kRounding) + kRounding) return true;
+    if (std::sqrt(sum) > slope_ * half * (1 + kCosineRounding) + kCosineRounding) return true;
     if (cuts == kMostCuts || ++squares_ > kMostSquares) return false;
     for (const double dx : {-half / 2, half / 2})
       for (const double dy : {-half / 2, half / 2})
@@ -92,11 +93,11 @@ Stability prove_stability(const Mask& mask) {
     return {Truth::yes, "interpolatory: at the lattice points φ is 1 at one and 0 at the others"};
   const std::vector<Wave> list = waves(mask, *stencil);
   constexpr double kPi = std::numbers::pi;
-  if (ZeroSearch(list).excludes(0, 0, kPi * (1 + kRounding)))
+  if (ZeroSearch(list).excludes(0, 0, kPi * (1 + kCosineRounding)))
     return {Truth::yes, "no wave on the control points has the limit 0 at all refined points"};
   return {Truth::undecided,
           "some wave on the control points may have the limit 0 (the values of φ at the refined "
           "points do not exclude it)"};
 }
 
-}  // namespace limn
+}  // namespace limn::regular

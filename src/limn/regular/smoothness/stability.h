@@ -8,7 +8,7 @@
 #include "limn/base/truth.h"
 #include "limn/scheme/mask.h"
 
-namespace limn {
+namespace limn::regular {
 
 struct Stability {
   Truth verdict = Truth::undecided;  ///< never no
@@ -20,4 +20,4 @@ struct Stability {
 /// frequency plane are cut until the slope of the sums, bounded, does not suffice to reach 0).
 [[nodiscard]] Stability prove_stability(const Mask& mask);
 
-}  // namespace limn
+}  // namespace limn::regular

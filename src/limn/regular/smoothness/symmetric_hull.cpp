@@ -5,7 +5,7 @@
 
 #include "limn/regular/smoothness/rounding.h"
 
-namespace limn {
+namespace limn::regular {
 namespace {
 
 constexpr double kIndependent = 1e-3;
@@ -240,4 +240,4 @@ Eigen::VectorXd SymmetricHull::residual_bound(const Eigen::VectorXd& u,
   return bound.unaryExpr(&inflated);
 }
 
-}  // namespace limn
+}  // namespace limn::regular

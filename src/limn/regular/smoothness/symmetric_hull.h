@@ -7,7 +7,7 @@
 #include <limits>
 #include <vector>
 
-namespace limn {
+namespace limn::regular {
 
 class SymmetricHull {
  public:
@@ -74,4 +74,4 @@ class SymmetricHull {
   Eigen::MatrixXd preferred_points_;
 };
 
-}  // namespace limn
+}  // namespace limn::regular

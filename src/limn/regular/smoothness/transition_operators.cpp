@@ -5,7 +5,7 @@
 
 #include <fmt/core.h>
 
-namespace limn {
+namespace limn::regular {
 namespace {
 
 constexpr std::size_t kMostPoints = 400;
@@ -156,4 +156,4 @@ Result<TransitionOperators> transition_operators(const Mask& mask, int order) {
   return operators;
 }
 
-}  // namespace limn
+}  // namespace limn::regular

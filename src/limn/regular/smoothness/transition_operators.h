@@ -10,7 +10,7 @@
 #include "limn/regular/algebra/invariant_subspaces.h"
 #include "limn/scheme/mask.h"
 
-namespace limn {
+namespace limn::regular {
 
 /// The mask by whole offsets: those of dual masks are moved by half a refined edge along both
 /// axes, which moves φ and changes nothing else.
@@ -40,4 +40,4 @@ struct TransitionOperators {
 [[nodiscard]] Laurent transition(const Laurent& a, const LatticeMatrix& dilation,
                                  LatticeVector digit, const Laurent& v);
 
-}  // namespace limn
+}  // namespace limn::regular

@@ -11,18 +11,18 @@
 #include "limn/figure/space/surface_scene.h"
 #include "limn/mesh/surface_distance.h"
 
-namespace limn {
+namespace limn::report {
 
 /// A limit surface (study/surface_scenes.h) and what it is called.
 struct NamedSurface {
   std::string name;
-  SmoothSurface surface;
+  figure::SmoothSurface surface;
 };
 
 /// Of two surfaces, by their places in a list; first < second.
 struct PairDistance {
   std::size_t first = 0, second = 0;
-  SurfaceDistance distance;
+  mesh::SurfaceDistance distance;
 };
 
 /// Of all pairs, (0, 1), (0, 2), …, (1, 2), …; `progress` is called before each. Fails as
@@ -34,7 +34,7 @@ struct PairDistance {
 /// Both in one picture, the first in green and the second in pink, with the outline that each has
 /// alone, and a legend. Where they are equal (`kEqualDepth`) neither: a third colour. The view is
 /// the default one.
-[[nodiscard]] ShadedPanel overlaid(const NamedSurface& first, const NamedSurface& second);
+[[nodiscard]] figure::ShadedPanel overlaid(const NamedSurface& first, const NamedSurface& second);
 
 /// Of surfaces beside the first: so many fit on a page.
 inline constexpr std::size_t kMostPairs = 18;
@@ -49,11 +49,11 @@ struct CompareView {
 /// coloured by its distance to the first. All pictures have one scale. `distances` as from
 /// approx_distances. Precondition: at least two surfaces. With more
 /// than `kMostPairs` beside the first the page may be too large to be written.
-[[nodiscard]] Figure compare_figure(const std::vector<NamedSurface>& surfaces,
-                                    const std::vector<PairDistance>& distances,
-                                    const CompareView& view = {});
+[[nodiscard]] figure::Figure compare_figure(const std::vector<NamedSurface>& surfaces,
+                                            const std::vector<PairDistance>& distances,
+                                            const CompareView& view = {});
 
 /// "largest 0.0288 (0.568 % of the diagonal), mean 0.00904"
-[[nodiscard]] std::string distance_text(const SurfaceDistance& distance);
+[[nodiscard]] std::string distance_text(const mesh::SurfaceDistance& distance);
 
-}  // namespace limn
+}  // namespace limn::report

@@ -11,7 +11,7 @@
 #include "limn/report/compare/record_json.h"
 #include "limn/study/surface_scenes.h"
 
-namespace limn {
+namespace limn::report {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -19,7 +19,7 @@ using Json = nlohmann::ordered_json;
 Json point_json(const Point3& p) { return {p.x, p.y, p.z}; }
 
 Json distance_json(const MeshComparison& on_mesh, const PairDistance& pair) {
-  const SurfaceDistance& distance = pair.distance;
+  const mesh::SurfaceDistance& distance = pair.distance;
   return {{"a", on_mesh.surfaces[pair.first].name},
           {"b", on_mesh.surfaces[pair.second].name},
           {"largest", distance.largest},
@@ -29,20 +29,21 @@ Json distance_json(const MeshComparison& on_mesh, const PairDistance& pair) {
 }
 
 /// fairness_json's object of one scheme.
-Json one_fairness_json(const std::string& mesh, const Result<FairnessRecord>& record) {
+Json one_fairness_json(const std::string& mesh, const Result<study::FairnessRecord>& record) {
   if (!record) return {};
   return fairness_json(mesh, {*record}).at("schemes").at(0);
 }
 
 std::string distances_text(const MeshComparison& on_mesh) {
   if (on_mesh.distances.empty()) return {};
-  std::string text = fmt::format("\ndistance of limit surfaces over {}\n", printable(on_mesh.mesh));
+  std::string text =
+      fmt::format("\ndistance of limit surfaces over {}\n", base::printable(on_mesh.mesh));
   for (const PairDistance& pair : on_mesh.distances) {
     const Point3& at = pair.distance.where[0];
     text += fmt::format("  {} – {}: {}; largest at ({:.4g}, {:.4g}, {:.4g})\n",
-                        printable(on_mesh.surfaces[pair.first].name),
-                        printable(on_mesh.surfaces[pair.second].name), distance_text(pair.distance),
-                        at.x, at.y, at.z);
+                        base::printable(on_mesh.surfaces[pair.first].name),
+                        base::printable(on_mesh.surfaces[pair.second].name),
+                        distance_text(pair.distance), at.x, at.y, at.z);
   }
   return text;
 }
@@ -59,7 +60,7 @@ Status check_steps(const std::vector<LabelledScheme>& schemes, const Mesh& mesh,
                    const MeshOptions& options) {
   for (const auto& [label, scheme] : schemes) {
     const auto check = [&, &scheme = scheme](int steps) {
-      return check_refinable(scheme, mesh, steps, sizeof(Point3), available_memory());
+      return check_refinable(scheme, mesh, steps, sizeof(Point3), base::available_memory());
     };
     if (!check(0)) continue;  // its surface is missing whatever the steps
     Status status = check(steps_of(*scheme.split, options.steps));
@@ -81,15 +82,15 @@ MeshComparison compare_on_mesh(const std::vector<LabelledScheme>& schemes, const
   for (const auto& [label, scheme] : schemes) {
     begin(label + ": limit surface");
     LimitGaps& gaps = on_mesh.gaps.emplace_back();
-    Result<SmoothSurface> surface =
-        limit_surface(scheme, mesh, points, steps_of(*scheme.split, options.steps), &gaps);
+    Result<figure::SmoothSurface> surface =
+        study::limit_surface(scheme, mesh, points, steps_of(*scheme.split, options.steps), &gaps);
     if (!surface) {
       on_mesh.missing.push_back(label + ": " + surface.error().message);
       on_mesh.fairness.emplace_back(surface.error());
       continue;
     }
     on_mesh.surfaces.push_back({label, std::move(*surface)});
-    on_mesh.fairness.push_back(approx_fairness(
+    on_mesh.fairness.push_back(study::approx_fairness(
         label, scheme, mesh, points,
         {.levels = options.fairness_levels,
          .progress =
@@ -125,19 +126,20 @@ Warnings gap_warnings(const MeshComparison& comparison,
 
 std::string missing_text(const Comparison& comparison) {
   std::string text;
-  for (const SchemeRecord& scheme : comparison.schemes)
-    for (const std::string& reason : missing_parts(scheme))
-      text += fmt::format("  {}: {}\n", printable(scheme.label), printable(reason));
+  for (const study::SchemeRecord& scheme : comparison.schemes)
+    for (const std::string& reason : study::missing_parts(scheme))
+      text += fmt::format("  {}: {}\n", base::printable(scheme.label), base::printable(reason));
   if (comparison.on_mesh)
     for (const std::string& reason : comparison.on_mesh->missing)
-      text += "  " + printable(reason) + "\n";
+      text += "  " + base::printable(reason) + "\n";
   return text.empty() ? text : "\nmissing (–)\n" + text;
 }
 
 std::string compare_text(const Comparison& comparison, bool differences) {
   std::vector<std::string> labels;
   labels.reserve(comparison.schemes.size());
-  for (const SchemeRecord& scheme : comparison.schemes) labels.push_back(printable(scheme.label));
+  for (const study::SchemeRecord& scheme : comparison.schemes)
+    labels.push_back(base::printable(scheme.label));
   std::string text = table_text(labels, compare_sections(comparison), differences);
   if (comparison.on_mesh) text += distances_text(*comparison.on_mesh);
   return text + missing_text(comparison) +
@@ -164,4 +166,4 @@ nlohmann::ordered_json compare_json(const Comparison& comparison) {
   return json;
 }
 
-}  // namespace limn
+}  // namespace limn::report

@@ -13,12 +13,12 @@
 #include "limn/report/limit_report.h"
 #include "limn/study/compare_record.h"
 
-namespace limn {
+namespace limn::report {
 
 /// The limit surfaces of schemes over one control mesh.
 struct MeshComparison {
-  std::string mesh;                                   ///< what the mesh is called
-  std::vector<Result<FairnessRecord>> fairness = {};  ///< one for each scheme
+  std::string mesh;                                          ///< what the mesh is called
+  std::vector<Result<study::FairnessRecord>> fairness = {};  ///< one for each scheme
   std::vector<NamedSurface> surfaces = {};   ///< of the schemes that have one, in their order
   std::vector<PairDistance> distances = {};  ///< by places in `surfaces`
   std::vector<std::string> missing = {};     ///< why a surface or a distance is missing
@@ -28,7 +28,7 @@ struct MeshComparison {
 
 struct Comparison {
   double tolerance = 1;  ///< percent, of the sampling densities
-  std::vector<SchemeRecord> schemes = {};
+  std::vector<study::SchemeRecord> schemes = {};
   std::optional<MeshComparison> on_mesh = {};
 };
 
@@ -77,4 +77,4 @@ struct LabelledScheme {
 /// (gaps_json). The same values whatever the order of the schemes.
 [[nodiscard]] nlohmann::ordered_json compare_json(const Comparison& comparison);
 
-}  // namespace limn
+}  // namespace limn::report

@@ -9,7 +9,7 @@
 
 #include "limn/report/lattice/regularity_report.h"
 
-namespace limn {
+namespace limn::report {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -20,9 +20,9 @@ TableCell known(std::string text, double value) { return {std::move(text), Betwe
 /// The row of a property that some schemes lack.
 template <class T>
 TableRow row(const Comparison& comparison, const std::string& name, Better better,
-             Result<T> SchemeRecord::*part, const std::function<TableCell(const T&)>& cell) {
+             Result<T> study::SchemeRecord::*part, const std::function<TableCell(const T&)>& cell) {
   TableRow row{name, better};
-  for (const SchemeRecord& scheme : comparison.schemes)
+  for (const study::SchemeRecord& scheme : comparison.schemes)
     row.cells.push_back(scheme.*part ? cell(*(scheme.*part)) : missing());
   return row;
 }
@@ -48,7 +48,7 @@ TableCell smoothness_cell(const Regularity& regularity, std::size_t r) {
 /// How many of C0, C1, … some scheme has an answer for.
 std::size_t most_smoothness(const Comparison& comparison) {
   std::size_t most = 0;
-  for (const SchemeRecord& scheme : comparison.schemes)
+  for (const study::SchemeRecord& scheme : comparison.schemes)
     if (scheme.regularity) most = std::max(most, scheme.regularity->smoothness.size());
   return most;
 }
@@ -57,18 +57,19 @@ TableCell integer_cell(int value) { return known(std::to_string(value), value); 
 
 TableRow split_row(const Comparison& comparison) {
   TableRow split{"split"};
-  for (const SchemeRecord& scheme : comparison.schemes) split.cells.push_back({scheme.split});
+  for (const study::SchemeRecord& scheme : comparison.schemes)
+    split.cells.push_back({scheme.split});
   return split;
 }
 
 TableRow interpolating_row(const Comparison& comparison) {
-  return row<bool>(comparison, "interpolating", Better::none, &SchemeRecord::interpolating,
+  return row<bool>(comparison, "interpolating", Better::none, &study::SchemeRecord::interpolating,
                    [](bool yes) { return TableCell{yes ? "yes" : "no"}; });
 }
 
 TableRow holder_row(const Comparison& comparison) {
-  return row<Regularity>(comparison, "Hölder exponent", Better::more, &SchemeRecord::regularity,
-                         holder_cell);
+  return row<Regularity>(comparison, "Hölder exponent", Better::more,
+                         &study::SchemeRecord::regularity, holder_cell);
 }
 
 TableSection regularity_rows(const Comparison& comparison) {
@@ -77,7 +78,7 @@ TableSection regularity_rows(const Comparison& comparison) {
   const auto add = [&](const std::string& name,
                        const std::function<TableCell(const Regularity&)>& cell) {
     section.rows.push_back(
-        row<Regularity>(comparison, name, Better::more, &SchemeRecord::regularity, cell));
+        row<Regularity>(comparison, name, Better::more, &study::SchemeRecord::regularity, cell));
   };
   add("sum rules, order", [](const Regularity& one) { return integer_cell(one.orders.sum_rules); });
   add("reproduces polynomials of degree",
@@ -87,7 +88,7 @@ TableSection regularity_rows(const Comparison& comparison) {
     add("C" + std::to_string(r), [r](const Regularity& one) { return smoothness_cell(one, r); });
   section.rows.push_back(holder_row(comparison));
   TableRow curvature{"bounded curvature", Better::more};
-  for (const SchemeRecord& scheme : comparison.schemes)
+  for (const study::SchemeRecord& scheme : comparison.schemes)
     curvature.cells.push_back(truth_cell(scheme.regular_part.bounded));
   section.rows.push_back(std::move(curvature));
   return section;
@@ -98,16 +99,17 @@ TableCell percent_cell(double percent) {
 }
 
 TableSection artifact_rows(const Comparison& comparison) {
-  using Waves = std::vector<WaveArtifacts>;
+  using Waves = std::vector<study::WaveArtifacts>;
   TableSection section{"artifacts of waves, % of the signal", {}};
-  for (std::size_t i = 0; i < std::size(kWavelengths); ++i)
+  for (std::size_t i = 0; i < std::size(study::kWavelengths); ++i)
     for (const bool worst : {true, false})
-      section.rows.push_back(row<Waves>(
-          comparison,
-          fmt::format("{:g} edges long, {} direction", kWavelengths[i], worst ? "worst" : "best"),
-          Better::less, &SchemeRecord::artifacts, [i, worst](const Waves& waves) {
-            return percent_cell(worst ? waves[i].worst : waves[i].best);
-          }));
+      section.rows.push_back(
+          row<Waves>(comparison,
+                     fmt::format("{:g} edges long, {} direction", study::kWavelengths[i],
+                                 worst ? "worst" : "best"),
+                     Better::less, &study::SchemeRecord::artifacts, [i, worst](const Waves& waves) {
+                       return percent_cell(worst ? waves[i].worst : waves[i].best);
+                     }));
   return section;
 }
 
@@ -117,7 +119,7 @@ TableCell edges_cell(const DirectionalDensity& density) {
 }
 
 TableRow sampling_row(const Comparison& comparison, const std::string& name,
-                      Result<SamplingDensity> SchemeRecord::*part,
+                      Result<SamplingDensity> study::SchemeRecord::*part,
                       DirectionalDensity SamplingDensity::*direction) {
   return row<SamplingDensity>(
       comparison, name, Better::less, part,
@@ -127,8 +129,8 @@ TableRow sampling_row(const Comparison& comparison, const std::string& name,
 TableSection sampling_rows(const Comparison& comparison) {
   TableSection section{fmt::format("control edges per wavelength for {:g} %", comparison.tolerance),
                        {}};
-  for (const auto& [name, part] : {std::pair{"all artifacts", &SchemeRecord::sampling},
-                                   std::pair{"mean energy", &SchemeRecord::mean_sampling}})
+  for (const auto& [name, part] : {std::pair{"all artifacts", &study::SchemeRecord::sampling},
+                                   std::pair{"mean energy", &study::SchemeRecord::mean_sampling}})
     for (const auto& [which, direction] :
          {std::pair{"worst", &SamplingDensity::worst}, std::pair{"best", &SamplingDensity::best}})
       section.rows.push_back(
@@ -145,7 +147,7 @@ TableSection eigenvalue_rows(const Comparison& comparison, const std::string& ti
   for (std::size_t i = 0; i < count; ++i) {
     TableRow row{fmt::format("n = {}", comparison.schemes.front().valences[i].valence)};
     bool any = false;
-    for (const SchemeRecord& scheme : comparison.schemes) {
+    for (const study::SchemeRecord& scheme : comparison.schemes) {
       const Result<Eigencomponents>& components = scheme.valences[i].components;
       const bool has = components && (*components).*part;
       row.cells.push_back(has ? TableCell{fmt::format("{:.6f}", *((*components).*part))}
@@ -158,10 +160,10 @@ TableSection eigenvalue_rows(const Comparison& comparison, const std::string& ti
 }
 
 /// At which valences a verdict is yes, and at which it is undecided.
-TableCell verdict_cell(const SchemeRecord& scheme, Truth Verdict::*part) {
+TableCell verdict_cell(const study::SchemeRecord& scheme, Truth Verdict::*part) {
   std::vector<int> yes, undecided;
   bool any = false;
-  for (const ValenceRecord& one : scheme.valences) {
+  for (const study::ValenceRecord& one : scheme.valences) {
     if (!one.components) continue;
     any = true;
     const Truth truth = one.components->verdict.*part;
@@ -176,9 +178,9 @@ TableCell verdict_cell(const SchemeRecord& scheme, Truth Verdict::*part) {
 }
 
 /// At which valences C1 is proved, and at which refuted.
-TableCell proof_cell(const SchemeRecord& scheme) {
+TableCell proof_cell(const study::SchemeRecord& scheme) {
   std::vector<int> proved, refuted, undecided;
-  for (const ValenceRecord& one : scheme.valences)
+  for (const study::ValenceRecord& one : scheme.valences)
     (one.c1 == certify::Answer::proved    ? proved
      : one.c1 == certify::Answer::refuted ? refuted
                                           : undecided)
@@ -191,14 +193,15 @@ TableCell proof_cell(const SchemeRecord& scheme) {
 
 TableRow verdict_row(const Comparison& comparison, const std::string& name, Truth Verdict::*part) {
   TableRow row{name, Better::more};
-  for (const SchemeRecord& scheme : comparison.schemes)
+  for (const study::SchemeRecord& scheme : comparison.schemes)
     row.cells.push_back(verdict_cell(scheme, part));
   return row;
 }
 
 TableRow proof_row(const Comparison& comparison) {
   TableRow row{"C1 is proved (limn certify)", Better::more};
-  for (const SchemeRecord& scheme : comparison.schemes) row.cells.push_back(proof_cell(scheme));
+  for (const study::SchemeRecord& scheme : comparison.schemes)
+    row.cells.push_back(proof_cell(scheme));
   return row;
 }
 
@@ -216,7 +219,7 @@ TableSection verdict_rows(const Comparison& comparison) {
 }
 
 /// An energy that grows without bound has no value that could be the least.
-TableCell energy_cell(double value, double rounding, const Trend& trend) {
+TableCell energy_cell(double value, double rounding, const fairness::Trend& trend) {
   const std::string number = fmt::format("{:.5g}", value);
   switch (trend.converges) {
     case Truth::yes: return {number, Between{value, value}, rounding};
@@ -227,9 +230,9 @@ TableCell energy_cell(double value, double rounding, const Trend& trend) {
 }
 
 /// Σ|Lp|² can be compared at one level of one split only.
-bool comparable_laplacians(const std::vector<Result<FairnessRecord>>& fairness) {
-  const FairnessRecord* first = nullptr;
-  for (const Result<FairnessRecord>& one : fairness) {
+bool comparable_laplacians(const std::vector<Result<study::FairnessRecord>>& fairness) {
+  const study::FairnessRecord* first = nullptr;
+  for (const Result<study::FairnessRecord>& one : fairness) {
     if (!one) continue;
     if (first == nullptr) first = &*one;
     if (one->split != first->split || one->last().level != first->last().level) return false;
@@ -241,24 +244,24 @@ TableSection fairness_rows(const MeshComparison& on_mesh) {
   TableSection section{"fairness of the limit surface over " + on_mesh.mesh, {}};
   const auto add = [&](const std::string& name, Better better, const auto& cell) {
     TableRow row{name, better};
-    for (const Result<FairnessRecord>& one : on_mesh.fairness)
+    for (const Result<study::FairnessRecord>& one : on_mesh.fairness)
       row.cells.push_back(one ? cell(*one) : missing());
     section.rows.push_back(std::move(row));
   };
   add("level", Better::none,
-      [](const FairnessRecord& one) { return TableCell{std::to_string(one.last().level)}; });
+      [](const study::FairnessRecord& one) { return TableCell{std::to_string(one.last().level)}; });
   add("Laplacian, sum of squares",
       comparable_laplacians(on_mesh.fairness) ? Better::less : Better::none,
-      [](const FairnessRecord& one) {
+      [](const study::FairnessRecord& one) {
         const double value = one.last().laplacian_energy;
         return TableCell{fmt::format("{:.5g}", value), Between{value, value},
                          one.last().laplacian_rounding};
       });
-  add("thin plate", Better::less, [](const FairnessRecord& one) {
+  add("thin plate", Better::less, [](const study::FairnessRecord& one) {
     return energy_cell(one.last().energies.thin_plate, one.last().energies.rounding.thin_plate,
                        one.thin_plate);
   });
-  add("variation of curvature", Better::less, [](const FairnessRecord& one) {
+  add("variation of curvature", Better::less, [](const study::FairnessRecord& one) {
     return energy_cell(one.last().energies.curvature_variation,
                        one.last().energies.rounding.curvature_variation, one.curvature_variation);
   });
@@ -300,11 +303,11 @@ std::vector<TableRow> field_rows(const Comparison& comparison) {
       interpolating_row(comparison),
       holder_row(comparison),
       sampling_row(comparison, fmt::format("edges per wavelength, {:g} %", comparison.tolerance),
-                   &SchemeRecord::sampling, &SamplingDensity::worst),
+                   &study::SchemeRecord::sampling, &SamplingDensity::worst),
       proof_row(comparison),
       bounded_curvature_row(comparison)};
   for (TableRow& row : rows) row.better = Better::none;  // no one scheme is the best of the field
   return rows;
 }
 
-}  // namespace limn
+}  // namespace limn::report

@@ -6,7 +6,7 @@
 #include "limn/report/compare/compare_report.h"
 #include "limn/report/compare/compare_table.h"
 
-namespace limn {
+namespace limn::report {
 
 [[nodiscard]] std::vector<TableSection> compare_sections(const Comparison& comparison);
 
@@ -18,4 +18,4 @@ namespace limn {
 /// "3…5, 7"; "none" of none. Precondition: ascending.
 [[nodiscard]] std::string numbers_text(const std::vector<int>& numbers);
 
-}  // namespace limn
+}  // namespace limn::report

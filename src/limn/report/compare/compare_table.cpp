@@ -5,7 +5,7 @@
 
 #include <fmt/core.h>
 
-namespace limn {
+namespace limn::report {
 namespace {
 
 constexpr double kTie = 1e-9;  // relative
@@ -113,4 +113,4 @@ std::string table_text(const std::vector<std::string>& columns,
   return text;
 }
 
-}  // namespace limn
+}  // namespace limn::report

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace limn {
+namespace limn::report {
 
 /// Whether more or less of a property is better; nothing is better in a row of facts.
 enum class Better { none, less, more };
@@ -46,4 +46,4 @@ struct TableSection {
 [[nodiscard]] std::string table_text(const std::vector<std::string>& columns,
                                      const std::vector<TableSection>& sections, bool differences);
 
-}  // namespace limn
+}  // namespace limn::report

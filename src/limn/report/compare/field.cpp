@@ -11,7 +11,7 @@
 #include "limn/mesh/split/split.h"
 #include "limn/report/compare/compare_rows.h"
 
-namespace limn {
+namespace limn::report {
 namespace {
 
 std::vector<std::string> names(const std::vector<TableRow>& rows) {
@@ -22,7 +22,7 @@ std::vector<std::string> names(const std::vector<TableRow>& rows) {
 }
 
 /// What may stand in a cell of a Markdown table.
-std::string escaped(const std::string& text) {
+std::string cell_text(const std::string& text) {
   std::string result;
   for (const char c : text) {
     if (c == '|' || c == '*' || c == '_' || c == '\\') result += '\\';
@@ -32,7 +32,7 @@ std::string escaped(const std::string& text) {
 }
 
 /// Which of the marks a scheme has: lattice of triangles or of quads, approximating or not.
-std::string kind_of(const SchemeRecord& scheme) {
+std::string kind_of(const study::SchemeRecord& scheme) {
   const Split* split = find_split(scheme.split);
   const bool triangles = split != nullptr && split->lattice == Lattice::triangle;
   const bool interpolating = scheme.interpolating && *scheme.interpolating;
@@ -42,7 +42,7 @@ std::string kind_of(const SchemeRecord& scheme) {
 
 /// Points of one kind, each with the names of the schemes that lie there.
 struct Points {
-  ChartPanel::Series series;
+  figure::ChartPanel::Series series;
   std::vector<std::vector<std::string>> names;
 
   void add(double x, double y, const std::string& name) {
@@ -70,7 +70,7 @@ std::string field_text(const Comparison& comparison) {
   const std::vector<TableRow> rows = field_rows(comparison);
   TableSection turned;
   for (std::size_t i = 0; i < comparison.schemes.size(); ++i) {
-    TableRow line{printable(comparison.schemes[i].label)};
+    TableRow line{base::printable(comparison.schemes[i].label)};
     for (const TableRow& row : rows) line.cells.push_back(row.cells[i]);
     turned.rows.push_back(std::move(line));
   }
@@ -81,37 +81,38 @@ std::string field_markdown(const Comparison& comparison) {
   const std::vector<TableRow> rows = field_rows(comparison);
   std::string text = "| scheme |", rule = "| --- |";
   for (const TableRow& row : rows) {
-    text += fmt::format(" {} |", escaped(row.name));
+    text += fmt::format(" {} |", cell_text(row.name));
     rule += " --- |";
   }
   text += "\n" + rule + "\n";
   for (std::size_t i = 0; i < comparison.schemes.size(); ++i) {
-    text += fmt::format("| {} |", escaped(printable(comparison.schemes[i].label)));
-    for (const TableRow& row : rows) text += fmt::format(" {} |", escaped(row.cells[i].text));
+    text += fmt::format("| {} |", cell_text(base::printable(comparison.schemes[i].label)));
+    for (const TableRow& row : rows) text += fmt::format(" {} |", cell_text(row.cells[i].text));
     text += "\n";
   }
   return text;
 }
 
-Figure field_figure(const Comparison& comparison) {
-  ChartPanel panel{.x_label = fmt::format(
-                       "control edges per wavelength for {:g} % of artifacts, worst direction",
-                       comparison.tolerance),
-                   .y_label = "Hölder exponent on the regular lattice"};
+figure::Figure field_figure(const Comparison& comparison) {
+  figure::ChartPanel panel{
+      .x_label =
+          fmt::format("control edges per wavelength for {:g} % of artifacts, worst direction",
+                      comparison.tolerance),
+      .y_label = "Hölder exponent on the regular lattice"};
   std::map<std::string, Points> kinds;
-  for (const SchemeRecord& scheme : comparison.schemes)
+  for (const study::SchemeRecord& scheme : comparison.schemes)
     if (scheme.sampling && scheme.regularity)
       kinds[kind_of(scheme)].add(scheme.sampling->worst.edges_per_wavelength,
                                  std::max(scheme.regularity->holder.lower, 0.0), scheme.label);
   for (auto& [name, points] : kinds) {
-    ChartPanel::Series& series = points.series;
+    figure::ChartPanel::Series& series = points.series;
     for (std::size_t i = 0; i < points.names.size(); ++i) series.labels.push_back(points.label(i));
     series.name = name;
     series.markers = true;
     series.line = false;
     panel.series.push_back(std::move(series));
   }
-  Figure figure(1);
+  figure::Figure figure(1);
   figure.title("Subdivision schemes: how smooth, and how densely to sample");
   figure.add(std::move(panel),
              "Each scheme by the smoothness of its regular surfaces (the lower end of a proved "
@@ -120,4 +121,4 @@ Figure field_figure(const Comparison& comparison) {
   return figure;
 }
 
-}  // namespace limn
+}  // namespace limn::report

@@ -7,7 +7,7 @@
 #include "limn/figure/figure.h"
 #include "limn/report/compare/compare_report.h"
 
-namespace limn {
+namespace limn::report {
 
 /// Aligned lines, one for each scheme, and what is missing below.
 [[nodiscard]] std::string field_text(const Comparison& comparison);
@@ -19,6 +19,6 @@ namespace limn {
 /// worst direction) and the lower end of the bracket of its Hölder exponent (0 where that
 /// is less). Schemes of which one is missing are left out. Marks tell on which lattice and whether
 /// the scheme interpolates.
-[[nodiscard]] Figure field_figure(const Comparison& comparison);
+[[nodiscard]] figure::Figure field_figure(const Comparison& comparison);
 
-}  // namespace limn
+}  // namespace limn::report

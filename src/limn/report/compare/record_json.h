@@ -5,7 +5,7 @@
 
 #include "limn/study/compare_record.h"
 
-namespace limn {
+namespace limn::report {
 
 /// {"scheme", "split", "interpolating", "regularity": regularity_json's,
 /// "regular_part": regular_part_json's, "artifacts":
@@ -13,6 +13,6 @@ namespace limn {
 /// "best_direction_degrees"}], "sampling": {"total_energy", "mean_energy"}, each as density_json,
 /// "valences": [eigen_json's without the blocks; "components" null where there are none],
 /// "missing": [reasons]}. What is missing is null.
-[[nodiscard]] nlohmann::ordered_json record_json(const SchemeRecord& record);
+[[nodiscard]] nlohmann::ordered_json record_json(const study::SchemeRecord& record);
 
-}  // namespace limn
+}  // namespace limn::report

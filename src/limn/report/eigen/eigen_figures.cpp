@@ -5,10 +5,11 @@
 
 #include <fmt/core.h>
 
-namespace limn {
+namespace limn::report {
 
-SurfacePanel characteristic_map_panel(const CharacteristicMap& map, const std::string& title) {
-  SurfacePanel panel;
+figure::SurfacePanel characteristic_map_panel(const CharacteristicMap& map,
+                                              const std::string& title) {
+  figure::SurfacePanel panel;
   panel.title = title;
   panel.azimuth = -90;  // x to the right, y up
   panel.elevation = 90;
@@ -30,10 +31,10 @@ SurfacePanel characteristic_map_panel(const CharacteristicMap& map, const std::s
   return panel;
 }
 
-Figure characteristic_maps_figure(const std::string& scheme,
-                                  const std::vector<CharacteristicMap>& maps) {
+figure::Figure characteristic_maps_figure(const std::string& scheme,
+                                          const std::vector<CharacteristicMap>& maps) {
   constexpr int kColumns = 4;
-  Figure figure(std::clamp(static_cast<int>(maps.size()), 1, kColumns));
+  figure::Figure figure(std::clamp(static_cast<int>(maps.size()), 1, kColumns));
   figure.title(fmt::format("Characteristic maps of {}", scheme));
   for (const CharacteristicMap& map : maps)
     figure.add(characteristic_map_panel(map, fmt::format("/{{n}} = {}", map.valence)),
@@ -44,15 +45,15 @@ Figure characteristic_maps_figure(const std::string& scheme,
   return figure;
 }
 
-ChartPanel eigenvalue_panel(const DataTable& table, const std::string& title) {
-  ChartPanel panel;
+figure::ChartPanel eigenvalue_panel(const DataTable& table, const std::string& title) {
+  figure::ChartPanel panel;
   panel.title = title;
   panel.x_label = "valence /{n}";
   panel.y_low = 0;
   const std::vector<std::string> names{"tangent", "tangent²", "cup", "saddle", "largest other"};
   bool moduli = has_complex(table);
   for (std::size_t column = 1; column <= names.size(); ++column) {
-    ChartPanel::Series series{.name = names[column - 1], .markers = true};
+    figure::ChartPanel::Series series{.name = names[column - 1], .markers = true};
     for (const std::vector<double>& row : table.rows) {
       moduli = moduli || row[column] < 0;
       series.x.push_back(row[0]);
@@ -64,11 +65,11 @@ ChartPanel eigenvalue_panel(const DataTable& table, const std::string& title) {
   return panel;
 }
 
-Figure eigenvalue_figure(const std::string& scheme, const DataTable& table) {
+figure::Figure eigenvalue_figure(const std::string& scheme, const DataTable& table) {
   constexpr double kWidth = 300;
-  Figure figure(1, kWidth);
+  figure::Figure figure(1, kWidth);
   figure.add(eigenvalue_panel(table, scheme));
   return figure;
 }
 
-}  // namespace limn
+}  // namespace limn::report

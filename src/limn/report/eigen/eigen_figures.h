@@ -8,21 +8,21 @@
 #include "limn/limit/characteristic_map.h"
 #include "limn/report/eigen/eigen_table.h"
 
-namespace limn {
+namespace limn::report {
 
 /// The image of the faces round the vertex as a fine net, and the control net over it in black.
-[[nodiscard]] SurfacePanel characteristic_map_panel(const CharacteristicMap& map,
-                                                    const std::string& title);
+[[nodiscard]] figure::SurfacePanel characteristic_map_panel(const CharacteristicMap& map,
+                                                            const std::string& title);
 
 /// A page of them, four to a row, each under its valence.
-[[nodiscard]] Figure characteristic_maps_figure(const std::string& scheme,
-                                                const std::vector<CharacteristicMap>& maps);
+[[nodiscard]] figure::Figure characteristic_maps_figure(const std::string& scheme,
+                                                        const std::vector<CharacteristicMap>& maps);
 
 /// The moduli of eigenvalue_table's columns over the valence; the axis says that they are moduli
 /// where some eigenvalue is complex or negative.
-[[nodiscard]] ChartPanel eigenvalue_panel(const DataTable& table, const std::string& title);
+[[nodiscard]] figure::ChartPanel eigenvalue_panel(const DataTable& table, const std::string& title);
 
 /// A page of that panel alone.
-[[nodiscard]] Figure eigenvalue_figure(const std::string& scheme, const DataTable& table);
+[[nodiscard]] figure::Figure eigenvalue_figure(const std::string& scheme, const DataTable& table);
 
-}  // namespace limn
+}  // namespace limn::report

@@ -7,20 +7,20 @@
 #include "limn/base/printable.h"
 #include "limn/number/polynomial_text.h"
 
-namespace limn {
+namespace limn::report {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
-const std::string& written(const ClosedRoot& root, Notation notation) {
-  return notation == Notation::text ? root.text : root.latex;
+const std::string& written(const ClosedRoot& root, number::Notation notation) {
+  return notation == number::Notation::text ? root.text : root.latex;
 }
 
 /// The end of the cosine that begins at `at`: past its parenthesis, or past its fraction.
-std::size_t cosine_end(const std::string& text, std::size_t at, Notation notation) {
-  const char open = notation == Notation::text ? '(' : '{';
-  const char close = notation == Notation::text ? ')' : '}';
-  int groups = notation == Notation::text ? 1 : 2;
+std::size_t cosine_end(const std::string& text, std::size_t at, number::Notation notation) {
+  const char open = notation == number::Notation::text ? '(' : '{';
+  const char close = notation == number::Notation::text ? ')' : '}';
+  int groups = notation == number::Notation::text ? 1 : 2;
   int depth = 0;
   for (; at < text.size(); ++at) {
     if (text[at] == open) ++depth;
@@ -30,8 +30,8 @@ std::size_t cosine_end(const std::string& text, std::size_t at, Notation notatio
 }
 
 /// With c for a cosine that comes more than once, and what c is.
-std::string abbreviated(std::string text, Notation notation) {
-  const std::string begin = notation == Notation::text ? "cos(" : "\\cos\\frac";
+std::string abbreviated(std::string text, number::Notation notation) {
+  const std::string begin = notation == number::Notation::text ? "cos(" : "\\cos\\frac";
   for (std::size_t at = text.find(begin); at != std::string::npos; at = text.find(begin, at + 1)) {
     const std::size_t end = cosine_end(text, at, notation);
     if (end == std::string::npos) break;
@@ -39,33 +39,35 @@ std::string abbreviated(std::string text, Notation notation) {
     if (text.find(cosine, end) == std::string::npos) continue;
     for (std::size_t i = text.find(cosine); i != std::string::npos; i = text.find(cosine, i + 1))
       text.replace(i, cosine.size(), "c");
-    return text + (notation == Notation::text ? "  with c = " : ",\\quad c = ") + cosine;
+    return text + (notation == number::Notation::text ? "  with c = " : ",\\quad c = ") + cosine;
   }
   return text;
 }
 
 std::string frequency_text(const std::string& name, const FrequencyFormulas& formulas,
-                           Notation notation) {
-  const std::string omega = notation == Notation::text ? name : latex_name(name);
-  const std::string relation = !formulas.and_above          ? "="
-                               : notation == Notation::text ? "≥"
-                                                            : "\\ge";
+                           number::Notation notation) {
+  const std::string omega = notation == number::Notation::text ? name : number::latex_name(name);
+  const std::string relation = !formulas.and_above                  ? "="
+                               : notation == number::Notation::text ? "≥"
+                                                                    : "\\ge";
   return fmt::format("{} {} {}", omega, relation, formulas.frequency);
 }
 
-std::string formula_line(const EigenFormula& one, Notation notation) {
+std::string formula_line(const EigenFormula& one, number::Notation notation) {
   std::string line = written(one.root, notation);
   if (one.by_lets) line = written(*one.by_lets, notation) + " = " + line;
   line = abbreviated(line, notation);
   if (one.root.multiplicity > 1)
-    line += notation == Notation::text ? fmt::format("  ({} times)", one.root.multiplicity)
-                                       : fmt::format("\\quad ({}\\times)", one.root.multiplicity);
+    line += notation == number::Notation::text
+                ? fmt::format("  ({} times)", one.root.multiplicity)
+                : fmt::format("\\quad ({}\\times)", one.root.multiplicity);
   return line;
 }
 
-std::string equation_line(const EigenEquation& one, const std::string& unknown, Notation notation) {
-  if (notation == Notation::latex)
-    return fmt::format("{}\\colon\\ {} = 0", latex_name(unknown), one.polynomial.latex);
+std::string equation_line(const EigenEquation& one, const std::string& unknown,
+                          number::Notation notation) {
+  if (notation == number::Notation::latex)
+    return fmt::format("{}\\colon\\ {} = 0", number::latex_name(unknown), one.polynomial.latex);
   return fmt::format("{} values {} with {} = 0 (degree {}, no closed form)",
                      one.degree * one.polynomial.multiplicity, unknown, one.polynomial.text,
                      one.degree);
@@ -73,8 +75,8 @@ std::string equation_line(const EigenEquation& one, const std::string& unknown, 
 
 /// A row of align* each, without the breaks between them; or a line of text.
 std::vector<std::string> frequency_lines(const EigenFormulas& formulas, const FrequencyFormulas& at,
-                                         Notation notation) {
-  const bool latex = notation == Notation::latex;
+                                         number::Notation notation) {
+  const bool latex = notation == number::Notation::latex;
   const std::string head = frequency_text(formulas.frequency, at, notation);
   std::vector<std::string> lines;
   const auto add = [&](int ring, const std::string& line) {
@@ -114,20 +116,20 @@ Json frequency_json(const EigenFormulas& formulas, const ValenceFormulas& at,
     entry["degree"] = one.degree;
     left.push_back(std::move(entry));
   }
-  return {{"valences", valences_text(at, Notation::text)},
+  return {{"valences", valences_text(at, number::Notation::text)},
           {"spans", std::move(spans)},
           {"rings", at.rings},
-          {"frequency", frequency.and_above
-                            ? Json(frequency_text(formulas.frequency, frequency, Notation::text))
-                            : Json(frequency.frequency)},
+          {"frequency", frequency.and_above ? Json(frequency_text(formulas.frequency, frequency,
+                                                                  number::Notation::text))
+                                            : Json(frequency.frequency)},
           {"eigenvalues", std::move(eigenvalues)},
           {"left", std::move(left)}};
 }
 
 }  // namespace
 
-std::string valences_text(const ValenceFormulas& formulas, Notation notation) {
-  const bool latex = notation == Notation::latex;
+std::string valences_text(const ValenceFormulas& formulas, number::Notation notation) {
+  const bool latex = notation == number::Notation::latex;
   const std::string at_most = latex ? "\\le" : "≤";
   const std::string at_least = latex ? "\\ge" : "≥";
   std::string text;
@@ -144,9 +146,9 @@ std::string valences_text(const ValenceFormulas& formulas, Notation notation) {
 }
 
 std::string eigen_formulas_text(const std::string& scheme, const EigenFormulas& formulas,
-                                Notation notation) {
-  const bool latex = notation == Notation::latex;
-  std::string text = (latex ? "% " : "") + printable(scheme) + "\n";
+                                number::Notation notation) {
+  const bool latex = notation == number::Notation::latex;
+  std::string text = (latex ? "% " : "") + base::printable(scheme) + "\n";
   for (const RegularName& name : formulas.regular_names)
     text += fmt::format("{}{}: {} at valence {}\n", latex ? "% " : "", name.name, name.parameter,
                         name.n);
@@ -180,4 +182,4 @@ nlohmann::ordered_json eigen_formulas_json(const std::string& scheme,
           {"names", std::move(names)}};
 }
 
-}  // namespace limn
+}  // namespace limn::report

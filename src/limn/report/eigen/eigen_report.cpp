@@ -5,7 +5,9 @@
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
 
-namespace limn {
+#include "limn/report/json_number.h"
+
+namespace limn::report {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -33,8 +35,6 @@ Json block_json(const Eigen::MatrixXcd& block, const BlockSpectrum& spectrum) {
           {"matrix", std::move(matrix)},
           {"eigenvalues", std::move(eigenvalues)}};
 }
-
-Json number_json(const std::optional<double>& value) { return value ? Json(*value) : Json(); }
 
 Json shape_json(const std::optional<Curvature>& shape) {
   return shape ? Json(to_string(*shape)) : Json();
@@ -119,4 +119,4 @@ std::string eigen_legend() {
          "All of it in double precision, but for what is said of the regular lattice.\n";
 }
 
-}  // namespace limn
+}  // namespace limn::report

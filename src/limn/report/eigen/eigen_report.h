@@ -6,7 +6,7 @@
 
 #include "limn/spectrum/eigencomponents.h"
 
-namespace limn {
+namespace limn::report {
 
 /// {"valence", "rings", "blocks": [{"frequency", "matrix": rows of re or [re, im], "eigenvalues":
 /// [{"value": [re, im], "modulus", "ring", "multiplicity", "jordan"}]}], "components": {"position",
@@ -35,4 +35,4 @@ namespace limn {
 /// What the columns say and what they do not.
 [[nodiscard]] std::string eigen_legend();
 
-}  // namespace limn
+}  // namespace limn::report

@@ -9,7 +9,7 @@
 #include "limn/base/files/file.h"
 #include "limn/base/printable.h"
 
-namespace limn {
+namespace limn::report {
 namespace {
 
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
@@ -129,7 +129,7 @@ std::string eigenvalue_latex(const std::string& scheme, const DataTable& table) 
   return fmt::format(
       "\\begin{{tabular}}{{{}}}\n{}\n\\end{{tabular}}\n\nEigenvalues of {} over the valence "
       "$n$.{}\n",
-      std::string(heads.size(), 'r'), fmt::join(lines, " \\\\\n"), latex_text(scheme),
+      std::string(heads.size(), 'r'), fmt::join(lines, " \\\\\n"), base::latex_text(scheme),
       has_complex(table) ? " Between bars: moduli of complex eigenvalues." : "");
 }
 
@@ -139,8 +139,8 @@ bool is_eigenvalue_path(const std::string& path) {
 
 Status write_eigenvalues(const std::string& path, const std::string& scheme,
                          const DataTable& table) {
-  if (ends_with_tex(path)) return write_file(path, eigenvalue_latex(scheme, table));
+  if (ends_with_tex(path)) return base::write_file(path, eigenvalue_latex(scheme, table));
   return write_table(path, table);
 }
 
-}  // namespace limn
+}  // namespace limn::report

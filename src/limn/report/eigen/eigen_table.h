@@ -7,7 +7,7 @@
 #include "limn/report/data_table.h"
 #include "limn/spectrum/eigencomponents.h"
 
-namespace limn {
+namespace limn::report {
 
 /// A row for each valence: "valence", "tangent", "tangent squared", "cup", "saddle", "largest
 /// other" (the largest modulus that is none of the labels and not that of the position, 1), and for
@@ -37,4 +37,4 @@ namespace limn {
 [[nodiscard]] Status write_eigenvalues(const std::string& path, const std::string& scheme,
                                        const DataTable& table);
 
-}  // namespace limn
+}  // namespace limn::report

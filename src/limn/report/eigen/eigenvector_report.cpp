@@ -7,7 +7,7 @@
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
 
-namespace limn {
+namespace limn::report {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -127,4 +127,4 @@ std::string vectors_text(const FrequencyBlocks& blocks, const Eigencomponents& c
   return text;
 }
 
-}  // namespace limn
+}  // namespace limn::report

@@ -6,7 +6,7 @@
 
 #include "limn/spectrum/eigencomponents.h"
 
-namespace limn {
+namespace limn::report {
 
 /// Adds to eigen_json's object (report/eigen/eigen_report.h): "orbits" [{"ring", "angle" in
 /// sectors}]; in every block "vectors" [{"value", "right": [vector …], "left": [vector …]}], a
@@ -23,4 +23,4 @@ void add_vectors_json(const FrequencyBlocks& blocks, const Eigencomponents& comp
 [[nodiscard]] std::string vectors_text(const FrequencyBlocks& blocks,
                                        const Eigencomponents& components);
 
-}  // namespace limn
+}  // namespace limn::report

@@ -7,12 +7,12 @@
 #include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
-namespace limn {
+namespace limn::report {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
-std::vector<int> corners_of(const Sectors& sectors) {
+std::vector<int> corners_of(const mesh::Sectors& sectors) {
   std::vector<int> corners;
   for (const Lattice lattice : sectors.lattices)
     corners.push_back(lattice == Lattice::triangle ? 3 : 4);
@@ -27,7 +27,7 @@ std::string value_text(std::complex<double> value) {
                      std::abs(value.imag()));
 }
 
-std::string tangent_text(const SectorSpectrum& spectrum) {
+std::string tangent_text(const limit::SectorSpectrum& spectrum) {
   if (!spectrum.tangent) return "none";
   const auto [first, second] = *spectrum.tangent;
   return fmt::format("{:.6f} and {:.6f}, {}", first, second,
@@ -36,7 +36,7 @@ std::string tangent_text(const SectorSpectrum& spectrum) {
 
 }  // namespace
 
-nlohmann::ordered_json faces_json(const std::string& name, const SectorSpectrum& spectrum) {
+nlohmann::ordered_json faces_json(const std::string& name, const limit::SectorSpectrum& spectrum) {
   Json matrix = Json::array();
   const Eigen::MatrixXd& entries = spectrum.matrix.entries;
   for (Eigen::Index i = 0; i < entries.rows(); ++i) {
@@ -58,7 +58,7 @@ nlohmann::ordered_json faces_json(const std::string& name, const SectorSpectrum&
             {"reasons", spectrum.reasons}}}};
 }
 
-std::string faces_text(const std::string& name, const SectorSpectrum& spectrum) {
+std::string faces_text(const std::string& name, const limit::SectorSpectrum& spectrum) {
   const std::vector<int> corners = corners_of(spectrum.matrix.sectors);
   std::string text = fmt::format("{}, a vertex of the faces {}: {} rings\n\neigenvalues\n", name,
                                  fmt::join(corners, ", "), spectrum.matrix.rings);
@@ -74,4 +74,4 @@ std::string faces_text(const std::string& name, const SectorSpectrum& spectrum) 
          "All of it in double precision.\n";
 }
 
-}  // namespace limn
+}  // namespace limn::report

@@ -6,16 +6,17 @@
 
 #include "limn/limit/sector_spectrum.h"
 
-namespace limn {
+namespace limn::report {
 
 /// {"scheme", "faces": corners of each face, "rings", "matrix": rows, "eigenvalues": [{"value":
 /// [re, im], "modulus"}], "tangent": the two that lead all others but 1, or null, "verdict":
 /// {"convergent", "c1_necessary", "reasons"}}. The verdict as in SectorSpectrum: what a C1 surface
 /// needs of the eigenvalues, and that does not suffice.
 [[nodiscard]] nlohmann::ordered_json faces_json(const std::string& name,
-                                                const SectorSpectrum& spectrum);
+                                                const limit::SectorSpectrum& spectrum);
 
 /// The same without the matrix.
-[[nodiscard]] std::string faces_text(const std::string& name, const SectorSpectrum& spectrum);
+[[nodiscard]] std::string faces_text(const std::string& name,
+                                     const limit::SectorSpectrum& spectrum);
 
-}  // namespace limn
+}  // namespace limn::report

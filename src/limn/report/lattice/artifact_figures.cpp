@@ -9,7 +9,7 @@
 
 #include "limn/base/parallel.h"
 
-namespace limn {
+namespace limn::report {
 namespace {
 
 constexpr int kSubdivisions = 48;  // so that contour lines look smooth at a page's width
@@ -20,13 +20,13 @@ constexpr double kSide = 40;  // so that maps and overlays in a row have one siz
 
 std::vector<std::string> value_columns(const ArtifactAnalysis& analysis) {
   std::vector<std::string> names{"signal"};
-  for (int i = 0; i < analysis.artifact_count(); ++i) names.push_back(artifact_name(i));
+  for (int i = 0; i < analysis.artifact_count(); ++i) names.push_back(study::artifact_name(i));
   for (const char* name : {"sum", "mean_energy", "percent_of_signal", "total_energy_percent"})
     names.emplace_back(name);
   return names;
 }
 
-void append_values(const StageValues& values, std::vector<double>& row) {
+void append_values(const study::StageValues& values, std::vector<double>& row) {
   const Components& components = values.components;
   row.push_back(components.signal);
   row.insert(row.end(), components.artifacts.begin(), components.artifacts.end());
@@ -37,13 +37,13 @@ void append_values(const StageValues& values, std::vector<double>& row) {
 }
 
 /// Rows that begin as given, followed by the values at their frequencies.
-Result<DataTable> with_values(const ArtifactAnalysis& analysis, Stage stage, DataTable table,
+Result<DataTable> with_values(const ArtifactAnalysis& analysis, study::Stage stage, DataTable table,
                               const std::vector<Frequency>& frequencies) {
-  const Result<StageValuesAt> values_at = StageValuesAt::of(analysis, stage);
+  const Result<study::StageValuesAt> values_at = study::StageValuesAt::of(analysis, stage);
   if (!values_at) return values_at.error();
   for (std::string& name : value_columns(analysis)) table.columns.push_back(std::move(name));
   constexpr std::ptrdiff_t kGrain = 64;
-  parallel_for(
+  base::parallel_for(
       std::size_t{0}, frequencies.size(),
       [&](std::size_t first, std::size_t last) {
         for (std::size_t i = first; i < last; ++i)
@@ -55,8 +55,8 @@ Result<DataTable> with_values(const ArtifactAnalysis& analysis, Stage stage, Dat
 
 }  // namespace
 
-TriangleGrid frequency_grid(Lattice lattice, int subdivisions) {
-  TriangleGrid grid;
+figure::TriangleGrid frequency_grid(Lattice lattice, int subdivisions) {
+  figure::TriangleGrid grid;
   const std::vector<Frequency> corners = nyquist_region(lattice);
   const int sectors = static_cast<int>(corners.size());
   std::map<std::array<int, 3>, int> known;  // rays belong to the sector that they begin
@@ -87,14 +87,14 @@ TriangleGrid frequency_grid(Lattice lattice, int subdivisions) {
   return grid;
 }
 
-Result<DataTable> artifact_table(const ArtifactAnalysis& analysis, Stage stage,
-                                 const TriangleGrid& grid) {
+Result<DataTable> artifact_table(const ArtifactAnalysis& analysis, study::Stage stage,
+                                 const figure::TriangleGrid& grid) {
   DataTable table{{"fx", "fy"}, {}};
   for (const auto& [fx, fy] : grid.nodes) table.rows.push_back({fx, fy});
   return with_values(analysis, stage, std::move(table), grid.nodes);
 }
 
-Result<DataTable> artifact_curve(const ArtifactAnalysis& analysis, Stage stage,
+Result<DataTable> artifact_curve(const ArtifactAnalysis& analysis, study::Stage stage,
                                  double direction_degrees, int points) {
   const double angle = direction_degrees * std::numbers::pi / 180;
   const double far = nyquist_distance(analysis.mask().lattice, direction_degrees);
@@ -169,10 +169,10 @@ std::vector<double> drawn_column(const DataTable& table, const std::string& name
 
 }  // namespace
 
-MapPanel artifact_map_panel(const TriangleGrid& grid, const DataTable& table,
-                            const std::string& column_name, const std::string& title,
-                            ValueScale scale) {
-  MapPanel panel;
+figure::MapPanel artifact_map_panel(const figure::TriangleGrid& grid, const DataTable& table,
+                                    const std::string& column_name, const std::string& title,
+                                    ValueScale scale) {
+  figure::MapPanel panel;
   panel.grid = grid;
   panel.values = drawn_column(table, column_name);
   panel.title = title;
@@ -184,9 +184,9 @@ MapPanel artifact_map_panel(const TriangleGrid& grid, const DataTable& table,
   return panel;
 }
 
-OverlayPanel artifact_overlay_panel(const TriangleGrid& grid, const DataTable& table,
-                                    const std::string& title) {
-  OverlayPanel panel;
+figure::OverlayPanel artifact_overlay_panel(const figure::TriangleGrid& grid,
+                                            const DataTable& table, const std::string& title) {
+  figure::OverlayPanel panel;
   panel.grid = grid;
   panel.title = title;
   panel.x_label = kLabelX;
@@ -194,30 +194,30 @@ OverlayPanel artifact_overlay_panel(const TriangleGrid& grid, const DataTable& t
   panel.side = kSide;
   double highest = 0;
   for (int i = 0; i < 3; ++i) {
-    const std::string name = artifact_name(i);
+    const std::string name = study::artifact_name(i);
     if (std::find(table.columns.begin(), table.columns.end(), name) == table.columns.end()) break;
-    OverlayPanel::Layer layer;
+    figure::OverlayPanel::Layer layer;
     layer.name = fmt::format("Y_{{{}}}", i + 1);
     layer.values = drawn_column(table, name);
     highest = std::max(highest, *std::max_element(layer.values.begin(), layer.values.end()));
     panel.layers.push_back(std::move(layer));
   }
   // one scale for all; what is 0 or less stays white
-  for (OverlayPanel::Layer& layer : panel.layers) {
+  for (figure::OverlayPanel::Layer& layer : panel.layers) {
     layer.low = highest / 1000;
     layer.high = highest;
   }
   return panel;
 }
 
-ChartPanel artifact_chart_panel(const DataTable& curve, const std::string& title) {
-  ChartPanel panel;
+figure::ChartPanel artifact_chart_panel(const DataTable& curve, const std::string& title) {
+  figure::ChartPanel panel;
   panel.title = title;
   panel.x_label = "|f|, cycles per control edge";
   const std::vector<double> x = column(curve, "frequency");
   for (const std::string& name : curve.columns) {
     if (name != "signal" && name[0] != 'Y') continue;
-    ChartPanel::Series series;
+    figure::ChartPanel::Series series;
     series.name = name[0] == 'Y' ? fmt::format("Y_{{{}}}", name.substr(1)) : name;
     series.x = x;
     series.y = column(curve, name);
@@ -226,24 +226,24 @@ ChartPanel artifact_chart_panel(const DataTable& curve, const std::string& title
   return panel;
 }
 
-Result<Figure> artifact_figure(const NamedAnalysis& scheme, Stage stage) {
+Result<figure::Figure> artifact_figure(const study::NamedAnalysis& scheme, study::Stage stage) {
   const ArtifactAnalysis& analysis = scheme.analysis;
-  const TriangleGrid grid = frequency_grid(analysis.mask().lattice, kSubdivisions);
+  const figure::TriangleGrid grid = frequency_grid(analysis.mask().lattice, kSubdivisions);
   const Result<DataTable> table = artifact_table(analysis, stage, grid);
   if (!table) return table.error();
-  Figure figure(3);
-  figure.title(fmt::format("{}: signal and artifacts {}", scheme.name, to_string(stage)));
+  figure::Figure figure(3);
+  figure.title(fmt::format("{}: signal and artifacts {}", scheme.name, study::to_string(stage)));
   figure.add(artifact_map_panel(grid, *table, "signal", "signal"));
   figure.add(artifact_overlay_panel(grid, *table, "artifacts"));
   figure.add(artifact_map_panel(grid, *table, "percent_of_signal", "mean energy, % of signal"));
   ValueScale common{0.0, 0.0};
   for (int i = 0; i < analysis.artifact_count(); ++i)
-    for (const double value : column(*table, artifact_name(i))) {
+    for (const double value : column(*table, study::artifact_name(i))) {
       common.low = std::min(*common.low, value);
       common.high = std::max(*common.high, value);
     }
   for (int i = 0; i < analysis.artifact_count(); ++i)
-    figure.add(artifact_map_panel(grid, *table, artifact_name(i),
+    figure.add(artifact_map_panel(grid, *table, study::artifact_name(i),
                                   fmt::format("artifact Y_{{{}}}", i + 1), common));
   figure.add(
       artifact_map_panel(grid, *table, "total_energy_percent", "all artifacts, % of signal"));
@@ -255,22 +255,23 @@ Result<Figure> artifact_figure(const NamedAnalysis& scheme, Stage stage) {
   return figure;
 }
 
-Status write_artifact_map(const std::string& path, const NamedAnalysis& scheme, Stage stage) {
+Status write_artifact_map(const std::string& path, const study::NamedAnalysis& scheme,
+                          study::Stage stage) {
   if (is_table_path(path)) {
-    const TriangleGrid grid = frequency_grid(scheme.analysis.mask().lattice, kSubdivisions);
+    const figure::TriangleGrid grid = frequency_grid(scheme.analysis.mask().lattice, kSubdivisions);
     const Result<DataTable> table = artifact_table(scheme.analysis, stage, grid);
     if (!table) return table.error();
     return write_table(path, *table);
   }
-  if (const Result<FigureFormat> format = figure_format(path); !format) {
+  if (const Result<figure::FigureFormat> format = figure::figure_format(path); !format) {
     Error error = format.error();
     error.hint += error.hint.empty() ? ".csv and .json hold the numbers"
                                      : "; .csv and .json hold the numbers";
     return error;
   }
-  const Result<Figure> figure = artifact_figure(scheme, stage);
+  const Result<figure::Figure> figure = artifact_figure(scheme, stage);
   if (!figure) return figure.error();
   return figure->write(path);
 }
 
-}  // namespace limn
+}  // namespace limn::report

@@ -6,21 +6,21 @@
 #include "limn/report/data_table.h"
 #include "limn/report/lattice/artifact_report.h"
 
-namespace limn {
+namespace limn::report {
 
 /// The Nyquist region cut into triangles: each of its sectors (six on triangles, four on quads)
 /// into subdivisions² equal ones.
-[[nodiscard]] TriangleGrid frequency_grid(Lattice lattice, int subdivisions);
+[[nodiscard]] figure::TriangleGrid frequency_grid(Lattice lattice, int subdivisions);
 
 /// A scheme's magnitudes at the nodes of a grid, at one stage. Columns: fx, fy, signal, Y1 …, sum,
 /// mean_energy, percent_of_signal, total_energy_percent; a row a node. Fails where
 /// StageValuesAt::of does.
-[[nodiscard]] Result<DataTable> artifact_table(const ArtifactAnalysis& analysis, Stage stage,
-                                               const TriangleGrid& grid);
+[[nodiscard]] Result<DataTable> artifact_table(const ArtifactAnalysis& analysis, study::Stage stage,
+                                               const figure::TriangleGrid& grid);
 
 /// The same along a ray from 0 to the border of the Nyquist region, `points` ≥ 2 of them. First
 /// column "frequency", |f|; then as above.
-[[nodiscard]] Result<DataTable> artifact_curve(const ArtifactAnalysis& analysis, Stage stage,
+[[nodiscard]] Result<DataTable> artifact_curve(const ArtifactAnalysis& analysis, study::Stage stage,
                                                double direction_degrees, int points);
 
 /// The two principal directions, in degrees: towards the nearest point of the border, where waves
@@ -51,21 +51,25 @@ struct ValueScale {
   std::optional<double> low, high;
 };
 /// A map of one column; the title in the figures' markup.
-[[nodiscard]] MapPanel artifact_map_panel(const TriangleGrid& grid, const DataTable& table,
-                                          const std::string& column_name, const std::string& title,
-                                          ValueScale scale = {});
+[[nodiscard]] figure::MapPanel artifact_map_panel(const figure::TriangleGrid& grid,
+                                                  const DataTable& table,
+                                                  const std::string& column_name,
+                                                  const std::string& title, ValueScale scale = {});
 /// The artifacts over one another, in red, green and blue [ADS Figs. 7, 9, 11].
-[[nodiscard]] OverlayPanel artifact_overlay_panel(const TriangleGrid& grid, const DataTable& table,
-                                                  const std::string& title);
+[[nodiscard]] figure::OverlayPanel artifact_overlay_panel(const figure::TriangleGrid& grid,
+                                                          const DataTable& table,
+                                                          const std::string& title);
 /// Signal and artifacts along a direction.
-[[nodiscard]] ChartPanel artifact_chart_panel(const DataTable& curve, const std::string& title);
+[[nodiscard]] figure::ChartPanel artifact_chart_panel(const DataTable& curve,
+                                                      const std::string& title);
 
 /// Everything about a scheme at one stage on one page.
-[[nodiscard]] Result<Figure> artifact_figure(const NamedAnalysis& scheme, Stage stage);
+[[nodiscard]] Result<figure::Figure> artifact_figure(const study::NamedAnalysis& scheme,
+                                                     study::Stage stage);
 
 /// `limn artifacts SCHEME --map FILE`: a .pdf, .svg or .png of artifact_figure, or a .csv or
 /// .json of artifact_table.
-[[nodiscard]] Status write_artifact_map(const std::string& path, const NamedAnalysis& scheme,
-                                        Stage stage);
+[[nodiscard]] Status write_artifact_map(const std::string& path, const study::NamedAnalysis& scheme,
+                                        study::Stage stage);
 
-}  // namespace limn
+}  // namespace limn::report

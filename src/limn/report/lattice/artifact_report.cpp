@@ -9,7 +9,7 @@
 #include "limn/base/printable.h"
 #include "limn/report/json_number.h"
 
-namespace limn {
+namespace limn::report {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -21,15 +21,15 @@ Json direction_json(const DirectionalDensity& density) {
           {"reached", density.reached}};
 }
 
-Error named(const NamedAnalysis& scheme, Error error) {
+Error named(const study::NamedAnalysis& scheme, Error error) {
   error.message = fmt::format("scheme '{}': {}", scheme.name, error.message);
   return error;
 }
 
-std::size_t longest_name(const std::vector<NamedAnalysis>& schemes) {
+std::size_t longest_name(const std::vector<study::NamedAnalysis>& schemes) {
   std::size_t longest = 6;
-  for (const NamedAnalysis& scheme : schemes)
-    longest = std::max(longest, printable(scheme.name).size());
+  for (const study::NamedAnalysis& scheme : schemes)
+    longest = std::max(longest, base::printable(scheme.name).size());
   return longest;
 }
 
@@ -48,19 +48,19 @@ std::string magnitude(double value) {
   return fmt::format("{: .9f}", std::abs(value) < 5e-10 ? 0.0 : value);
 }
 
-std::string values_text(const NamedAnalysis& scheme, Frequency f, const StageValues& values,
-                        Stage stage) {
-  std::string text = printable(scheme.name) + "\n";
+std::string values_text(const study::NamedAnalysis& scheme, Frequency f,
+                        const study::StageValues& values, study::Stage stage) {
+  std::string text = base::printable(scheme.name) + "\n";
   text += fmt::format("  signal   {}  {}\n", magnitude(values.components.signal), wave_text(f));
   const std::vector<Frequency> waves = scheme.analysis.artifact_frequencies(f);
   for (std::size_t i = 0; i < waves.size(); ++i)
-    text += fmt::format("  {:<7}  {}  {}\n", artifact_name(static_cast<int>(i)),
+    text += fmt::format("  {:<7}  {}  {}\n", study::artifact_name(static_cast<int>(i)),
                         magnitude(values.components.artifacts[i]), wave_text(waves[i]));
   text +=
       fmt::format("  sum      {}\n  mean     {}  (energy) {} of the signal\n",
                   magnitude(values.components.sum()), magnitude(values.components.mean_energy()),
                   percent_text(values.components.percent_of_signal()));
-  const char* what = stage.kind == Stage::Kind::limit
+  const char* what = stage.kind == study::Stage::Kind::limit
                          ? "all waves of the limit surface but the signal"
                          : "all artifacts together";
   return text +
@@ -74,17 +74,17 @@ std::string density_text(const DirectionalDensity& density) {
 
 }  // namespace
 
-Result<nlohmann::ordered_json> artifacts_json(const NamedAnalysis& scheme, Frequency f,
-                                              Stage stage) {
-  const Result<StageValuesAt> values_at = StageValuesAt::of(scheme.analysis, stage);
+Result<nlohmann::ordered_json> artifacts_json(const study::NamedAnalysis& scheme, Frequency f,
+                                              study::Stage stage) {
+  const Result<study::StageValuesAt> values_at = study::StageValuesAt::of(scheme.analysis, stage);
   if (!values_at) return named(scheme, values_at.error());
-  const StageValues values = (*values_at)(f);
+  const study::StageValues values = (*values_at)(f);
   const Components& components = values.components;
   Json json{{"scheme", scheme.name}, {"frequency", {f[0], f[1]}}};
-  if (stage.kind == Stage::Kind::smoothing)
+  if (stage.kind == study::Stage::Kind::smoothing)
     json["smoothing_stages"] = stage.count;
   else
-    json["stage"] = stage.kind == Stage::Kind::limit ? Json("limit") : Json(stage.count);
+    json["stage"] = stage.kind == study::Stage::Kind::limit ? Json("limit") : Json(stage.count);
   json["signal"] = components.signal;
   json["artifacts"] = components.artifacts;
   json["artifact_frequencies"] = Json::array();
@@ -97,12 +97,12 @@ Result<nlohmann::ordered_json> artifacts_json(const NamedAnalysis& scheme, Frequ
   return json;
 }
 
-Result<std::string> artifacts_text(const std::vector<NamedAnalysis>& schemes, Frequency f,
-                                   Stage stage) {
+Result<std::string> artifacts_text(const std::vector<study::NamedAnalysis>& schemes, Frequency f,
+                                   study::Stage stage) {
   std::string text = fmt::format("wave of frequency ({:g}, {:g}) cycles per control edge, {}\n",
-                                 f[0], f[1], to_string(stage));
-  for (const NamedAnalysis& scheme : schemes) {
-    const Result<StageValuesAt> values_at = StageValuesAt::of(scheme.analysis, stage);
+                                 f[0], f[1], study::to_string(stage));
+  for (const study::NamedAnalysis& scheme : schemes) {
+    const Result<study::StageValuesAt> values_at = study::StageValuesAt::of(scheme.analysis, stage);
     if (!values_at) return named(scheme, values_at.error());
     text += values_text(scheme, f, (*values_at)(f), stage);
   }
@@ -113,8 +113,8 @@ nlohmann::ordered_json density_json(const SamplingDensity& density) {
   return {{"worst", direction_json(density.worst)}, {"best", direction_json(density.best)}};
 }
 
-Result<nlohmann::ordered_json> sampling_json(const NamedAnalysis& scheme, double tolerance,
-                                             SamplingDensities& densities) {
+Result<nlohmann::ordered_json> sampling_json(const study::NamedAnalysis& scheme, double tolerance,
+                                             study::SamplingDensities& densities) {
   Json json{{"scheme", scheme.name}, {"tolerance_percent", tolerance}};
   for (const auto& [key, measure] : {std::pair{"total_energy", ArtifactMeasure::total_energy},
                                      std::pair{"mean_energy", ArtifactMeasure::mean_energy}}) {
@@ -125,16 +125,16 @@ Result<nlohmann::ordered_json> sampling_json(const NamedAnalysis& scheme, double
   return json;
 }
 
-Result<std::string> sampling_text(const std::vector<NamedAnalysis>& schemes, double tolerance,
-                                  SamplingDensities& densities) {
+Result<std::string> sampling_text(const std::vector<study::NamedAnalysis>& schemes,
+                                  double tolerance, study::SamplingDensities& densities) {
   const std::size_t width = longest_name(schemes);
   std::string text = fmt::format(
       "control edges per wavelength that keep artifacts within {:g} % of the signal\n"
       "{:<{}}  all artifacts of the limit surface   mean energy on the first refined lattice\n"
       "{:<{}}  worst             best                worst             best\n",
       tolerance, "", width, "scheme", width);
-  for (const NamedAnalysis& scheme : schemes) {
-    text += fmt::format("{:<{}}", printable(scheme.name), width);
+  for (const study::NamedAnalysis& scheme : schemes) {
+    text += fmt::format("{:<{}}", base::printable(scheme.name), width);
     for (const ArtifactMeasure measure :
          {ArtifactMeasure::total_energy, ArtifactMeasure::mean_energy}) {
       const Result<SamplingDensity> density = densities.at(scheme.analysis, tolerance, measure);
@@ -147,4 +147,4 @@ Result<std::string> sampling_text(const std::vector<NamedAnalysis>& schemes, dou
   return text;
 }
 
-}  // namespace limn
+}  // namespace limn::report

@@ -14,7 +14,7 @@
 #include "limn/regular/regular_mask.h"
 #include "limn/regular/symbol.h"
 
-namespace limn {
+namespace limn::report {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -54,7 +54,8 @@ Json coefficients_json(const Laurent& coefficients) {
 std::string formulas_text(const std::vector<std::string>& formulas) {
   std::string text;
   for (std::size_t i = 0; i < formulas.size(); ++i)
-    text += fmt::format("  {:<5} = {}\n", component_name(static_cast<int>(i), Notation::text),
+    text += fmt::format("  {:<5} = {}\n",
+                        regular::component_name(static_cast<int>(i), number::Notation::text),
                         formulas[i]);
   return text;
 }
@@ -118,7 +119,8 @@ std::string latex_array(const Mask& mask) {
 std::string latex_formulas(const std::vector<std::string>& formulas) {
   std::string text = "\\begin{align*}\n";
   for (std::size_t i = 0; i < formulas.size(); ++i)
-    text += fmt::format("  {} &= {}{}\n", component_name(static_cast<int>(i), Notation::latex),
+    text += fmt::format("  {} &= {}{}\n",
+                        regular::component_name(static_cast<int>(i), number::Notation::latex),
                         formulas[i], i + 1 < formulas.size() ? " \\\\" : "");
   return text + "\\end{align*}\n";
 }
@@ -144,14 +146,15 @@ std::string lattice_text(const Mask& mask) {
   if (const Factorization factors = factor(mask); kernel_is_news(factors))
     text += "  kernel\n" + indented(to_string(like(mask, factors.kernel)));
   if (!is_point_symmetric(mask.coefficients)) return text;
-  const Result<Laurent> stencil = limit_stencil(mask);
+  const Result<Laurent> stencil = regular::limit_stencil(mask);
   if (stencil) text += "\nlimit stencil\n" + indented(to_string(like(mask, *stencil)));
-  const auto limit = limit_formulas(mask, Notation::text);
+  const auto limit = regular::limit_formulas(mask, number::Notation::text);
   text += limit
               ? "\nsignal and artifacts in the limit, at the points of the first refined lattice\n"
               : "\nsignal and artifacts after one step (" + limit.error().message + ")\n";
-  text += formulas_text(limit ? *limit : step_formulas(mask, Notation::text));
-  for (const std::string& name : formula_names(mask, Notation::text)) text += "  " + name + "\n";
+  text += formulas_text(limit ? *limit : regular::step_formulas(mask, number::Notation::text));
+  for (const std::string& name : regular::formula_names(mask, number::Notation::text))
+    text += "  " + name + "\n";
   return text;
 }
 
@@ -165,32 +168,34 @@ nlohmann::ordered_json lattice_json(const Mask& mask) {
              {{"stages", factors.stages},
               {"directions", std::move(directions)},
               {"kernel", coefficients_json(factors.kernel)}}}};
-  const Result<Laurent> stencil = limit_stencil(mask);
+  const Result<Laurent> stencil = regular::limit_stencil(mask);
   json["limit_stencil"] = stencil ? coefficients_json(*stencil) : Json();
   json["formulas"] = Json();
   if (!is_point_symmetric(mask.coefficients)) return json;
-  const auto limit = limit_formulas(mask, Notation::text);
-  json["formulas"] = {{"names", formula_names(mask, Notation::text)},
-                      {"one_step", step_formulas(mask, Notation::text)},
+  const auto limit = regular::limit_formulas(mask, number::Notation::text);
+  json["formulas"] = {{"names", regular::formula_names(mask, number::Notation::text)},
+                      {"one_step", regular::step_formulas(mask, number::Notation::text)},
                       {"limit", limit ? Json(*limit) : Json()}};
   return json;
 }
 
 std::string lattice_latex(const std::string& name, const Mask& mask) {
-  std::string text = fmt::format("% {}: mask\n\\[\n{}\n\\]\n", printable(name), latex_array(mask));
+  std::string text =
+      fmt::format("% {}: mask\n\\[\n{}\n\\]\n", base::printable(name), latex_array(mask));
   text += fmt::format("% factors: {}\n", factors_in_words(mask));
   if (const Factorization factors = factor(mask); kernel_is_news(factors))
     text += fmt::format("% kernel\n\\[\n{}\n\\]\n", latex_array(like(mask, factors.kernel)));
   if (!is_point_symmetric(mask.coefficients)) return text;
-  if (const Result<Laurent> stencil = limit_stencil(mask))
+  if (const Result<Laurent> stencil = regular::limit_stencil(mask))
     text += fmt::format("% limit stencil\n\\[\n{}\n\\]\n", latex_array(like(mask, *stencil)));
-  const auto limit = limit_formulas(mask, Notation::latex);
+  const auto limit = regular::limit_formulas(mask, number::Notation::latex);
   std::string names;
-  for (const std::string& part : formula_names(mask, Notation::latex))
+  for (const std::string& part : regular::formula_names(mask, number::Notation::latex))
     names += (names.empty() ? "$" : ", $") + part + "$";
   text += fmt::format("% magnitudes of the signal and the artifacts, {}; {}\n",
                       limit ? "in the limit" : "after one step", names);
-  return text + latex_formulas(limit ? *limit : step_formulas(mask, Notation::latex));
+  return text +
+         latex_formulas(limit ? *limit : regular::step_formulas(mask, number::Notation::latex));
 }
 
-}  // namespace limn
+}  // namespace limn::report

@@ -7,7 +7,7 @@
 
 #include "limn/scheme/mask.h"
 
-namespace limn {
+namespace limn::report {
 
 /// For people; several sections, each with its heading.
 [[nodiscard]] std::string lattice_text(const Mask& mask);
@@ -24,4 +24,4 @@ namespace limn {
 /// "2 stages and a kernel", "direction (1, 0) 3 times".
 [[nodiscard]] std::string factors_in_words(const Mask& mask);
 
-}  // namespace limn
+}  // namespace limn::report

@@ -8,7 +8,7 @@
 
 #include "limn/base/outward.h"
 
-namespace limn {
+namespace limn::report {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -24,10 +24,10 @@ std::string smoothness_text(int r, const Smoothness& smoothness) {
   std::string text =
       fmt::format("C{}  {:<9}  {}", r, to_string(smoothness.verdict), smoothness.reason);
   if (smoothness.power > 0)
-    text +=
-        fmt::format("; {} of the differences of order {} {} norm ≤ {}",
-                    smoothness.power == 1 ? "one step" : fmt::format("{} steps", smoothness.power),
-                    r + 1, smoothness.power == 1 ? "has" : "have", rounded_up(smoothness.norm));
+    text += fmt::format(
+        "; {} of the differences of order {} {} norm ≤ {}",
+        smoothness.power == 1 ? "one step" : fmt::format("{} steps", smoothness.power), r + 1,
+        smoothness.power == 1 ? "has" : "have", base::rounded_up(smoothness.norm));
   return text + "\n";
 }
 
@@ -41,10 +41,10 @@ std::string growth_text(const JointSpectralRadius& radius) {
 
 std::string radius_text(const HolderBracket& bracket) {
   const JointSpectralRadius& radius = bracket.radius;
-  std::string text = radius.exact
-                         ? fmt::format("joint spectral radius {} exactly", growth_text(radius))
-                         : fmt::format("joint spectral radius [{}, {}]", rounded_down(radius.lower),
-                                       rounded_up(radius.upper));
+  std::string text =
+      radius.exact ? fmt::format("joint spectral radius {} exactly", growth_text(radius))
+                   : fmt::format("joint spectral radius [{}, {}]", base::rounded_down(radius.lower),
+                                 base::rounded_up(radius.upper));
   if (!bracket.digits.empty()) {
     text += radius.exact ? "; a product that has it: digits"
                          : "; the product that has the lower: digits";
@@ -61,7 +61,7 @@ std::string radius_text(const HolderBracket& bracket) {
     if (block.size == 1) continue;
     text += fmt::format(
         "  {}a block of {} rows, ≤ {}", block.irreducible ? "" : "perhaps reducible: ", block.size,
-        block.bounded && !block.below ? growth_text(radius) : rounded_up(block.upper));
+        block.bounded && !block.below ? growth_text(radius) : base::rounded_up(block.upper));
     if (block.vertices > 0) text += fmt::format(" by a polytope of {} vertices", block.vertices);
     text += '\n';
   }
@@ -163,9 +163,10 @@ std::string to_string(const HolderBracket& bracket) {
   if (!bracket.exact.empty() && bracket.upper && *bracket.upper != bracket.lower)
     return fmt::format("{} = {:.6f}", bracket.exact, bracket.lower);
   if (!bracket.exact.empty()) return bracket.exact;
-  if (!bracket.upper) return "at least " + rounded_down(bracket.lower);
+  if (!bracket.upper) return "at least " + base::rounded_down(bracket.lower);
   if (*bracket.upper == bracket.lower) return fmt::format("{:.17g}", bracket.lower);
-  return fmt::format("[{}, {}]", rounded_down(bracket.lower), rounded_up(*bracket.upper));
+  return fmt::format("[{}, {}]", base::rounded_down(bracket.lower),
+                     base::rounded_up(*bracket.upper));
 }
 
 Json regularity_json(const std::string& name, const Regularity& regularity) {
@@ -204,4 +205,4 @@ std::string regularity_text(const std::string& name, const Regularity& regularit
   return text + radius_text(regularity.holder);
 }
 
-}  // namespace limn
+}  // namespace limn::report

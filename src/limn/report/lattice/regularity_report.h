@@ -6,7 +6,7 @@
 
 #include "limn/regular/smoothness/regularity.h"
 
-namespace limn {
+namespace limn::report {
 
 /// {"scheme", "holder": {"lower", "upper": number or null, "exact": closed form or null,
 /// "attained": true, false or null (undecided), "attained_reason", "logarithm": p or null,
@@ -27,4 +27,4 @@ namespace limn {
 /// "3", "log2(3) = 1.584963", "[1.229383, 1.232984]", "at least 4": brackets are rounded outwards.
 [[nodiscard]] std::string to_string(const HolderBracket& bracket);
 
-}  // namespace limn
+}  // namespace limn::report

@@ -5,7 +5,7 @@
 
 #include "limn/base/printable.h"
 
-namespace limn {
+namespace limn::report {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -38,9 +38,9 @@ std::string script_text(const Json& record) {
 }
 
 /// Text of a page.
-std::string escaped(std::string_view text) {
+std::string html_text(std::string_view text) {
   std::string html;
-  for (const char c : printable_lines(text)) {
+  for (const char c : base::printable_lines(text)) {
     if (c == '<')
       html += "&lt;";
     else if (c == '&')
@@ -54,10 +54,10 @@ std::string escaped(std::string_view text) {
 /// What stands in a cell: numbers to six decimals; nothing as a dash.
 std::string cell(const Json& value) {
   if (value.is_null()) return "–";
-  if (value.is_string()) return escaped(value.get<std::string>());
+  if (value.is_string()) return html_text(value.get<std::string>());
   if (value.is_number_float()) return fmt::format("{:.6f}", value.get<double>());
   if (value.is_boolean()) return value.get<bool>() ? "yes" : "no";
-  return escaped(value.dump(-1, ' ', false, Json::error_handler_t::replace));
+  return html_text(value.dump(-1, ' ', false, Json::error_handler_t::replace));
 }
 
 /// What `json` has at a path of keys; null where it has not.
@@ -83,7 +83,7 @@ std::string table(const Json& entries, const Columns& columns) {
 
 std::string paragraph(const Json& text) {
   if (!text.is_string() || text.get<std::string>().empty()) return {};
-  return fmt::format("<p>{}</p>\n", escaped(text.get<std::string>()));
+  return fmt::format("<p>{}</p>\n", html_text(text.get<std::string>()));
 }
 
 std::string eigen_section(const Json& record) {
@@ -169,4 +169,4 @@ std::string static_page(const nlohmann::ordered_json& record) {
   return html + std::string(kPlace) + script_text(record) + "</script>\n</body>\n</html>\n";
 }
 
-}  // namespace limn
+}  // namespace limn::report

@@ -7,7 +7,7 @@
 
 #include "limn/base/error.h"
 
-namespace limn {
+namespace limn::report {
 
 /// The page `page` with the record in it: in the place of null in its one element
 /// <script type="application/json" id="record">null</script>. Fails where the page has no such
@@ -19,4 +19,4 @@ namespace limn {
 /// The record is in it as JSON, too.
 [[nodiscard]] std::string static_page(const nlohmann::ordered_json& record);
 
-}  // namespace limn
+}  // namespace limn::report

@@ -11,7 +11,7 @@
 #include "limn/report/scheme_report.h"
 #include "limn/scheme/lattice_schemes.h"
 
-namespace limn {
+namespace limn::report {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -72,16 +72,17 @@ nlohmann::ordered_json page_record_json(const std::string& label, const Scheme& 
   const auto say = [&](const std::string& what) {
     if (options.progress) options.progress(what);
   };
-  RecordOptions record;
+  study::RecordOptions record;
   record.first_valence = options.first_valence;
   record.last_valence = options.last_valence;
   record.regularity.seconds = options.seconds;
   record.progress = options.progress;
   Json json{{"scheme", scheme_json(label, scheme)}, {"show", describe_json(scheme)}};
-  const std::vector<Scheme> lattices = lattice_schemes(scheme);
+  const std::vector<Scheme> lattices = scheme::lattice_schemes(scheme);
   for (const Scheme& one : lattices) {
     Json found;
-    found["record"] = record_json(approx_record(label_on_lattice(label, one), one, record));
+    found["record"] =
+        record_json(study::approx_record(scheme::label_on_lattice(label, one), one, record));
     say("formulas");
     found["formulas"] = formulas_json(one, options.given);
     say("proofs");
@@ -91,10 +92,10 @@ nlohmann::ordered_json page_record_json(const std::string& label, const Scheme& 
       json.update(found);
       break;
     }
-    json["lattices"].push_back({{"lattice", lattice_name(one.split->lattice)}});
+    json["lattices"].push_back({{"lattice", scheme::lattice_name(one.split->lattice)}});
     json["lattices"].back().update(found);
   }
   return json;
 }
 
-}  // namespace limn
+}  // namespace limn::report

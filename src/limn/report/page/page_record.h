@@ -8,7 +8,7 @@
 
 #include "limn/scheme/scheme.h"
 
-namespace limn {
+namespace limn::report {
 
 /// What is looked for, and how long.
 struct PageRecordOptions {
@@ -30,4 +30,4 @@ struct PageRecordOptions {
                                                       const Scheme& scheme,
                                                       const PageRecordOptions& options = {});
 
-}  // namespace limn
+}  // namespace limn::report

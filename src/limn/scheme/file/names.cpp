@@ -13,7 +13,7 @@
 #include "limn/scheme/formulas.h"
 #include "limn/scheme/stages.h"
 
-namespace limn {
+namespace limn::scheme {
 namespace {
 
 constexpr std::size_t kMostShown = 8;  // names in a message
@@ -60,7 +60,7 @@ std::string names_hint(const Scheme& scheme, const Definitions& definitions,
                                  knows_quads(scheme) ? "q, " : "");
   if (!known.empty() && known.size() <= kMostShown)
     hint += fmt::format(": {}", fmt::join(known, ", "));
-  return did_you_mean(unknown, known, hint);
+  return base::did_you_mean(unknown, known, hint);
 }
 
 bool is_known(const Scheme& scheme, const std::string& name, const Definitions& definitions,
@@ -70,7 +70,7 @@ bool is_known(const Scheme& scheme, const std::string& name, const Definitions& 
 }
 
 void check_known(const Scheme& scheme, const Definitions& definitions, const Unread& unread,
-                 Faults& faults) {
+                 base::Faults& faults) {
   each_formula(scheme, [&](const Formula& formula) {
     for (const std::string& name : formula.expression.names())
       if (!is_known(scheme, name, definitions, unread))
@@ -133,7 +133,7 @@ Definitions unresolved(Definitions left, const HoldsUp& holds_up) {
 
 }  // namespace
 
-void check_names(const Scheme& scheme, const Unread& unread, Faults& faults) {
+void check_names(const Scheme& scheme, const Unread& unread, base::Faults& faults) {
   const Definitions definitions = definitions_of(scheme);
   if (!unread.tables) check_known(scheme, definitions, unread, faults);
   if (const auto taken = definitions.find(kQuads);
@@ -160,4 +160,4 @@ std::set<std::string> valueless_names(const Scheme& scheme, const Unread& unread
   return names;
 }
 
-}  // namespace limn
+}  // namespace limn::scheme

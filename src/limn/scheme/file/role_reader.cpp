@@ -5,15 +5,15 @@
 #include "limn/scheme/file/scheme_words.h"
 #include "limn/scheme/placement.h"
 
-namespace limn {
+namespace limn::scheme {
 
 void RoleReader::read(const toml::key& rule, const toml::node& table) {
   const std::optional<RuleKind> kind = find_rule(rule.str());
   if (!kind) {
     const Place at = in_.place(rule);
     in_.fail(Error{fmt::format("unknown key '{}' in roles", rule.str()),
-                   did_you_mean(rule.str(), rule_names(),
-                                "expected the name of a rule, as edge or \"boundary.edge\""),
+                   base::did_you_mean(rule.str(), rule_names(),
+                                      "expected the name of a rule, as edge or \"boundary.edge\""),
                    at.file, at.line, at.column});
     has_unread_roles_ = true;
     return;
@@ -107,4 +107,4 @@ std::optional<Walk> RoleReader::checked(RuleKind kind, const Walk& walk, const t
   return check(kind, key.str(), walk, in_.place(key)) ? std::optional<Walk>(walk) : std::nullopt;
 }
 
-}  // namespace limn
+}  // namespace limn::scheme

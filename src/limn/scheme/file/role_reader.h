@@ -11,7 +11,7 @@
 
 #include "limn/scheme/file/toml_reader.h"
 
-namespace limn {
+namespace limn::scheme {
 
 class RoleReader {
  public:
@@ -48,4 +48,4 @@ class RoleReader {
   std::map<std::pair<RuleKind, std::string>, std::optional<Walk>> own_;
 };
 
-}  // namespace limn
+}  // namespace limn::scheme

@@ -16,13 +16,13 @@
 #include "limn/scheme/file/toml_reader.h"
 #include "limn/scheme/stages.h"
 
-namespace limn {
+namespace limn::scheme {
 namespace {
 
 /// Reads one file into one Scheme.
 class SchemeFileReader {
  public:
-  SchemeFileReader(std::string file, const ExtendedScheme& extended, Faults& faults)
+  SchemeFileReader(std::string file, const ExtendedScheme& extended, base::Faults& faults)
       : in_(std::move(file), faults), extended_(extended) {}
 
   Draft run(std::string_view text) {
@@ -74,7 +74,8 @@ class SchemeFileReader {
     scheme_.split = find_split(name);
     roles_.use_split(scheme_.split, scheme_.split == nullptr);
     if (in_.unharmed_since(before) && scheme_.split == nullptr)
-      in_.fail(*node, fmt::format("unknown split '{}'", name), did_you_mean(name, known, hint));
+      in_.fail(*node, fmt::format("unknown split '{}'", name),
+               base::did_you_mean(name, known, hint));
     if (scheme_.split != nullptr && scheme_.split->mixed) {
       in_.fail(*node, fmt::format("the split {} is one of stages", name),
                fmt::format("leave it out: it follows from stages whose first is \"{}\"", kLinear));
@@ -92,7 +93,7 @@ class SchemeFileReader {
       in_.admit_decimals();
     } else {
       in_.fail(*node, fmt::format("unknown kind of weights '{}'", text),
-               did_you_mean(text, {"exact", "decimal"}, "expected \"exact\" or \"decimal\""));
+               base::did_you_mean(text, {"exact", "decimal"}, "expected \"exact\" or \"decimal\""));
     }
   }
 
@@ -101,7 +102,7 @@ class SchemeFileReader {
     const std::vector<std::string> known = known_keys();
     for (const auto& [key, node] : root) {
       if (std::find(known.begin(), known.end(), key.str()) != known.end()) continue;
-      const std::vector<std::string> near = near_words(key.str(), known);
+      const std::vector<std::string> near = base::near_words(key.str(), known);
       if (std::find(near.begin(), near.end(), "split") != near.end()) return &node;
     }
     return nullptr;
@@ -336,9 +337,9 @@ class SchemeFileReader {
       fail("extends names no scheme", "give a shipped name or a path, or leave it out");
       return;
     }
-    Faults of_base;
+    base::Faults of_base;
     std::optional<Scheme> base = extended_(name, of_base);
-    for (Error fault : by_place(of_base.list())) {
+    for (Error fault : base::by_place(of_base.list())) {
       std::string hint = std::exchange(fault.hint, {});
       fail(fault_of_base(name, fault), std::move(hint));
     }
@@ -421,8 +422,8 @@ class SchemeFileReader {
 }  // namespace
 
 Draft read_scheme_text(std::string_view text, const std::string& file,
-                       const ExtendedScheme& extended, Faults& faults) {
+                       const ExtendedScheme& extended, base::Faults& faults) {
   return SchemeFileReader(file, extended, faults).run(text);
 }
 
-}  // namespace limn
+}  // namespace limn::scheme

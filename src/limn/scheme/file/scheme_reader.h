@@ -11,7 +11,7 @@
 #include "limn/base/faults.h"
 #include "limn/scheme/scheme.h"
 
-namespace limn {
+namespace limn::scheme {
 
 /// What of a file could not be read: nothing is said of what depends on it, or one fault would be
 /// told as several.
@@ -34,10 +34,10 @@ struct Draft {
 
 /// Finds the scheme that a file `extends`; nothing, and its faults, where it has some.
 using ExtendedScheme =
-    std::function<std::optional<Scheme>(const std::string& name_or_path, Faults& faults)>;
+    std::function<std::optional<Scheme>(const std::string& name_or_path, base::Faults& faults)>;
 
 /// Reads all that can be read; each fault is added to `faults`.
 [[nodiscard]] Draft read_scheme_text(std::string_view text, const std::string& file,
-                                     const ExtendedScheme& extended, Faults& faults);
+                                     const ExtendedScheme& extended, base::Faults& faults);
 
-}  // namespace limn
+}  // namespace limn::scheme

@@ -8,7 +8,7 @@
 
 #include "limn/base/utf8.h"
 
-namespace limn {
+namespace limn::scheme {
 
 std::string toml_string(std::string_view text) {
   std::string result = "\"";
@@ -30,8 +30,8 @@ Result<std::string> extended_name(const std::string& name_or_path, const std::st
   const std::vector<std::string> shipped = shipped_schemes();
   if (std::find(shipped.begin(), shipped.end(), name_or_path) != shipped.end()) return name_or_path;
   const std::string base = fs::proximate(name_or_path, fs::absolute(path).parent_path()).string();
-  for (std::string_view rest = base; !rest.empty(); rest.remove_prefix(utf8_length(rest)))
-    if (utf8_length(rest) == 0)
+  for (std::string_view rest = base; !rest.empty(); rest.remove_prefix(base::utf8_length(rest)))
+    if (base::utf8_length(rest) == 0)
       return Error{fmt::format("no scheme file can extend '{}': its name is not UTF-8", base),
                    "rename it"};
   return base;
@@ -91,4 +91,4 @@ std::string definitions_toml(const Scheme& scheme,
   return lets.empty() ? parameters : parameters + "\n[let]\n" + lets;
 }
 
-}  // namespace limn
+}  // namespace limn::scheme

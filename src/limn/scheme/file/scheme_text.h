@@ -10,7 +10,7 @@
 #include "limn/base/rational.h"
 #include "limn/scheme/scheme.h"
 
-namespace limn {
+namespace limn::scheme {
 
 /// A string of TOML in its quotes. Precondition: UTF-8.
 [[nodiscard]] std::string toml_string(std::string_view text);
@@ -43,4 +43,4 @@ namespace limn {
 [[nodiscard]] std::string definitions_toml(
     const Scheme& scheme, const std::vector<std::pair<std::string, std::string>>& definitions = {});
 
-}  // namespace limn
+}  // namespace limn::scheme

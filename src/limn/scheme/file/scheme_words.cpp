@@ -8,7 +8,7 @@
 
 #include "limn/scheme/role.h"
 
-namespace limn {
+namespace limn::scheme {
 
 std::vector<std::string> known_keys() {
   std::vector<std::string> keys{"name",    "title",   "split", "weights",   "source", "notes",
@@ -60,4 +60,4 @@ std::string fault_of_base(const std::string& name, const Error& fault) {
   return fmt::format("{}{}{}{}", extends, name, by_way, rest);
 }
 
-}  // namespace limn
+}  // namespace limn::scheme

@@ -7,7 +7,7 @@
 
 #include "limn/base/error.h"
 
-namespace limn {
+namespace limn::scheme {
 
 inline constexpr std::string_view kBoundary = "boundary.";  ///< of rules in the table [boundary]
 
@@ -27,4 +27,4 @@ inline constexpr std::string_view kBoundary = "boundary.";  ///< of rules in the
 /// first file and the last.
 [[nodiscard]] std::string fault_of_base(const std::string& name, const Error& fault);
 
-}  // namespace limn
+}  // namespace limn::scheme

@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-namespace limn {
+namespace limn::scheme {
 
 struct ShippedFile {
   std::string_view name;  ///< the file's name without ".toml": what users call the scheme
@@ -14,4 +14,4 @@ struct ShippedFile {
 /// All of them, sorted by name.
 [[nodiscard]] const std::vector<ShippedFile>& shipped_files();
 
-}  // namespace limn
+}  // namespace limn::scheme

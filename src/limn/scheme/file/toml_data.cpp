@@ -9,7 +9,7 @@
 #include "limn/scheme/check.h"
 #include "limn/scheme/stages.h"
 
-namespace limn {
+namespace limn::scheme {
 namespace {
 
 constexpr int kLargestStatedValence = 9999;
@@ -73,7 +73,7 @@ void check_shipped(TomlReader& in, const toml::node& node, const std::string& na
   in.fail(node,
           name.empty() ? "same names no scheme"
                        : fmt::format("same: no shipped scheme is called '{}'", name),
-          did_you_mean(name, known, "`limn schemes` lists the shipped ones"));
+          base::did_you_mean(name, known, "`limn schemes` lists the shipped ones"));
 }
 
 }  // namespace
@@ -84,7 +84,7 @@ std::optional<Lattice> read_lattice(TomlReader& in, const toml::node& node) {
   if (word == "quad") return Lattice::quad;
   if (node.is_string())
     in.fail(node, fmt::format("unknown lattice '{}'", word),
-            did_you_mean(word, {"triangle", "quad"}, "expected \"triangle\" or \"quad\""));
+            base::did_you_mean(word, {"triangle", "quad"}, "expected \"triangle\" or \"quad\""));
   return std::nullopt;
 }
 
@@ -146,9 +146,9 @@ Stages read_stages(TomlReader& in, const toml::node& node,
                              const std::vector<std::string>& known) {
     std::string word = in.text(v, key);
     if (v.is_string() && std::find(known.begin(), known.end(), word) == known.end())
-      in.fail(
-          v, fmt::format("{} = '{}' is no stage that is known", key, word),
-          did_you_mean(word, known, fmt::format("expected \"{}\"", fmt::join(known, "\" or \""))));
+      in.fail(v, fmt::format("{} = '{}' is no stage that is known", key, word),
+              base::did_you_mean(word, known,
+                                 fmt::format("expected \"{}\"", fmt::join(known, "\" or \""))));
     return word;
   };
   const std::size_t before = in.faults();
@@ -226,4 +226,4 @@ void read_fact(TomlReader& in, const toml::node& node, Scheme& scheme) {
   if (!fact.values.empty()) scheme.facts.push_back(std::move(fact));
 }
 
-}  // namespace limn
+}  // namespace limn::scheme

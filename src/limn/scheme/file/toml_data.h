@@ -3,7 +3,7 @@
 
 #include "limn/scheme/file/toml_reader.h"
 
-namespace limn {
+namespace limn::scheme {
 
 /// { rows = [[…], …], scale = … }; `what` names it in errors.
 Rows read_rows(TomlReader& in, const toml::node& node, std::string_view what);
@@ -18,4 +18,4 @@ std::optional<Lattice> read_lattice(TomlReader& in, const toml::node& node);
 /// One entry of [[facts]]: into scheme.facts, scheme.equivalences or scheme.stated_mask.
 void read_fact(TomlReader& in, const toml::node& node, Scheme& scheme);
 
-}  // namespace limn
+}  // namespace limn::scheme

@@ -12,7 +12,7 @@
 #include "limn/base/utf8.h"
 #include "limn/base/wide_text.h"
 
-namespace limn {
+namespace limn::scheme {
 namespace {
 
 constexpr std::size_t kLargestFile = 1 << 18;
@@ -55,7 +55,7 @@ std::size_t find_dot_too_many(std::string_view text) {
 /// The first byte that begins no UTF-8 character, or npos. (toml++ says so too, elsewhere.)
 std::size_t find_no_utf8(std::string_view text) {
   for (std::size_t at = 0; at < text.size();) {
-    const std::size_t length = utf8_length(text.substr(at));
+    const std::size_t length = base::utf8_length(text.substr(at));
     if (length == 0) return at;
     at += length;
   }
@@ -85,8 +85,8 @@ toml::table TomlReader::parse(std::string_view text) {
     fail_at(dot, fmt::format("the file has more than {} dotted keys or sentences", kMostDots));
     return {};
   }
-  if (const std::string wide = wide_encoding(text); !wide.empty()) {
-    fail_at(0, wide_text_fault(wide), wide_text_remedy(wide));
+  if (const std::string wide = base::wide_encoding(text); !wide.empty()) {
+    fail_at(0, base::wide_text_fault(wide), base::wide_text_remedy(wide));
     return {};
   }
   if (const std::size_t bad = find_no_utf8(text); bad != std::string_view::npos) {
@@ -106,8 +106,8 @@ toml::table TomlReader::parse(std::string_view text) {
 }
 
 void TomlReader::fail(Error error) {
-  error.message = printable(error.message);
-  error.hint = printable(error.hint);
+  error.message = base::printable(error.message);
+  error.hint = base::printable(error.hint);
   ++found_;
   faults_.add(std::move(error));
 }
@@ -236,7 +236,7 @@ void TomlReader::unknown_key(const toml::key& key, std::string_view what,
   }
   const Place where = place(key);
   fail(Error{fmt::format("unknown key '{}' in {}", key.str(), what),
-             did_you_mean(key.str(), known, expected), where.file, where.line, where.column});
+             base::did_you_mean(key.str(), known, expected), where.file, where.line, where.column});
 }
 
-}  // namespace limn
+}  // namespace limn::scheme

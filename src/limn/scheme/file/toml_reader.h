@@ -13,12 +13,12 @@
 #include "limn/scheme/file/toml_library.h"
 #include "limn/scheme/scheme.h"
 
-namespace limn {
+namespace limn::scheme {
 
 class TomlReader {
  public:
   /// `faults` must outlive the reader.
-  TomlReader(std::string file, Faults& faults) : file_(std::move(file)), faults_(faults) {}
+  TomlReader(std::string file, base::Faults& faults) : file_(std::move(file)), faults_(faults) {}
 
   /// The file as a table; fails on what is no TOML, is too large or is nested too deeply.
   /// `text` must outlive the reader.
@@ -66,8 +66,8 @@ class TomlReader {
   // of each line that has been asked for: the byte that each of its characters begins at
   mutable std::map<int, std::vector<int>> columns_;
   Decimals decimals_ = Decimals::refused;
-  Faults& faults_;
+  base::Faults& faults_;
   std::size_t found_ = 0;
 };
 
-}  // namespace limn
+}  // namespace limn::scheme

@@ -16,6 +16,8 @@ export class Pane {
   readonly title = h('div', { class: 'pane-title' });
   readonly element = h('div', { class: 'pane' }, this.canvas, this.title);
   surface?: Surface;
+  /** Whether the surface is the one that the page came with. */
+  opening = false;
   texture?: Texture;
   range?: [number, number];
   hovered?: Element;
@@ -57,13 +59,14 @@ export class Pane {
     this.title.textContent = scheme.label;
     if (key !== this.asked) {
       this.asked = key;
-      void this.ask({ ...ask, has: this.surface?.topology }, key);
+      void this.ask({ ...ask, has: this.opening ? undefined : this.surface?.topology }, key);
     }
     this.askLines(state);
     this.draw();
   }
 
   private async ask(ask: SurfaceAsk, key: string): Promise<void> {
+    if (!this.surface) this.open(ask);
     this.late ||= window.setTimeout(() => this.element.classList.add('busy'), 350);
     const begun = performance.now();
     const outcome = await this.app.client.ask(this.lane, 'surface', ask);
@@ -76,6 +79,7 @@ export class Pane {
       this.triangles = surface.triangles ?? this.triangles;
       this.texture = ask.shade === 'texture' ? surface.texture ?? this.texture : undefined;
       this.surface = surface;
+      this.opening = false;
       this.range = surface.values && middleRange(surface.values, ask.shade !== 'distance');
       this.draw(true);
       this.app.time({ what: ask.shade === 'plain' ? 'surface' : `surface, ${ask.shade}`, total: answered - begun,
@@ -86,10 +90,20 @@ export class Pane {
     this.app.begin();
   }
 
+  /** Until the core answers. */
+  private open(ask: SurfaceAsk): void {
+    const surface = this.app.opening.surface(ask);
+    if (!surface) return;
+    this.opening = true;
+    this.surface = surface;
+    this.triangles = surface.triangles;
+    this.draw(true);
+  }
+
   /** The control mesh's edges on the surface, once they are to be seen. */
   private async askLines(state: State): Promise<void> {
     const topology = this.surface?.topology;
-    if (state.net || state.shade !== 'plain' || !topology || this.linesAsked === topology || !this.now) return;
+    if (state.net || state.shade !== 'plain' || this.opening || !topology || this.linesAsked === topology || !this.now) return;
     this.linesAsked = topology;
     const outcome = await this.app.client.ask(`${this.lane}-lines`, 'lines', this.now.ask);
     if (outcome === superseded || !outcome.ok) return;
@@ -143,7 +157,10 @@ export class Pane {
     if (!this.fit() || !this.app.painter) return;
     const picture = this.compose();
     if (picture && this.app.painter.draw(picture, this.look(), this.canvas, this.app.colours()) && picture.body)
-      this.app.firstPicture ||= performance.now();
+      {
+        this.app.firstPicture ||= performance.now();
+        if (!this.opening) this.app.firstAnswer ||= performance.now();
+      }
   }
 
   /** Kept while nothing of it changes, so that turning costs no buffers. */

@@ -1,6 +1,7 @@
 // The stage: the control mesh and its surface, alone or beside a second scheme's.
 import { strToU8 } from 'fflate';
-import { deepest, suits, type App, type Model, type View } from '../app';
+import { deepest, type App, type Model, type View } from '../app';
+import { suits } from '../core/suits';
 import { gradient } from '../ui/colours';
 import { choice, figures, h, say, show, slider, thousands } from '../ui/dom';
 import { saveSvgText, savePng } from '../ui/export';
@@ -99,7 +100,7 @@ export function surfaceView(app: App): View & { panes: Pane[]; play(): void } {
   const element = h('section', { class: 'card', id: 'surface', 'data-view': 'surface', 'aria-label': 'Surface' }, stage, status, tools);
 
   function report(): void {
-    const surface = first.surface;
+    const surface = first.opening ? undefined : first.surface;
     const state = store.now;
     const faults = [...first.faults, ...(app.model.other ? second.faults : [])];
     const words = [app.model.meshNote, ...faults.map((f) => (f.hint ? `${f.message}; ${f.hint}` : f.message))].filter(Boolean);

@@ -11,8 +11,9 @@ export function timingPanel(app: App) {
   const element = h('div', { class: 'popover timing', hidden: true, 'data-test': 'timing' }, h('header', {}, h('strong', {}, 'Timing'),
     h('button', { type: 'button', class: 'quiet', 'aria-label': 'Close', onclick: () => show(element, false) }, '×')), first, last, measure, result);
   app.onTiming = (timing: Timing): void => {
-    say(first, `First picture: ${Math.round(app.firstPicture)} ms after the page began.`);
+    say(first, `First picture: ${Math.round(app.firstPicture)} ms after the page began; the core's first surface: ${Math.round(app.firstAnswer)} ms.`);
     element.dataset.first = String(app.firstPicture);
+    element.dataset.answer = String(app.firstAnswer);
     say(last, `Last step, ${timing.what}: ${timing.total.toFixed(1)} ms, of which ${timing.core.toFixed(1)} ms in the core; drawn in ${timing.drawn.toFixed(1)} ms; ${thousands(timing.vertices)} vertices.`);
   };
 
