@@ -21,12 +21,6 @@ if(Python3_FOUND)
               $<TARGET_FILE:limn_command> --check)
     set_tests_properties(tools:schemes_page PROPERTIES TIMEOUT 60 LABELS tools)
   endif()
-  if(CMAKE_EXPORT_COMPILE_COMMANDS)
-    add_test(NAME tools:headers_together
-      COMMAND Python3::Interpreter ${PROJECT_SOURCE_DIR}/tests/tools/headers_together_test.py
-              ${PROJECT_BINARY_DIR})
-    set_tests_properties(tools:headers_together PROPERTIES TIMEOUT 180 LABELS tools)
-  endif()
   # They take the flags and objects of this build folder, from what Ninja knows.
   if(CMAKE_EXPORT_COMPILE_COMMANDS AND CMAKE_GENERATOR STREQUAL "Ninja" AND NOT LIMN_SANITIZE)
     foreach(page split role report)

@@ -6,6 +6,8 @@ import html
 import os
 from typing import Any, Callable, Iterable, Sequence
 
+from ._errors import Error
+
 
 class Picture:
     """A drawing: shown in a notebook, or written to a file by ``save``.
@@ -29,6 +31,11 @@ class Picture:
         with open(name, "wb") as file:
             file.write(content)
 
+    def __reduce__(self) -> tuple[Any, ...]:
+        # What draws need not be something that pickle takes, so the drawings go with it.
+        files = {format: self.bytes(format) for format in ("svg", "png", "pdf")}
+        return (Drawn, (files, self._what, self._vector))
+
     def __repr__(self) -> str:
         return f"<limn.Picture: {self._what}>"
 
@@ -40,6 +47,19 @@ class Picture:
 
 
 bytes_ = bytes
+
+
+class Drawn(Picture):
+    """A picture that was unpickled: its files as they were drawn."""
+
+    def __init__(self, files: dict[str, bytes], what: str, vector: bool) -> None:
+        super().__init__(self._file, what, vector)
+        self._files = files
+
+    def _file(self, format: str) -> bytes_:
+        if format not in self._files:
+            raise Error(f"there is no format {format!r}: a picture is svg, png or pdf")
+        return self._files[format]
 
 
 def table(heading: Sequence[str], rows: Iterable[Sequence[Any]], caption: str = "") -> str:

@@ -1,5 +1,6 @@
 /// Topology worked out once, positions evaluated often.
 
+#include <fmt/core.h>
 #include <pybind11/stl.h>
 
 #include <memory>
@@ -128,7 +129,13 @@ Refiner::Refiner(std::shared_ptr<Scheme> scheme, const py::object& faces, int le
     raise({"a face has the vertex " + std::to_string(least - 1) + ", and there are " +
            std::to_string(*vertices)},
           Fault::mesh);
-  control_.positions.resize(static_cast<std::size_t>(vertices.value_or(least)));
+  const Index count = vertices.value_or(least);
+  constexpr double kLeastBytes = 2 * sizeof(Point3);  // a vertex: where it is, and where it goes
+  if (const double memory = base::available_memory(); kLeastBytes * count > memory)
+    raise({fmt::format("{} vertices need {:.1f} GB of memory at least; {:.1f} GB are available",
+                       count, kLeastBytes * count / 1e9, memory / 1e9)},
+          Fault::mesh);
+  control_.positions.resize(static_cast<std::size_t>(count));
   Mesh mesh = value_of(without_gil([&] { return Mesh::build(control_); }), Fault::mesh);
   take_tags(mesh, tags_of(tags));
   if (has_fast_layout(*rules_)) make_fast(std::move(mesh));

@@ -47,6 +47,22 @@ def test_results_pickle():
     assert found.signal.shape == (8, 8)
 
 
+def test_pictures_pickle():
+    picture = limn.Scheme("loop").picture()
+    again = pickle.loads(pickle.dumps(picture))
+    assert again.bytes("svg") == picture.bytes("svg") and repr(again) == repr(picture)
+    assert again.bytes("png")[:4] == b"\x89PNG" and again._repr_svg_() == picture._repr_svg_()
+    with pytest.raises(limn.Error, match="svg, png or pdf"):
+        again.bytes("gif")
+    assert pickle.loads(pickle.dumps(again)).bytes("pdf") == again.bytes("pdf")
+
+
+def test_a_refiner_of_more_vertices_than_memory_holds_says_so():
+    _, F = tetrahedron()
+    with pytest.raises(limn.MeshError, match="GB of memory at least"):
+        limn.Refiner(limn.Scheme("loop"), F, 1, vertices=2_000_000_000)
+
+
 def test_a_scheme_of_a_text_is_that_of_its_file():
     loop = limn.Scheme("loop")
     text = limn.Scheme(loop.text)
