@@ -21,6 +21,7 @@
 #include "limn/limit/limit_sites.h"
 #include "limn/limit/partial_rules.h"
 #include "limn/mesh/lattice.h"
+#include "limn/refine/add_scaled.h"
 #include "limn/refine/linear_form.h"
 
 namespace limn::limit {

@@ -7,7 +7,7 @@
 
 #include "limn/number/ball.h"
 
-namespace limn {
+namespace limn::number {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -60,6 +60,6 @@ Ball sqrt(const Ball&) { return {}; }
 BallMatrix product(const BallMatrix& a, const BallMatrix& b) { return {a.rows(), b.columns()}; }
 double row_norm(const BallMatrix&) { return kInfinity; }
 
-}  // namespace limn
+}  // namespace limn::number
 
 #endif
