@@ -10,10 +10,13 @@ export function timingPanel(app: App) {
   const measure = h('button', { type: 'button', class: 'main', 'data-test': 'measure', onclick: () => void run() }, 'Measure');
   const element = h('div', { class: 'popover timing', hidden: true, 'data-test': 'timing' }, h('header', {}, h('strong', {}, 'Timing'),
     h('button', { type: 'button', class: 'quiet', 'aria-label': 'Close', onclick: () => show(element, false) }, '×')), first, last, measure, result);
-  app.onTiming = (timing: Timing): void => {
+  const tellFirst = (): void => {
     say(first, `First picture: ${Math.round(app.firstPicture)} ms after the page began; the core's first surface: ${Math.round(app.firstAnswer)} ms.`);
     element.dataset.first = String(app.firstPicture);
     element.dataset.answer = String(app.firstAnswer);
+  };
+  app.onTiming = (timing: Timing): void => {
+    tellFirst();
     say(last, `Last step, ${timing.what}: ${timing.total.toFixed(1)} ms, of which ${timing.core.toFixed(1)} ms in the core; drawn in ${timing.drawn.toFixed(1)} ms; ${thousands(timing.vertices)} vertices.`);
   };
 
@@ -57,5 +60,5 @@ export function timingPanel(app: App) {
     const median = (k: 0 | 1): number => times.map((t) => t[k]).sort((a, b) => a - b)[Math.floor(times.length / 2)] ?? NaN;
     return { total: median(0), core: median(1) };
   }
-  return { element, toggle: (): void => show(element, element.hidden) };
+  return { element, toggle: (): void => (tellFirst(), show(element, element.hidden)) };
 }
