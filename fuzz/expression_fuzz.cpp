@@ -28,9 +28,9 @@ void check(bool holds, const char* what) {
 template <class Number>
 Result<Number> evaluate(const Expression& expression, int n, int k) {
   return limn::scheme::evaluate<Number>(expression, [&](const std::string& name) -> Result<Number> {
-    if (name == "n") return number::Arithmetic<Number>::from(Rational(n));
-    if (name == "k") return number::Arithmetic<Number>::from(Rational(k));
-    if (name == "w") return number::Arithmetic<Number>::from(Rational(1, 16));
+    if (name == "n") return limn::number::Arithmetic<Number>::from(Rational(n));
+    if (name == "k") return limn::number::Arithmetic<Number>::from(Rational(k));
+    if (name == "w") return limn::number::Arithmetic<Number>::from(Rational(1, 16));
     return limn::Error{"unknown name"};
   });
 }
@@ -49,7 +49,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   for (const int n : {3, 7}) {
     const limn::number::ExactBudget budget(1e6);
     const Result<double> approx = evaluate<double>(*expression, n, 2);
-    const Result<number::Exact> exact = evaluate<number::Exact>(*expression, n, 2);
+    const Result<limn::number::Exact> exact = evaluate<limn::number::Exact>(*expression, n, 2);
     if (!exact) check(exact.error().column >= 1, "a failure has a place");
     if (!approx) check(approx.error().column >= 1, "a failure has a place");
     if (exact) check(std::isfinite(exact->approx()), "an exact number is finite");

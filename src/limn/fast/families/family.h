@@ -52,7 +52,8 @@ class Family {
   /// where each face begins (size().faces + 1 numbers).
   [[nodiscard]] virtual Index corners_per_face() const = 0;
   virtual void write_face_begin(int /*level*/, std::span<Index> /*begin*/) const {}
-  /// What of a level is still sharp, by its numbers: as tags_of (mesh/sharpness/sharpness.h) has it.
+  /// What of a level is still sharp, by its numbers: as tags_of (mesh/sharpness/sharpness.h) has
+  /// it.
   [[nodiscard]] virtual SharpnessTags sharp_tags(int /*level*/) const { return {}; }
 };
 
