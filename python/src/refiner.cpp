@@ -173,6 +173,7 @@ void Refiner::take_surface() {
     std::vector<Index> face_of(static_cast<std::size_t>(fast_->face_count()));
     fast_->write_parents(face_of);
     std::vector<bool> holes;
+    holes.reserve(face_of.size());
     for (const Index f : face_of) holes.push_back(sharpness_.holes[static_cast<std::size_t>(f)]);
     const auto all = static_cast<std::size_t>(fast_->vertex_count());
     static_cast<void>(
