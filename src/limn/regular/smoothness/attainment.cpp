@@ -1,11 +1,11 @@
 #include "limn/regular/smoothness/attainment.h"
-#include "limn/number/rational_power.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include <fmt/core.h>
 
+#include "limn/number/rational_power.h"
 #include "limn/regular/algebra/determinant.h"
 #include "limn/regular/algebra/jordan.h"
 #include "limn/regular/smoothness/difference_norm.h"

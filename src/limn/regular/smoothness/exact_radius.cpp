@@ -1,9 +1,9 @@
 #include "limn/regular/smoothness/exact_radius.h"
-#include "limn/number/rational_power.h"
 
 #include <algorithm>
 #include <cmath>
 
+#include "limn/number/rational_power.h"
 #include "limn/regular/algebra/determinant.h"
 
 namespace limn::regular {

@@ -7,6 +7,8 @@ import type { Session } from './session';
 import { firstThatSuits } from './suits';
 
 const levels = 2;
+/** Of the surface here; the core gives no such name. */
+export const openingTopology = 'opening';
 
 interface Header {
   text: string;
@@ -72,7 +74,7 @@ export class Opening {
     let corner = 0;
     const triangles = Uint32Array.from(next(Int16Array, counts.corners), (step) => (corner += step));
     const normals = Float32Array.from(next(Int8Array, counts.points), (value) => value / most8);
-    this.made = { topology: 'opening', positions, normals, triangles, info, planned: 0, evaluated: 0 };
+    this.made = { topology: openingTopology, positions, normals, triangles, info, planned: 0, evaluated: 0 };
   }
 
   /** The core's answer, where it is here. */

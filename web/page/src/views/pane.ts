@@ -2,6 +2,7 @@
 import { Vector3 } from 'three/src/math/Vector3.js';
 import { deepest, type App, type GoodScheme } from '../app';
 import { superseded } from '../core/client';
+import { openingTopology } from '../core/opening';
 import type { Fault, Lines, Shade, Surface, SurfaceAsk, Texture } from '../core/results';
 import { flatSvg, mostTriangles } from '../space/flat_painter';
 import { orbit, type Hand } from '../space/orbit';
@@ -16,8 +17,6 @@ export class Pane {
   readonly title = h('div', { class: 'pane-title' });
   readonly element = h('div', { class: 'pane' }, this.canvas, this.title);
   surface?: Surface;
-  /** Whether the surface is the one that the page came with. */
-  opening = false;
   texture?: Texture;
   range?: [number, number];
   hovered?: Element;
@@ -59,7 +58,7 @@ export class Pane {
     this.title.textContent = scheme.label;
     if (key !== this.asked) {
       this.asked = key;
-      void this.ask({ ...ask, has: this.opening ? undefined : this.surface?.topology }, key);
+      void this.ask({ ...ask, has: this.surface?.topology }, key);
     }
     this.askLines(state);
     this.draw();
@@ -79,7 +78,6 @@ export class Pane {
       this.triangles = surface.triangles ?? this.triangles;
       this.texture = ask.shade === 'texture' ? surface.texture ?? this.texture : undefined;
       this.surface = surface;
-      this.opening = false;
       this.range = surface.values && middleRange(surface.values, ask.shade !== 'distance');
       this.draw(true);
       this.app.time({ what: ask.shade === 'plain' ? 'surface' : `surface, ${ask.shade}`, total: answered - begun,
@@ -90,11 +88,15 @@ export class Pane {
     this.app.begin();
   }
 
+  /** Whether the surface is the one that the page came with. */
+  get opening(): boolean {
+    return this.surface?.topology === openingTopology;
+  }
+
   /** Until the core answers. */
   private open(ask: SurfaceAsk): void {
     const surface = this.app.opening.surface(ask);
     if (!surface) return;
-    this.opening = true;
     this.surface = surface;
     this.triangles = surface.triangles;
     this.draw(true);
