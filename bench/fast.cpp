@@ -12,6 +12,7 @@
 
 #include <fmt/core.h>
 
+#include "limn/base/huge_array.h"
 #include "limn/base/parallel.h"
 #include "limn/fast/fast_refiner.h"
 #include "peers/control_meshes.h"
@@ -46,8 +47,8 @@ Sharpness some_sharp(const Mesh& mesh) {
 }
 
 struct Output {
-  HugeArray<float> positions;
-  HugeArray<Index> corners;
+  base::HugeArray<float> positions;
+  base::HugeArray<Index> corners;
 
   explicit Output(const FastRefiner& refiner)
       : positions(3 * static_cast<std::size_t>(refiner.vertex_count())),
@@ -114,7 +115,7 @@ void evaluate_limit(benchmark::State& state, const Job& job, int threads) {
   const auto limit = approx_fast_limit(job.scheme, refiner).value();
   if (!limit) return state.SkipWithError("no quick limit");
   Output output(refiner);
-  HugeArray<float> normals(output.positions.size());
+  base::HugeArray<float> normals(output.positions.size());
   FastRefiner::Scratch<float> scratch;
   for (auto _ : state) {
     refiner.evaluate_limit<float>(*limit, job.positions, output.positions, normals, scratch);

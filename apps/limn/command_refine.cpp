@@ -87,9 +87,10 @@ Status announce(const RefineOptions& options, const Scheme& scheme, const Mesh& 
                                 .curvatures = !options.curvatures.empty(),
                                 .written = written,
                                 .columns = columns};
-  const RefineEstimate needed = surface::estimate_with_limit(scheme, mesh, options.levels, work);
-  if (needed.peak_bytes > kMuchMemory) line.show_now(text_of(needed, options.levels));
-  return check_memory(needed, options.levels, base::available_memory());
+  const refine::RefineEstimate needed =
+      surface::estimate_with_limit(scheme, mesh, options.levels, work);
+  if (needed.peak_bytes > kMuchMemory) line.show_now(refine::text_of(needed, options.levels));
+  return refine::check_memory(needed, options.levels, base::available_memory());
 }
 
 /// Further points for each vertex: numbers by threes, texture points.

@@ -5,10 +5,10 @@
 #include <nlohmann/json.hpp>
 
 #include "command.h"
+#include "limn/base/budget.h"
 #include "limn/base/files/file.h"
 #include "limn/base/printable.h"
 #include "limn/base/progress.h"
-#include "limn/base/time_budget.h"
 #include "limn/report/tune_report.h"
 #include "limn/report/tuned_scheme.h"
 #include "options/tune_options.h"

@@ -9,6 +9,7 @@
 
 #include <fmt/core.h>
 
+#include "limn/base/huge_array.h"
 #include "limn/base/parallel.h"
 #include "limn/fast/fast_refiner.h"
 #include "limn/mesh/sharpness/sharpness.h"
@@ -84,8 +85,8 @@ std::vector<Real> numbers_of(const std::vector<Point3>& points) {
 }
 
 template <class Real>
-HugeArray<Real> fine_positions(const FastRefiner& refiner) {
-  return HugeArray<Real>(3 * static_cast<std::size_t>(refiner.vertex_count()));
+base::HugeArray<Real> fine_positions(const FastRefiner& refiner) {
+  return base::HugeArray<Real>(3 * static_cast<std::size_t>(refiner.vertex_count()));
 }
 
 /// The fast engine, all of it, as for the others: reading the tables counts.
@@ -103,11 +104,11 @@ class QuickTrial final : public Trial {
     const FastRefiner refiner =
         value_or_throw(FastRefiner::make(scheme_, std::move(control_), steps_, sharpness_));
     fine_ = fine_positions<Real>(refiner);
-    corners_ = HugeArray<Index>(static_cast<std::size_t>(refiner.corner_count()));
+    corners_ = base::HugeArray<Index>(static_cast<std::size_t>(refiner.corner_count()));
     refiner.template evaluate<Real>(points_, fine_);
     refiner.write_faces(corners_);
     if (refiner.corners_per_face() > 0) return;
-    face_begin_ = HugeArray<Index>(static_cast<std::size_t>(refiner.face_count()) + 1);
+    face_begin_ = base::HugeArray<Index>(static_cast<std::size_t>(refiner.face_count()) + 1);
     refiner.write_face_begin(face_begin_);
   }
   [[nodiscard]] Size size() const override {
@@ -120,8 +121,8 @@ class QuickTrial final : public Trial {
   Mesh control_;
   Sharpness sharpness_;
   std::vector<Real> points_;
-  HugeArray<Real> fine_;
-  HugeArray<Index> corners_, face_begin_;
+  base::HugeArray<Real> fine_;
+  base::HugeArray<Index> corners_, face_begin_;
 };
 
 template <class Real>
@@ -143,7 +144,7 @@ class QuickAgain final : public Trial {
 
   FastRefiner refiner_;
   std::vector<Real> points_;
-  HugeArray<Real> fine_;
+  base::HugeArray<Real> fine_;
   typename FastRefiner::Scratch<Real> scratch_;
 };
 
@@ -236,7 +237,7 @@ class FloorTrial final : public Trial {
 
   /// In turns, so that no cache holds what is written.
   void run() override {
-    HugeArray<char>& result = results_[next_++ % results_.size()];
+    base::HugeArray<char>& result = results_[next_++ % results_.size()];
     std::memset(result.data(), 1, result.size());
     asm volatile("" : : "r"(result.data()) : "memory");  // somebody might read it
   }
@@ -245,7 +246,7 @@ class FloorTrial final : public Trial {
  private:
   static constexpr std::size_t kMoreThanCaches = std::size_t{512} << 20U;
   Size size_;
-  std::vector<HugeArray<char>> results_;
+  std::vector<base::HugeArray<char>> results_;
   std::size_t next_ = 0;
 };
 

@@ -39,8 +39,8 @@ py::array_t<T> array_of(std::vector<T> values) {
   return array_of(std::move(values), {size});
 }
 template <class T>
-py::array_t<T> array_of(HugeArray<T> values, std::vector<py::ssize_t> shape) {
-  auto owner = std::make_unique<HugeArray<T>>(std::move(values));
+py::array_t<T> array_of(base::HugeArray<T> values, std::vector<py::ssize_t> shape) {
+  auto owner = std::make_unique<base::HugeArray<T>>(std::move(values));
   const T* const data = owner->data();
   return array_over<T>(std::move(owner), data, std::move(shape));
 }

@@ -5,8 +5,8 @@
 
 #include <string>
 
+#include "limn/base/budget.h"
 #include "limn/base/interrupt.h"
-#include "limn/base/time_budget.h"
 
 namespace limn::python {
 

@@ -1,7 +1,7 @@
 #include "module.h"
 
+#include "limn/base/budget.h"
 #include "limn/base/progress.h"
-#include "limn/base/thread_limit.h"
 
 PYBIND11_MODULE(_limn, module) {
   namespace python = limn::python;

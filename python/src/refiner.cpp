@@ -12,6 +12,7 @@
 #include "call.h"
 #include "errors.h"
 #include "limn/base/memory.h"
+#include "limn/fast/fast_estimate.h"
 #include "limn/fast/fast_refiner.h"
 #include "limn/refine/crease_step.h"
 #include "limn/surface/refine_surface.h"
@@ -78,7 +79,7 @@ class Refiner {
   template <class Real, class Make>
   void without_holes_of(std::span<Real> fine, Make make) const {
     if (!sharpness_.has_holes()) return make(fine);
-    HugeArray<Real> all(3 * static_cast<std::size_t>(fast_->vertex_count()));
+    base::HugeArray<Real> all(3 * static_cast<std::size_t>(fast_->vertex_count()));
     make(std::span<Real>(all));
     for (std::size_t i = 0; i < kept_.size(); ++i)
       std::copy_n(all.data() + 3 * static_cast<std::size_t>(kept_[i]), 3, fine.data() + 3 * i);
@@ -157,8 +158,8 @@ void Refiner::take_tags(const Mesh& mesh, const SharpnessTags& tags) {
 }
 
 void Refiner::make_fast(Mesh mesh) {
-  const RefineEstimate needed = FastRefiner::estimate(*rules_->split, mesh, levels_);
-  check(check_memory(needed, levels_, base::available_memory()), Fault::mesh);
+  const refine::RefineEstimate needed = fast::estimate_fast(*rules_->split, mesh, levels_);
+  check(refine::check_memory(needed, levels_, base::available_memory()), Fault::mesh);
   fast_.emplace(value_of(
       without_gil([&] { return FastRefiner::make(*rules_, std::move(mesh), levels_, sharpness_); }),
       Fault::other));
@@ -236,7 +237,7 @@ py::object Refiner::evaluate_points(const py::array& values, const py::object& o
                                       static_cast<std::size_t>(values.size()));
   const std::size_t size = 3 * static_cast<std::size_t>(vertices_);
   if (out.is_none()) {
-    HugeArray<Real> fine(size);
+    base::HugeArray<Real> fine(size);
     sum<Real>(control, fine);
     return array_of(std::move(fine), {vertices_, 3});
   }
@@ -260,7 +261,7 @@ py::object Refiner::evaluate_columns(const py::array& values, bool flat) {
   const auto count = static_cast<std::size_t>(control_count());
   const auto fine_count = static_cast<std::size_t>(vertices_);
   const Real* const from = static_cast<const Real*>(values.data());
-  HugeArray<Real> result(fine_count * columns);
+  base::HugeArray<Real> result(fine_count * columns);
   std::vector<Real> three(3 * count), fine(3 * fine_count);
   for (std::size_t first = 0; first < columns; first += 3) {
     const std::size_t width = std::min<std::size_t>(3, columns - first);
@@ -327,7 +328,7 @@ py::tuple Refiner::evaluate_limit(const py::object& vertices) {
       positions.is_float ? std::span<const double>(numbers_of(std::as_const(held)))
                          : positions.numbers<double>();
   const std::size_t size = 3 * static_cast<std::size_t>(vertices_);
-  HugeArray<double> points(size), normals(size);
+  base::HugeArray<double> points(size), normals(size);
   without_gil([&] {
     with_scratch<double>([&](auto& scratch) {
       without_holes_of<double>(points, [&](const std::span<double> all_points) {

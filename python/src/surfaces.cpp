@@ -47,8 +47,9 @@ void check_memory_for(const Scheme& scheme, const Mesh& mesh, const Wanted& want
                                 .limit = wanted.limit || wanted.normals,
                                 .curvatures = wanted.curvatures,
                                 .written = false};
-  const RefineEstimate needed = surface::estimate_with_limit(scheme, mesh, wanted.levels, work);
-  check(check_memory(needed, wanted.levels, base::available_memory()), Fault::mesh);
+  const refine::RefineEstimate needed =
+      surface::estimate_with_limit(scheme, mesh, wanted.levels, work);
+  check(refine::check_memory(needed, wanted.levels, base::available_memory()), Fault::mesh);
 }
 
 double seconds_since(std::chrono::steady_clock::time_point start) {
@@ -62,7 +63,7 @@ py::dict refine_in_place(const Scheme& scheme, Mesh mesh, const Positions& posit
   const FastRefiner refiner =
       value_of(without_gil([&] { return FastRefiner::make(scheme, std::move(mesh), levels); }),
                Fault::other);
-  HugeArray<Real> fine(3 * static_cast<std::size_t>(refiner.vertex_count()));
+  base::HugeArray<Real> fine(3 * static_cast<std::size_t>(refiner.vertex_count()));
   without_gil([&] { refiner.evaluate<Real>(positions.numbers<Real>(), fine); });
   py::dict result;
   result["faces"] = faces_of_refiner(refiner);

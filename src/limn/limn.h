@@ -14,9 +14,9 @@
 /// `approx_` is double precision, `enclose_` a bracket that is proved. Functions may be called from
 /// several threads at once unless their comments say otherwise.
 
-// Errors, truth values, threads.
+// Errors, truth values, bounds on time and threads.
+#include "limn/base/budget.h"
 #include "limn/base/error.h"
-#include "limn/base/thread_limit.h"
 #include "limn/base/truth.h"
 // Meshes and their files.
 #include "limn/mesh/io/mesh_file.h"

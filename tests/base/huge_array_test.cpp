@@ -13,7 +13,7 @@ TEST(HugeArray, KeepsWhatIsWritten) {
   // below and above what is asked for in huge pages
   for (const std::size_t size :
        {std::size_t{0}, std::size_t{1}, std::size_t{1000}, std::size_t{3} << 20U}) {
-    HugeArray<int> array(size);
+    base::HugeArray<int> array(size);
     ASSERT_EQ(array.size(), size);
     EXPECT_EQ(reinterpret_cast<std::uintptr_t>(array.data()) % 64, 0U);
     std::iota(array.begin(), array.end(), 0);
@@ -22,12 +22,12 @@ TEST(HugeArray, KeepsWhatIsWritten) {
 }
 
 TEST(HugeArray, MovesWithoutCopying) {
-  HugeArray<float> a(100);
+  base::HugeArray<float> a(100);
   a[7] = 3;
   const float* place = a.data();
-  HugeArray<float> b(std::move(a));
+  base::HugeArray<float> b(std::move(a));
   EXPECT_EQ(b.data(), place);
-  HugeArray<float> c;
+  base::HugeArray<float> c;
   EXPECT_EQ(c.size(), 0U);
   c = std::move(b);
   EXPECT_EQ(c.data(), place);

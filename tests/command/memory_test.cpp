@@ -64,11 +64,12 @@ TEST(Memory, TheForecastBoundsWhatIsTaken) {
                                      "--engine", quick ? "quick" : "plain"};
         if (!what.empty()) job.push_back(what);
         const double taken = peak_of(folder, job) - base;
-        const RefineEstimate estimate = surface::estimate_with_limit(scheme, mesh, levels,
-                                                                     {.quick = quick,
-                                                                      .limit = what == "--limit",
-                                                                      .curvatures = what.size() > 9,
-                                                                      .written = quick});
+        const refine::RefineEstimate estimate =
+            surface::estimate_with_limit(scheme, mesh, levels,
+                                         {.quick = quick,
+                                          .limit = what == "--limit",
+                                          .curvatures = what.size() > 9,
+                                          .written = quick});
         constexpr double kFixed = 4e6;  // threads' own memory, the file's buffers
         EXPECT_LE(taken, estimate.peak_bytes + kFixed) << name << quick << what;
         EXPECT_GE(taken, 0.4 * estimate.peak_bytes - kFixed) << name << quick << what;

@@ -1,6 +1,10 @@
 // The quick engine against the plain one: one suite over all families, each with every shipped
 // scheme of its split and with rules that look farther than these.
 
+#include <array>
+#include <cmath>
+#include <limits>
+
 #include "fast/families.h"
 #include "support/mutants.h"
 #include "support/shipped.h"
@@ -114,6 +118,45 @@ TEST_P(FastFamily, MayHaveAnyWeights) {
 TEST_P(FastFamily, GivesTheSameBitsOnOneThreadAndMany) {
   for (const Mesh& mesh : {mesh::torus(lattice(), 30, 31), mesh::fan(lattice(), 9, 12)})
     if (FastRefiner::make(scheme_, mesh, 3).ok()) expect_same_bits(scheme_, mesh, 3);
+}
+
+/// Multiplied by a power of two, control points of such a size have the same refined points and
+/// limits, so multiplied, though sums of a few of them are infinite.
+template <class Real>
+void expect_to_reach_the_end_of_the_range(const Scheme& scheme, const Mesh& mesh) {
+  const Result<FastRefiner> refiner = FastRefiner::make(scheme, mesh, 2);
+  if (!refiner) return;
+  const Real factor = std::ldexp(Real(1), std::numeric_limits<Real>::max_exponent - 2);
+  std::vector<Real> small, large;
+  const std::vector<Point3> points = random_points(mesh.vertex_count(), 3);
+  for (const double number : numbers_of(points)) {
+    small.push_back(static_cast<Real>(number));
+    large.push_back(small.back() * factor);
+  }
+  const std::size_t numbers = 3 * static_cast<std::size_t>(refiner->vertex_count());
+  const auto made = [&](const std::vector<Real>& control) {
+    std::vector<Real> fine(numbers), limits(numbers), normals(numbers);
+    refiner->template evaluate<Real>(control, fine);
+    if (const auto limit = approx_fast_limit(scheme, *refiner); limit && *limit) {
+      FastRefiner::Scratch<Real> scratch;
+      refiner->template evaluate_limit<Real>(**limit, control, limits, normals, scratch);
+    }
+    return std::array{fine, limits, normals};
+  };
+  auto [fine, limits, normals] = made(small);
+  for (std::vector<Real>* points : {&fine, &limits})
+    for (Real& x : *points) x *= factor;
+  const auto [far_fine, far_limits, far_normals] = made(large);
+  EXPECT_EQ(far_fine, fine);
+  EXPECT_EQ(far_limits, limits);
+  for (std::size_t i = 0; i < numbers; ++i) EXPECT_NEAR(far_normals[i], normals[i], 1e-3);
+}
+
+TEST_P(FastFamily, ReachesTheEndOfTheRange) {
+  for (const Mesh& mesh : {mesh::torus(lattice(), 4, 5), mesh::fan(lattice(), 7, 2)}) {
+    expect_to_reach_the_end_of_the_range<float>(scheme_, mesh);
+    expect_to_reach_the_end_of_the_range<double>(scheme_, mesh);
+  }
 }
 
 TEST_P(FastFamily, RefusesWhatThePlainEngineRefuses) {

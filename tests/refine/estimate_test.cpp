@@ -21,8 +21,8 @@ TEST(RefineEstimate, BoundsTheCountsAndIsNearThem) {
     const Scheme scheme = find_scheme(name).value();
     const Mesh mesh = control_mesh(scheme);
     for (int levels = 0; levels <= 4; ++levels) {
-      const RefineEstimate estimate =
-          estimate_refinement(*scheme.split, mesh, levels, sizeof(Point3));
+      const refine::RefineEstimate estimate =
+          refine::estimate_refinement(*scheme.split, mesh, levels, sizeof(Point3));
       const auto fine = refine::refine(
           scheme, mesh, std::vector<Point3>(static_cast<std::size_t>(mesh.vertex_count())), levels);
       ASSERT_TRUE(fine.ok()) << fine.error().text();
@@ -37,7 +37,8 @@ TEST(RefineEstimate, BoundsTheCountsAndIsNearThem) {
 TEST(RefineEstimate, IsExactForClosedMeshesOfADyadicSplit) {
   const Scheme scheme = find_scheme("loop").value();
   const Mesh mesh = mesh::torus(Lattice::triangle, 5, 4);
-  const RefineEstimate estimate = estimate_refinement(*scheme.split, mesh, 3, sizeof(Point3));
+  const refine::RefineEstimate estimate =
+      refine::estimate_refinement(*scheme.split, mesh, 3, sizeof(Point3));
   EXPECT_EQ(estimate.vertices, 20 * 64);
   EXPECT_EQ(estimate.faces, 40 * 64);
 }
@@ -45,8 +46,8 @@ TEST(RefineEstimate, IsExactForClosedMeshesOfADyadicSplit) {
 TEST(CheckRefinable, NamesTheEstimateWhereMemoryIsShort) {
   const Scheme scheme = find_scheme("loop").value();
   const Mesh mesh = mesh::torus(Lattice::triangle, 5, 4);
-  EXPECT_TRUE(check_refinable(scheme, mesh, 3, sizeof(Point3), kNoLimit).ok());
-  const Status status = check_refinable(scheme, mesh, 8, sizeof(Point3), 1e6);
+  EXPECT_TRUE(refine::check_refinable(scheme, mesh, 3, sizeof(Point3), kNoLimit).ok());
+  const Status status = refine::check_refinable(scheme, mesh, 8, sizeof(Point3), 1e6);
   ASSERT_FALSE(status.ok());
   EXPECT_NE(status.error().message.find("1.31e+06 vertices"), std::string::npos)
       << status.error().message;
@@ -55,7 +56,7 @@ TEST(CheckRefinable, NamesTheEstimateWhereMemoryIsShort) {
 
 TEST(CheckRefinable, NamesWhatTheSplitDoesNotTake) {
   const auto message = [](const Scheme& scheme, const Mesh& mesh) {
-    const Status status = check_refinable(scheme, mesh, 1, sizeof(Point3), kNoLimit);
+    const Status status = refine::check_refinable(scheme, mesh, 1, sizeof(Point3), kNoLimit);
     return status ? std::string() : status.error().message;
   };
   Scheme quads = find_scheme("catmull-clark").value();
@@ -71,16 +72,16 @@ TEST(CheckRefinable, NamesWhatTheSplitDoesNotTake) {
 TEST(CheckRefinable, RefusesMoreHalfedgesThanAnIndexHolds) {
   const Scheme scheme = find_scheme("catmull-clark").value();
   const Mesh mesh = mesh::torus(Lattice::quad, 5, 4);
-  EXPECT_TRUE(check_refinable(scheme, mesh, 12, sizeof(Point3), kNoLimit).ok());
-  const Status status = check_refinable(scheme, mesh, 13, sizeof(Point3), kNoLimit);
+  EXPECT_TRUE(refine::check_refinable(scheme, mesh, 12, sizeof(Point3), kNoLimit).ok());
+  const Status status = refine::check_refinable(scheme, mesh, 13, sizeof(Point3), kNoLimit);
   ASSERT_FALSE(status.ok());
   EXPECT_NE(status.error().message.find("half-edges"), std::string::npos);
 }
 
 TEST(CheckRefinable, ATriangleSchemeNamesThePolygonAndTheRemedy) {
   const Scheme scheme = find_scheme("loop").value();
-  const Status status =
-      check_refinable(scheme, mesh::torus(Lattice::quad, 3, 3), 1, sizeof(Point3), kNoLimit);
+  const Status status = refine::check_refinable(scheme, mesh::torus(Lattice::quad, 3, 3), 1,
+                                                sizeof(Point3), kNoLimit);
   ASSERT_FALSE(status.ok());
   EXPECT_NE(status.error().message.find("face 0 has 4 corners"), std::string::npos);
   EXPECT_NE(status.error().hint.find("--triangulate"), std::string::npos);

@@ -45,10 +45,12 @@ Result<PlanOptions> options_of(const std::string& text) {
 }
 
 Status check_size(const Scheme& scheme, const Mesh& mesh, int levels) {
-  const RefineEstimate estimate = estimate_refinement(*scheme.split, mesh, levels, sizeof(Point3));
+  const refine::RefineEstimate estimate =
+      refine::estimate_refinement(*scheme.split, mesh, levels, sizeof(Point3));
   if (estimate.vertices > kMostVertices)
-    return Error{text_of(estimate, levels) + ": more than a page can draw", "take fewer levels"};
-  return check_refinable(scheme, mesh, levels, sizeof(Point3), kMostBytes);
+    return Error{refine::text_of(estimate, levels) + ": more than a page can draw",
+                 "take fewer levels"};
+  return refine::check_refinable(scheme, mesh, levels, sizeof(Point3), kMostBytes);
 }
 
 /// The mesh's sharpness, and what holds copies together that repair has made, where the scheme can.
@@ -110,7 +112,7 @@ void update_fast(LoadedPlan& plan) {
                                       plan.scratch);
   plan.has_limit = plan.limit;
   plan.has_normals = plan.normals;
-  if (!plan.limit) std::copy_n(plan.scratch.refined.data(), numbers, plan.positions.data());
+  if (!plan.limit) std::copy_n(plan.scratch.refined().data(), numbers, plan.positions.data());
 }
 
 /// The surface in double precision.

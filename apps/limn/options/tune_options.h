@@ -7,9 +7,9 @@
 #include <fmt/core.h>
 
 #include "command.h"
+#include "limn/base/budget.h"
 #include "limn/base/files/file.h"
 #include "limn/base/progress.h"
-#include "limn/base/time_budget.h"
 #include "options/time_option.h"
 #include "options/valences.h"
 

@@ -9,13 +9,13 @@
 #include <type_traits>
 #include <utility>
 
-namespace limn {
+namespace limn::base {
 
-namespace base::detail {
+namespace detail {
 /// Memory of at least `bytes`, aligned to 64; throws std::bad_alloc.
 [[nodiscard]] void* allocate_huge(std::size_t bytes);
 void free_huge(void* memory) noexcept;
-}  // namespace base::detail
+}  // namespace detail
 
 /// `size` elements whose values are whatever the memory holds until they are written.
 template <class T>
@@ -27,7 +27,7 @@ class HugeArray {
   HugeArray() = default;
   /// Memory for `size` elements, not written yet. Throws std::bad_alloc.
   explicit HugeArray(std::size_t size)
-      : data_(static_cast<T*>(base::detail::allocate_huge(size * sizeof(T)))), size_(size) {}
+      : data_(static_cast<T*>(detail::allocate_huge(size * sizeof(T)))), size_(size) {}
   /// A copy of `values`.
   explicit HugeArray(std::span<const T> values) : HugeArray(values.size()) {
     std::copy(values.begin(), values.end(), data_);
@@ -43,7 +43,7 @@ class HugeArray {
   }
   HugeArray(const HugeArray&) = delete;
   HugeArray& operator=(const HugeArray&) = delete;
-  ~HugeArray() { base::detail::free_huge(data_); }
+  ~HugeArray() { detail::free_huge(data_); }
 
   ///@{
   /// As of std::vector; an index is not checked.
@@ -65,4 +65,4 @@ class HugeArray {
   std::size_t size_ = 0;
 };
 
-}  // namespace limn
+}  // namespace limn::base

@@ -8,7 +8,7 @@
 #include <memory>
 #include <type_traits>
 
-#include "limn/base/thread_limit.h"
+#include "limn/base/budget.h"
 
 namespace limn::base {
 

@@ -7,7 +7,7 @@
 
 #include <functional>
 
-#include "limn/base/time_budget.h"
+#include "limn/base/budget.h"
 #include "limn/certify/certificate/certificate.h"
 
 namespace limn::certify {

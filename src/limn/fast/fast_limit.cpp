@@ -27,7 +27,7 @@ Result<std::optional<FastLimitMesh>> approx_fast_limit_mesh(const Scheme& scheme
   FastRefiner::Scratch<double> scratch;
   refiner.evaluate_limit<double>(**limit, numbers_of(positions), numbers_of(points),
                                  numbers_of(normals), scratch);
-  std::copy_n(scratch.refined.data(), 3 * vertices, numbers_of(fine).data());
+  std::copy_n(scratch.refined().data(), 3 * vertices, numbers_of(fine).data());
   return Found({refined_polygons(refiner, std::move(fine)), std::move(points), std::move(normals)});
 }
 

@@ -5,13 +5,14 @@
 #include <numeric>
 #include <thread>
 
+#include "limn/base/budget.h"
 #include "limn/base/large_vector.h"
 #include "limn/base/memory.h"
 #include "limn/base/parallel.h"
 #include "limn/base/sparse_array.h"
-#include "limn/base/thread_limit.h"
 #include "limn/fast/fast_refiner.h"
 #include "limn/fast/kernel/piece_groups.h"
+#include "limn/fast/range.h"
 #include "limn/fast/refiner_state.h"
 
 namespace limn::fast {
@@ -50,8 +51,8 @@ struct FastPieces::State {
   FastRefiner refiner;
   Wanted wanted;
   std::optional<FastRefiner::Limit> limit = {};
-  HugeArray<double> whole = {};  // points of the last level that is in memory as a whole, and a
-                                 // number of padding
+  base::HugeArray<double> whole = {};  // points of the last level that is in memory as a whole, and
+                                       // a number of padding
   std::optional<fast::StepPieces> before = {};  // the next level, of which groups need parts
   base::SparseArray level = {};                 // these parts
   std::optional<fast::StepPieces> pieces = {};
@@ -66,14 +67,15 @@ struct FastPieces::State {
   void find_groups(Index vertices);
 };
 
-RefineEstimate FastPieces::estimate(const Split& split, const Mesh& control, int levels,
-                                    const Wanted& wanted) {
+refine::RefineEstimate FastPieces::estimate(const Split& split, const Mesh& control, int levels,
+                                            const Wanted& wanted) {
   const int last = wanted.limit || wanted.normals ? levels : levels - 1;
   const auto vertices = [&](int level) {
     if (level < 0) return 0.0;
-    return estimate_refinement(split, control, level, sizeof(Point3)).vertices;
+    return refine::estimate_refinement(split, control, level, sizeof(Point3)).vertices;
   };
-  RefineEstimate estimate = estimate_refinement(split, control, levels, sizeof(Point3));
+  refine::RefineEstimate estimate =
+      refine::estimate_refinement(split, control, levels, sizeof(Point3));
   estimate.peak_bytes =
       needed_bytes(estimate.vertices, std::max<double>(1, control.face_count()),
                    {vertices(last - 2), vertices(last - 1), vertices(last)}, wanted);
@@ -86,9 +88,9 @@ Result<std::optional<FastPieces>> FastPieces::make(const Scheme& scheme, Mesh co
   assert(has_fast_layout(scheme));
   auto prepared = std::make_unique<FastRefiner::State>(std::move(control), levels);
   if (Status status = prepared->choose(scheme); !status) return status.error();
-  if (prepared->is_plain()) return std::optional<FastPieces>();
-  const RefineEstimate needed = estimate(*scheme.split, prepared->control, levels, wanted);
-  if (Status status = check_memory(needed, levels, base::available_memory()); !status)
+  if (prepared->is_plain() || needs_room(positions)) return std::optional<FastPieces>();
+  const refine::RefineEstimate needed = estimate(*scheme.split, prepared->control, levels, wanted);
+  if (Status status = refine::check_memory(needed, levels, base::available_memory()); !status)
     return status.error();
   if (Status status = prepared->work_out(scheme); !status) return status.error();
   auto state = std::make_unique<State>(State{FastRefiner(std::move(prepared)), wanted});
@@ -109,7 +111,7 @@ void FastPieces::State::cut(const double* positions) {
   const std::size_t made_of = limit ? all.steps.size() : all.steps.size() - 1;  // this level
   const std::size_t in_memory = made_of > 0 ? made_of - 1 : 0;
   const std::size_t numbers = 3 * static_cast<std::size_t>(all.vertices[in_memory]);
-  whole = HugeArray<double>(numbers + 1);
+  whole = base::HugeArray<double>(numbers + 1);
   FastRefiner::Scratch<double> scratch;
   all.evaluate(positions, in_memory, whole.data(), scratch);
   whole[numbers] = 0;

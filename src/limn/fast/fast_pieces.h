@@ -9,6 +9,7 @@
 
 #include "limn/fast/fast_refiner.h"
 #include "limn/fast/kernel/step_pieces.h"
+#include "limn/refine/refine_estimate.h"
 #include "limn/scheme/scheme.h"
 
 namespace limn::fast {
@@ -39,8 +40,9 @@ class FastPieces {
 
   /// Makes all levels that must be in memory as a whole. Precondition:
   /// has_fast_layout(scheme); `scheme` must outlive the pieces. Nothing where the plain
-  /// engine would make all steps, which is found out at once, or there is no quick limit
-  /// (approx_fast_limit). Fails as these do; of memory, only what `estimate` tells must be there.
+  /// engine would make all steps or positions are near the end of a double's range (range.h), which
+  /// is found out at once, or there is no quick limit (approx_fast_limit). Fails as these do; of
+  /// memory, only what `estimate` tells must be there.
   [[nodiscard]] static Result<std::optional<FastPieces>> make(const Scheme& scheme, Mesh control,
                                                               std::span<const double> positions,
                                                               int levels, const Wanted& wanted);
@@ -51,8 +53,8 @@ class FastPieces {
   }
 
   /// What making the pieces takes at most, each being dropped once it is written, by counting.
-  [[nodiscard]] static RefineEstimate estimate(const Split& split, const Mesh& control, int levels,
-                                               const Wanted& wanted);
+  [[nodiscard]] static refine::RefineEstimate estimate(const Split& split, const Mesh& control,
+                                                       int levels, const Wanted& wanted);
 
   FastPieces(FastPieces&&) noexcept;
   FastPieces& operator=(FastPieces&&) noexcept;

@@ -8,22 +8,34 @@
 
 #include <fmt/core.h>
 
+#include "limn/base/huge_array.h"
 #include "limn/base/large_vector.h"
 #include "limn/base/parallel.h"
+#include "limn/fast/fast_estimate.h"
 #include "limn/fast/kernel/patch_step.h"
 #include "limn/fast/kernel/row_step.h"
+#include "limn/fast/range.h"
 #include "limn/fast/refiner_state.h"
 #include "limn/refine/refine.h"
 
 namespace limn {
 namespace {
 
-/// The most that a result in doubles and the work on it take.
-double needed_bytes(double vertices, double faces, double corners) {
-  constexpr double kPoint = 3 * sizeof(double);
-  // the level before, and the plans' numbers (measured: 1 to 9 bytes; 18 where √3 ends early)
-  constexpr double kWork = kPoint / 3 + 9;
-  return vertices * (kPoint + kWork) + (faces + corners) * sizeof(Index);
+template <class T>
+void make_room(base::HugeArray<T>& array, std::size_t size) {
+  if (array.size() < size) array = base::HugeArray<T>(size);
+}
+
+template <class Real>
+void multiply(std::span<Real> numbers, Real factor) {
+  for (Real& number : numbers) number *= factor;
+}
+
+template <class Real>
+std::vector<Real> with_room(std::span<const Real> numbers) {
+  std::vector<Real> small(numbers.begin(), numbers.end());
+  multiply<Real>(small, fast::kRoom<Real>);
+  return small;
 }
 
 }  // namespace
@@ -37,13 +49,6 @@ std::optional<std::string> why_no_fast_sharpness(const Scheme& scheme, const Mes
   return fast::why_no_family(scheme, control, sharpness);
 }
 
-RefineEstimate FastRefiner::estimate(const Split& split, const Mesh& control, int levels) {
-  RefineEstimate estimate = estimate_refinement(split, control, levels, sizeof(Point3));
-  const double corners = (split.lattice == Lattice::triangle ? 3 : 4) * estimate.faces;
-  estimate.peak_bytes = needed_bytes(estimate.vertices, estimate.faces, corners);
-  return estimate;
-}
-
 Status FastRefiner::State::choose(const Scheme& scheme) {
   if (Status takes = refine::check_takes_sharpness(scheme, sharpness); !takes) return takes;
   if (const auto why = fast::why_no_family(scheme, control, sharpness))
@@ -52,7 +57,8 @@ Status FastRefiner::State::choose(const Scheme& scheme) {
         "use the plain engine"};
   constexpr double kUnlimited = std::numeric_limits<double>::infinity();
   // before anything is made that could be too large for an index
-  if (Status status = check_refinable(scheme, control, levels, sizeof(Point3), kUnlimited); !status)
+  if (Status status = refine::check_refinable(scheme, control, levels, sizeof(Point3), kUnlimited);
+      !status)
     return status;
   family = fast::make_family(scheme, control, levels, sharpness);
   size = family->size(levels);
@@ -76,15 +82,36 @@ Status FastRefiner::State::work_out(const Scheme& scheme) {
 }
 
 template <class Real>
+struct FastRefiner::Scratch<Real>::Arrays {
+  base::HugeArray<Real> numbers;  // of the levels in between
+  base::HugeArray<Real> refined;  // where the limit is evaluated
+};
+
+template <class Real>
+FastRefiner::Scratch<Real>::Scratch() : arrays_(std::make_unique<Arrays>()) {}
+template <class Real>
+FastRefiner::Scratch<Real>::Scratch(Scratch&&) noexcept = default;
+template <class Real>
+FastRefiner::Scratch<Real>& FastRefiner::Scratch<Real>::operator=(Scratch&&) noexcept = default;
+template <class Real>
+FastRefiner::Scratch<Real>::~Scratch() = default;
+template <class Real>
+std::span<const Real> FastRefiner::Scratch<Real>::refined() const {
+  return arrays_->refined;
+}
+template class FastRefiner::Scratch<float>;
+template class FastRefiner::Scratch<double>;
+
+template <class Real>
 void FastRefiner::State::evaluate(const Real* control_points, std::size_t count, Real* out,
                                   Scratch<Real>& scratch) const {
   if (count > 0) {
     // a point is read with the number after it
     const auto before = static_cast<std::size_t>(vertices[count - 1]);
-    if (scratch.numbers.size() < 3 * before + 1) scratch.numbers = HugeArray<Real>(3 * before + 1);
+    make_room(scratch.arrays_->numbers, 3 * before + 1);
   }
   // the levels take turns, so that the last one is made in `out`
-  std::array<Real*, 2> places{out, scratch.numbers.data()};
+  std::array<Real*, 2> places{out, scratch.arrays_->numbers.data()};
   if (count % 2 == 1) std::swap(places[0], places[1]);
   plain->evaluate(control_points, places[0]);
   for (std::size_t i = 0; i < count; ++i) {
@@ -110,12 +137,13 @@ Result<FastRefiner> FastRefiner::make(const Scheme& scheme, Mesh control, int le
   const Mesh& mesh = state->control;
   if (state->is_plain())
     if (Status status =
-            check_refinable(scheme, mesh, levels, sizeof(Point3), base::available_memory());
+            refine::check_refinable(scheme, mesh, levels, sizeof(Point3), base::available_memory());
         !status)
       return status.error();
   const double after = state->size.vertices, faces = state->size.faces;
-  const RefineEstimate needed{after, faces, needed_bytes(after, faces, state->size.corners)};
-  if (Status status = check_memory(needed, levels, base::available_memory()); !status)
+  const refine::RefineEstimate needed{after, faces,
+                                      fast::needed_bytes(after, faces, state->size.corners)};
+  if (Status status = refine::check_memory(needed, levels, base::available_memory()); !status)
     return status.error();
   if (Status status = state->work_out(scheme); !status) return status.error();
   return FastRefiner(std::move(state));
@@ -132,6 +160,10 @@ void FastRefiner::evaluate(std::span<const Real> control, std::span<Real> fine,
                            Scratch<Real>& scratch) const {
   assert(control.size() == 3 * static_cast<std::size_t>(state_->control.vertex_count()));
   assert(fine.size() == 3 * static_cast<std::size_t>(vertex_count()));
+  if (fast::needs_room(control)) {
+    state_->evaluate(with_room(control).data(), state_->steps.size(), fine.data(), scratch);
+    return multiply(fine, 1 / fast::kRoom<Real>);
+  }
   state_->evaluate(control.data(), state_->steps.size(), fine.data(), scratch);
 }
 
@@ -159,15 +191,20 @@ void FastRefiner::evaluate_limit(const Limit& limit, std::span<const Real> contr
   const std::size_t numbers = 3 * static_cast<std::size_t>(vertex_count());
   assert(positions.size() == numbers && normals.size() == numbers);
   // a point is read with the number after it
-  if (scratch.refined.size() < numbers + 1) scratch.refined = HugeArray<Real>(numbers + 1);
-  Real* refined = scratch.refined.data();
-  evaluate<Real>(control, {refined, numbers}, scratch);
+  make_room(scratch.arrays_->refined, numbers + 1);
+  Real* refined = scratch.arrays_->refined.data();
+  const bool near_end = fast::needs_room(control);
+  const std::vector<Real> small = near_end ? with_room(control) : std::vector<Real>();
+  evaluate<Real>(near_end ? std::span<const Real>(small) : control, {refined, numbers}, scratch);
   refined[numbers] = 0;
   const fast::ReadyStep& step = limit.plan_->step;
   fast::make_limit_patches<Real>(step.plan.patches, step.program, refined, positions.data(),
                                  normals.data());
   for (const fast::RowPlan& rows : step.plan.rows)
     fast::make_limit_rows<Real>(rows, refined, positions.data(), normals.data());
+  if (!near_end) return;
+  multiply<Real>({refined, numbers}, 1 / fast::kRoom<Real>);
+  multiply(positions, 1 / fast::kRoom<Real>);
 }
 
 void FastRefiner::write_faces(std::span<Index> corners) const {

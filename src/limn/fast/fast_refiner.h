@@ -19,9 +19,8 @@
 #include <span>
 #include <string>
 
-#include "limn/base/huge_array.h"
 #include "limn/mesh/sharpness/sharpness.h"
-#include "limn/refine/refine_estimate.h"
+#include "limn/scheme/scheme.h"
 
 namespace limn {
 namespace fast {
@@ -52,9 +51,6 @@ class FastRefiner {
   [[nodiscard]] static Result<FastRefiner> make(const Scheme& scheme, Mesh control, int levels,
                                                 Sharpness sharpness = {});
 
-  /// What `fast_refine` will make and need at most, by counting.
-  [[nodiscard]] static RefineEstimate estimate(const Split& split, const Mesh& control, int levels);
-
   FastRefiner(FastRefiner&&) noexcept;             ///< the other may then only be destroyed
   FastRefiner& operator=(FastRefiner&&) noexcept;  ///< as the constructor
   ~FastRefiner();
@@ -71,9 +67,20 @@ class FastRefiner {
   /// Memory for intermediate levels, kept from one evaluation to the next: a quarter of the
   /// result's. One is for one thread at a time.
   template <class Real>
-  struct Scratch {
-    HugeArray<Real> numbers;  ///< of the levels in between
-    HugeArray<Real> refined;  ///< where the limit is evaluated
+  class Scratch {
+   public:
+    Scratch();
+    Scratch(Scratch&&) noexcept;             ///< the other may then only be assigned or destroyed
+    Scratch& operator=(Scratch&&) noexcept;  ///< as the constructor
+    ~Scratch();
+    /// The refined points that evaluate_limit made last on the way to their limits, x, y, z of
+    /// each; longer by what another refiner needed.
+    [[nodiscard]] std::span<const Real> refined() const;
+
+   private:
+    friend class FastRefiner;
+    struct Arrays;
+    std::unique_ptr<Arrays> arrays_;
   };
 
   /// Positions of the refined vertices from those of the control vertices: x, y, z of each, one

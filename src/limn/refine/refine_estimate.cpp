@@ -6,7 +6,7 @@
 
 #include "limn/base/memory.h"
 
-namespace limn {
+namespace limn::refine {
 namespace {
 
 constexpr double kLargestHalfedgeCount = 2147483647.0;
@@ -170,4 +170,4 @@ Status check_refinable(const Scheme& scheme, const Mesh& mesh, int levels,
                       memory_limit);
 }
 
-}  // namespace limn
+}  // namespace limn::refine

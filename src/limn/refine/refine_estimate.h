@@ -8,7 +8,7 @@
 #include "limn/mesh/mesh.h"
 #include "limn/scheme/scheme.h"
 
-namespace limn {
+namespace limn::refine {
 
 /// What refining will come to, from counts alone. Cost O(levels).
 struct RefineEstimate {
@@ -33,4 +33,4 @@ struct RefineEstimate {
 [[nodiscard]] Status check_refinable(const Scheme& scheme, const Mesh& mesh, int levels,
                                      std::size_t bytes_per_value, double memory_limit);
 
-}  // namespace limn
+}  // namespace limn::refine

@@ -4,7 +4,7 @@
 #include <limits>
 #include <utility>
 
-#include "limn/base/time_budget.h"
+#include "limn/base/budget.h"
 
 namespace limn::search {
 

@@ -5,7 +5,7 @@
 
 #include <fmt/core.h>
 
-#include "limn/base/time_budget.h"
+#include "limn/base/budget.h"
 #include "limn/scheme/file/scheme_files.h"
 #include "limn/scheme/file/scheme_text.h"
 #include "limn/scheme/formulas.h"

@@ -4,7 +4,7 @@
 
 #include <functional>
 
-#include "limn/base/time_budget.h"
+#include "limn/base/budget.h"
 #include "limn/search/kept_search.h"
 
 namespace limn::search {

@@ -20,7 +20,7 @@ constexpr std::size_t kBytesPerVertex = 3 * sizeof(Point3) + sizeof(fairness::Se
 int default_levels(const Scheme& scheme, const Mesh& control) {
   int levels = 1;
   while (levels < kMostLevels &&
-         estimate_refinement(*scheme.split, control, levels + 1, sizeof(Point3)).vertices <=
+         refine::estimate_refinement(*scheme.split, control, levels + 1, sizeof(Point3)).vertices <=
              kFairnessVertices)
     ++levels;
   return levels;
@@ -101,7 +101,7 @@ Result<FairnessRecord> approx_fairness(const std::string& label, const Scheme& s
                                        const FairnessOptions& options) {
   const int levels = options.levels > 0 ? options.levels : default_levels(scheme, control);
   const Status refinable =
-      check_refinable(scheme, control, levels, kBytesPerVertex, base::available_memory());
+      refine::check_refinable(scheme, control, levels, kBytesPerVertex, base::available_memory());
   if (!refinable) return refinable.error();
   if (Status squares = mesh::check_squares(points); !squares) return squares.error();
   FairnessRecord record;

@@ -197,12 +197,12 @@ class Work {
 
   [[nodiscard]] Status check_size() const {
     const DrawingEstimate drawing = estimate_drawing(scheme_, control_, options_.steps);
-    RefineEstimate needed = surface::estimate_with_limit(scheme_, control_, options_.steps,
-                                                         {.quick = false, .limit = true});
+    refine::RefineEstimate needed = surface::estimate_with_limit(scheme_, control_, options_.steps,
+                                                                 {.quick = false, .limit = true});
     constexpr double sides = 56;  // which a vertex has: a list of its own
     needed.peak_bytes += (kSurfaceBytes + sides) * needed.vertices;
     needed.peak_bytes = std::max(needed.peak_bytes, drawing.bytes);
-    return check_memory(needed, options_.steps, base::available_memory());
+    return refine::check_memory(needed, options_.steps, base::available_memory());
   }
 
   /// A vertex for each side of each one, faces cut by fans.

@@ -41,10 +41,10 @@ figure::SmoothSurface surface_of(const RefinedSurface& surface) {
 Result<figure::SmoothSurface> limit_surface(const Scheme& scheme, const Mesh& control,
                                             const std::vector<Point3>& points, int steps,
                                             LimitGaps* gaps) {
-  RefineEstimate needed =
+  refine::RefineEstimate needed =
       surface::estimate_with_limit(scheme, control, steps, {.quick = false, .limit = true});
   needed.peak_bytes += needed.vertices * kSurfaceBytes;
-  if (Status status = check_memory(needed, steps, base::available_memory()); !status)
+  if (Status status = refine::check_memory(needed, steps, base::available_memory()); !status)
     return status.error();
   Result<RefinedSurface> surface =
       refine_surface(scheme, control, points,
@@ -55,7 +55,7 @@ Result<figure::SmoothSurface> limit_surface(const Scheme& scheme, const Mesh& co
 }
 
 DrawingEstimate estimate_drawing(const Scheme& scheme, const Mesh& control, int steps) {
-  const RefineEstimate refined = surface::estimate_with_limit(scheme, control, steps, {});
+  const refine::RefineEstimate refined = surface::estimate_with_limit(scheme, control, steps, {});
   DrawingEstimate drawing{.vertices = refined.vertices};
   // Euler's formula on any surface of some size: as many triangles as leave two a vertex
   drawing.triangles = std::max(2 * refined.vertices, refined.faces);

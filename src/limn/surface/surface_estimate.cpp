@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "limn/fast/fast_estimate.h"
 #include "limn/fast/fast_pieces.h"
 #include "limn/limit/limit_points.h"
 
@@ -15,15 +16,16 @@ constexpr double kTable = 250;        // rows of curvatures, and their text as i
 
 }  // namespace
 
-RefineEstimate estimate_with_limit(const Scheme& scheme, const Mesh& control, int levels,
-                                   const LimitWork& work) {
+refine::RefineEstimate estimate_with_limit(const Scheme& scheme, const Mesh& control, int levels,
+                                           const LimitWork& work) {
   const Split& split = *scheme.split;
   constexpr double kPoint = sizeof(Point3);
-  const RefineEstimate plain = estimate_refinement(split, control, levels, sizeof(Point3));
+  const refine::RefineEstimate plain =
+      refine::estimate_refinement(split, control, levels, sizeof(Point3));
   const bool quick = work.quick && has_fast_layout(scheme);
   if (quick && work.written && !work.curvatures)
     return fast::FastPieces::estimate(split, control, levels, {work.limit, work.limit});
-  RefineEstimate result = quick ? FastRefiner::estimate(split, control, levels) : plain;
+  refine::RefineEstimate result = quick ? fast::estimate_fast(split, control, levels) : plain;
   // refined, and as they are handed on
   const double attributes = result.vertices * 2 * kPoint * work.columns;
   result.peak_bytes += attributes;
@@ -34,7 +36,7 @@ RefineEstimate estimate_with_limit(const Scheme& scheme, const Mesh& control, in
   }
   // A dual split's vertices are taken to the centres of faces, one step further on.
   const int steps = split.is_dual() ? levels + 1 : levels;
-  const double last = estimate_refinement(split, control, steps, sizeof(Point3)).peak_bytes;
+  const double last = refine::estimate_refinement(split, control, steps, sizeof(Point3)).peak_bytes;
   double beside = 2 * kPoint + kPlainNumbers;
   if (work.curvatures) beside += sizeof(LimitPoints::Curvatures);
   // the table comes when the steps of the limit are over

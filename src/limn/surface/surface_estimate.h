@@ -17,7 +17,7 @@ struct LimitWork {
 /// What `levels` steps and the work on their result take at most, from counts alone: an upper bound
 /// within about half of what was measured for loop, butterfly, sqrt3, catmull-clark and doo-sabin
 /// (tests/command/memory_test.cpp). Small fixed costs are left out. Cost O(levels).
-[[nodiscard]] RefineEstimate estimate_with_limit(const Scheme& scheme, const Mesh& control,
-                                                 int levels, const LimitWork& work);
+[[nodiscard]] refine::RefineEstimate estimate_with_limit(const Scheme& scheme, const Mesh& control,
+                                                         int levels, const LimitWork& work);
 
 }  // namespace limn::surface

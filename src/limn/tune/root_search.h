@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "limn/base/time_budget.h"
+#include "limn/base/budget.h"
 #include "limn/tune/branches.h"
 
 namespace limn::tune {

@@ -15,9 +15,9 @@
 #include <string>
 #include <vector>
 
+#include "limn/base/budget.h"
 #include "limn/base/error.h"
 #include "limn/base/rational.h"
-#include "limn/base/time_budget.h"
 #include "limn/base/truth.h"
 #include "limn/spectrum/eigencomponents.h"
 #include "limn/tune/freed_scheme.h"

@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-#include "limn/base/time_budget.h"
+#include "limn/base/budget.h"
 #include "limn/tune/freed_names.h"
 #include "limn/tune/freed_scheme.h"
 #include "limn/tune/solve.h"

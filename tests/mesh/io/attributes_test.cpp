@@ -1,5 +1,6 @@
 // Attributes in mesh files: read, written, read again; and what is wrong with them.
 
+#include <fmt/core.h>
 #include <gtest/gtest.h>
 
 #include "limn/mesh/io/mesh_file.h"
@@ -132,6 +133,27 @@ TEST(PlyAttributes, AreReadAndWrittenWithTheirTypes) {
   const MeshFile twice = again(file, "ply");
   EXPECT_EQ(twice.polygons, file.polygons);
   EXPECT_EQ(twice.attributes, expected);
+}
+
+TEST(PlyAttributes, ValuesThatAreNotOfTheirTypeAreRefused) {
+  const auto with = [](const char* red, const char* quality, const char* flag) {
+    std::string text = kPly + kPlyFaces + "end_header\n0 0 0 255 0 7 0 -32768 0\n";
+    text += fmt::format("1 0 0 {} 0 7 {} {} 0\n", red, quality, flag);
+    for (int v = 2; v < 6; ++v) text += fmt::format("{} 1 0 0 0 7 0 32767 0\n", v);
+    return text + "3 0 1 2\n3 3 4 5\n";
+  };
+  EXPECT_TRUE(parse(with("255.0", "1e38", "-3"), "ply").ok());
+  EXPECT_TRUE(parse(with("0", "-1e-300", "0"), "ply").ok());
+  for (const auto& [text, what] :
+       {std::pair{with("256", "0", "0"), "red is '256', which is no uchar"},
+        {with("-1", "0", "0"), "red is '-1', which is no uchar"},
+        {with("0.5", "0", "0"), "red is '0.5', which is no uchar"},
+        {with("0", "1e39", "0"), "quality is '1e39', which is no float"},
+        {with("0", "0", "32768"), "flag is '32768', which is no short"}}) {
+    const std::string said = fault(text, "ply");
+    EXPECT_NE(said.find(what), std::string::npos) << said;
+    EXPECT_NE(said.find(":17:"), std::string::npos) << said;
+  }
 }
 
 TEST(PlyAttributes, WholeNumbersAreRoundedAndKeptInRange) {

@@ -13,8 +13,8 @@
 #include <string>
 #include <vector>
 
+#include "limn/base/budget.h"
 #include "limn/base/rational.h"
-#include "limn/base/time_budget.h"
 #include "limn/base/truth.h"
 #include "limn/certify/lattice/contraction.h"
 #include "limn/scheme/scheme.h"

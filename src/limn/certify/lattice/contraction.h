@@ -10,7 +10,7 @@
 
 #include <array>
 
-#include "limn/base/time_budget.h"
+#include "limn/base/budget.h"
 #include "limn/certify/lattice/cell_matrices.h"
 
 namespace limn::certify {

@@ -2,7 +2,7 @@
 /// What is shown of the characteristic map on a ring of cells, and the search for parts that are
 /// small enough to show it.
 
-#include "limn/base/time_budget.h"
+#include "limn/base/budget.h"
 #include "limn/certify/certificate/certificate.h"
 #include "limn/certify/ring/ring_cells.h"
 

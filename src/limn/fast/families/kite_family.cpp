@@ -159,8 +159,8 @@ class KiteFamily final : public Family {
   static void add_isolated(const StencilTables& tables, const std::vector<Index>& from,
                            const std::vector<Index>& to, StepPlan& plan) {
     if (!from.empty())
-      plan.rows.push_back({tables.stars.at(0).tables.front().rows, HugeArray<Index>(from),
-                           HugeArray<Index>(to), false});
+      plan.rows.push_back({tables.stars.at(0).tables.front().rows, base::HugeArray<Index>(from),
+                           base::HugeArray<Index>(to), false});
   }
 
   [[nodiscard]] StepPlan plan_first() const {
@@ -178,7 +178,7 @@ class KiteFamily final : public Family {
       }
       if (!sources.empty())
         plan.rows.push_back(
-            {table.rows, HugeArray<Index>(sources), HugeArray<Index>(targets), false});
+            {table.rows, base::HugeArray<Index>(sources), base::HugeArray<Index>(targets), false});
     }
     add_isolated(*tables_, kites_.isolated(), fine.isolated(), plan);
     return plan;

@@ -30,16 +30,16 @@ struct PatchPlan {
   /// Patch p's inner points begin with number inner_begin + p · shape.inner.size().
   Index inner_begin = 0;
   /// patches × shape.frame: numbers of old points; where there is none, the number of any.
-  HugeArray<Index> frame;
+  base::HugeArray<Index> frame;
   /// patches × shape.runs: number of the first point, or kNone where another patch makes the run.
-  HugeArray<Index> runs;
+  base::HugeArray<Index> runs;
 };
 
 /// The same rows at many places.
 struct RowPlan {
   RowTable table;
   /// Numbers of old (new) points: places × table.sources (table.targets()).
-  HugeArray<Index> sources, targets;
+  base::HugeArray<Index> sources, targets;
   /// Whether two places may have a target in common: they are then made one after the other.
   bool overlap = false;
 

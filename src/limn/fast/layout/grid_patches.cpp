@@ -43,8 +43,8 @@ class Patches {
     }
     plan.patches = old_.control().face_count();
     const std::size_t each = shape_.frame.size(), runs = shape_.runs.size();
-    plan.frame = HugeArray<Index>(static_cast<std::size_t>(plan.patches) * each);
-    plan.runs = HugeArray<Index>(static_cast<std::size_t>(plan.patches) * runs);
+    plan.frame = base::HugeArray<Index>(static_cast<std::size_t>(plan.patches) * each);
+    plan.runs = base::HugeArray<Index>(static_cast<std::size_t>(plan.patches) * runs);
     base::parallel_for(
         Index{0}, plan.patches,
         [&](Index first, Index last) {

@@ -94,8 +94,8 @@ std::optional<PatchPlan> plan_kite_patches(const KiteLayout& old, const KiteLayo
   plan.stencils = std::move(stencils);
   plan.patches = static_cast<Index>(wholes.size());
   const std::size_t each = plan.shape.frame.size();
-  plan.frame = HugeArray<Index>(each * wholes.size());
-  plan.runs = HugeArray<Index>(wholes.size());
+  plan.frame = base::HugeArray<Index>(each * wholes.size());
+  plan.runs = base::HugeArray<Index>(wholes.size());
   base::parallel_for(
       Index{0}, plan.patches,
       [&](Index first, Index last) {

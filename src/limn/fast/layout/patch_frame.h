@@ -46,7 +46,7 @@ class PatchTopology {
   void fill(const Mesh& control);
   static std::ptrdiff_t size(Index sides) { return sides * (2 * sides + 1); }
   Index sides_ = 0;
-  HugeArray<Index> data_;
+  base::HugeArray<Index> data_;
 };
 
 /// The places of a frame, and their numbers patch by patch.

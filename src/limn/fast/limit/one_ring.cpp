@@ -92,8 +92,8 @@ Result<std::optional<StepPlan>> plan_one_rings(const Mesh& mesh, std::span<const
                             std::vector<Index> targets) {
     for (std::vector<Index>* list : {&sources, &targets})
       for (Index& v : *list) v = numbers.empty() ? v : numbers[static_cast<std::size_t>(v)];
-    plan.rows.push_back(
-        {std::move(table), HugeArray<Index>(sources), HugeArray<Index>(targets), false});
+    plan.rows.push_back({std::move(table), base::HugeArray<Index>(sources),
+                         base::HugeArray<Index>(targets), false});
   };
   for (auto& [degrees, group] : groups) {
     const Mesh ring = mesh_of(degrees);

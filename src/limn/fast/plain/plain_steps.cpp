@@ -91,12 +91,12 @@ template <class Real>
 void PlainSteps::evaluate_rows(const Real* control, Real* fine) const {
   // a point is read with the number after it
   const std::size_t numbers = 3 * static_cast<std::size_t>(control_->vertex_count());
-  HugeArray<Real> old(numbers + 1);
+  base::HugeArray<Real> old(numbers + 1);
   std::copy(control, control + numbers, old.data());
   old[numbers] = 0;
   for (std::size_t step = 0; step + 1 < rows_.size(); ++step) {
     const std::size_t after = 3 * static_cast<std::size_t>(rows_[step].vertex_count());
-    HugeArray<Real> fresh(after + 1);
+    base::HugeArray<Real> fresh(after + 1);
     rows_[step].evaluate(old.data(), fresh.data());
     fresh[after] = 0;
     old = std::move(fresh);

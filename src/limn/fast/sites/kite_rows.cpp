@@ -36,8 +36,8 @@ Index turn_to_least(RimPattern& pattern) {
 
 /// The numbers of the points round each centre; seen from a vertex, a patch's far corner is its
 /// first point.
-HugeArray<Index> number_points(const KiteCentres& centres, const KiteLevel& level,
-                               std::vector<SectorPoint> points) {
+base::HugeArray<Index> number_points(const KiteCentres& centres, const KiteLevel& level,
+                                     std::vector<SectorPoint> points) {
   const KiteLayout& layout = level.layout;
   const Index last = layout.n() - 1;
   for (auto& [sector, x, y] : points) {
@@ -45,7 +45,7 @@ HugeArray<Index> number_points(const KiteCentres& centres, const KiteLevel& leve
     y = centres.vertices ? last - y / level.edge : y / level.edge;
   }
   const Index count = static_cast<Index>(centres.sectors.size()) / centres.sides;
-  HugeArray<Index> numbers(static_cast<std::size_t>(count) * points.size());
+  base::HugeArray<Index> numbers(static_cast<std::size_t>(count) * points.size());
   base::parallel_for(
       Index{0}, count,
       [&](Index first, Index end) {
@@ -78,7 +78,8 @@ void add_line_rows(const std::vector<SideRow>& rows, const std::vector<Index>& l
         targets.push_back(line_point(made, h, x, row.y));
       }
     if (!targets.empty())
-      plans.push_back({row.table, HugeArray<Index>(sources), HugeArray<Index>(targets), false});
+      plans.push_back(
+          {row.table, base::HugeArray<Index>(sources), base::HugeArray<Index>(targets), false});
   }
 }
 

@@ -296,8 +296,8 @@ void SharpSteps::add_rows(int level, const GridLayout& old_points, const GridLay
         if (row.y > 0) add_side(of, row, control_->twin(h), old_points, new_points, made);
       }
       if (!made.targets.empty())
-        plans.push_back(
-            {row.table, HugeArray<Index>(made.sources), HugeArray<Index>(made.targets), false});
+        plans.push_back({row.table, base::HugeArray<Index>(made.sources),
+                         base::HugeArray<Index>(made.targets), false});
     }
   const bool overlap = reach_.zones_meet(new_points.side());
   for (const Zones& zones : of.zones)

@@ -68,8 +68,8 @@ Index number_in_patch(const GridLayout& layout, Index h, const ZoneFinder& p) {
 }
 
 /// The numbers of the points round each of a group's vertices.
-HugeArray<Index> number_points(const ZoneGroup& group, GridLayout layout,
-                               std::vector<SectorPoint> points) {
+base::HugeArray<Index> number_points(const ZoneGroup& group, GridLayout layout,
+                                     std::vector<SectorPoint> points) {
   if (layout.unit() > 1 && !layout.has_centres()) {
     for (SectorPoint& p : points) p = {p.sector, p.x / layout.unit(), p.y / layout.unit()};
     layout = layout.grid();
@@ -77,7 +77,7 @@ HugeArray<Index> number_points(const ZoneGroup& group, GridLayout layout,
   std::vector<ZoneFinder> list;
   list.reserve(points.size());
   for (const SectorPoint& point : points) list.push_back(make_finder(layout, point));
-  HugeArray<Index> numbers(group.vertices.size() * points.size());
+  base::HugeArray<Index> numbers(group.vertices.size() * points.size());
   base::parallel_for(
       Index{0}, static_cast<Index>(group.vertices.size()),
       [&](Index first, Index last) {
@@ -159,7 +159,8 @@ void add_side_rows(const StencilTables& tables, const std::vector<Index>& sides,
       }
     }
     if (!targets.empty())
-      plans.push_back({row.table, HugeArray<Index>(sources), HugeArray<Index>(targets), false});
+      plans.push_back(
+          {row.table, base::HugeArray<Index>(sources), base::HugeArray<Index>(targets), false});
   }
 }
 

@@ -35,9 +35,13 @@ class AsciiBody {
     in_.skip_line();
     return true;
   }
-  bool read(PlyType, double& value, const char* what) {
+  bool read(PlyType type, double& value, const char* what) {
     if (by_word_) in_.next_content();
-    return in_.read_number(value, what);
+    if (!in_.read_number(value, what)) return false;
+    if (holds(type, value)) return true;
+    return fail(
+        std::string(what) + " is " + in_quotes(in_.last_word()) + ", which is no " + name_of(type),
+        "should the header name another type, say 'double'?");
   }
   bool skip(PlyType, std::int64_t count) {
     for (std::int64_t k = 0; k < count; ++k) {

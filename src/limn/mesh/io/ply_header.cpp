@@ -1,6 +1,9 @@
 #include "limn/mesh/io/ply_header.h"
 
 #include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
 #include <set>
 
 namespace limn::io {
@@ -174,6 +177,31 @@ std::size_t size_of(PlyType type) {
     case PlyType::float64: return 8;
   }
   return 8;
+}
+
+namespace {
+
+template <class Number>
+bool within(double value) {
+  using Limits = std::numeric_limits<Number>;
+  return value >= Limits::lowest() && value <= Limits::max() &&
+         (!Limits::is_integer || value == std::trunc(value));
+}
+
+}  // namespace
+
+bool holds(PlyType type, double value) {
+  switch (type) {
+    case PlyType::int8: return within<std::int8_t>(value);
+    case PlyType::uint8: return within<std::uint8_t>(value);
+    case PlyType::int16: return within<std::int16_t>(value);
+    case PlyType::uint16: return within<std::uint16_t>(value);
+    case PlyType::int32: return within<std::int32_t>(value);
+    case PlyType::uint32: return within<std::uint32_t>(value);
+    case PlyType::float32: return within<float>(value) || !std::isfinite(value);
+    case PlyType::float64: break;
+  }
+  return true;
 }
 
 const PlyElement* PlyHeader::find(const std::string& name) const {

@@ -16,6 +16,9 @@ using PlyType = NumberType;
 
 /// Bytes of one value in a binary file.
 std::size_t size_of(PlyType type);
+/// Whether a number that is given as text is one of that type: within its range, of an integer
+/// type an integer.
+bool holds(PlyType type, double value);
 /// As headers that limn writes name it: "uchar", "double".
 const char* name_of(PlyType type);
 

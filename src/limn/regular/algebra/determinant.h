@@ -5,7 +5,7 @@
 
 #include <optional>
 
-#include "limn/base/time_budget.h"
+#include "limn/base/budget.h"
 #include "limn/regular/algebra/invariant_subspaces.h"
 
 namespace limn::regular {

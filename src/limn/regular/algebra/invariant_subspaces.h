@@ -3,8 +3,8 @@
 /// HoltRees1994]. In a basis along a chain of invariant subspaces the matrices are block
 /// triangular, and their joint spectral radius is the greatest of those of the diagonal blocks.
 
+#include "limn/base/budget.h"
 #include "limn/base/rational.h"
-#include "limn/base/time_budget.h"
 #include "limn/regular/algebra/echelon.h"
 
 namespace limn::regular {

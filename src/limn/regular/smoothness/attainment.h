@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "limn/base/time_budget.h"
+#include "limn/base/budget.h"
 #include "limn/regular/smoothness/regularity.h"
 
 namespace limn::regular {

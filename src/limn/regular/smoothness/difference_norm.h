@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "limn/base/time_budget.h"
+#include "limn/base/budget.h"
 #include "limn/scheme/mask.h"
 
 namespace limn::regular {

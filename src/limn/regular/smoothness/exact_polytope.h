@@ -21,7 +21,7 @@
 #include <optional>
 #include <vector>
 
-#include "limn/base/time_budget.h"
+#include "limn/base/budget.h"
 #include "limn/regular/algebra/invariant_subspaces.h"
 
 namespace limn::regular {

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "limn/base/time_budget.h"
+#include "limn/base/budget.h"
 #include "limn/regular/algebra/invariant_subspaces.h"
 #include "limn/regular/smoothness/regularity.h"
 

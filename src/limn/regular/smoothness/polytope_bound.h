@@ -6,7 +6,7 @@
 #include <functional>
 #include <vector>
 
-#include "limn/base/time_budget.h"
+#include "limn/base/budget.h"
 
 namespace limn::regular {
 

@@ -4,7 +4,7 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include "limn/base/time_budget.h"
+#include "limn/base/budget.h"
 
 namespace limn::regular {
 

@@ -44,9 +44,9 @@
 #include <string>
 #include <vector>
 
+#include "limn/base/budget.h"
 #include "limn/base/error.h"
 #include "limn/base/rational.h"
-#include "limn/base/time_budget.h"
 #include "limn/base/truth.h"
 #include "limn/scheme/mask.h"
 

@@ -60,7 +60,7 @@ Status check_steps(const std::vector<LabelledScheme>& schemes, const Mesh& mesh,
                    const MeshOptions& options) {
   for (const auto& [label, scheme] : schemes) {
     const auto check = [&, &scheme = scheme](int steps) {
-      return check_refinable(scheme, mesh, steps, sizeof(Point3), base::available_memory());
+      return refine::check_refinable(scheme, mesh, steps, sizeof(Point3), base::available_memory());
     };
     if (!check(0)) continue;  // its surface is missing whatever the steps
     Status status = check(steps_of(*scheme.split, options.steps));

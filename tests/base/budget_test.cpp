@@ -1,4 +1,4 @@
-#include "limn/base/time_budget.h"
+#include "limn/base/budget.h"
 
 #include <gtest/gtest.h>
 

@@ -1,10 +1,17 @@
 #pragma once
-/// How long work may take that could go on for minutes: what was reached is given when it ends.
-/// Results are the same in every run as long as no budget ends.
+/// How long work may take that could go on for minutes, and on how many threads. What was reached
+/// is given when a budget ends. Results are the same in every run as long as none does; they have
+/// the same bits whatever the number of threads is.
 
 #include <functional>
 
 namespace limn {
+
+/// At most `threads` threads for every loop that starts later; 0: as many as the machine has (the
+/// default). Safe while loops run in other threads: those keep the limit they started with.
+void set_thread_limit(int threads);
+/// The limit that was set last; 0: none.
+[[nodiscard]] int thread_limit();
 
 /// Whether long work should end with what it has. Asked often, by several threads at once; no
 /// function at all: never.
