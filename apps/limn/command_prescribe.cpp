@@ -33,17 +33,18 @@ int prescribe(const PrescribeOptions& options) {
       {options.eigenvalues.begin() + 1, options.eigenvalues.end()}};
   const Result<std::string> extends = extends_name(options.scheme.name, options.output);
   if (!extends) return report(extends.error());
-  const Result<std::string> text =
+  const Result<tune::Prescribed> text =
       tune::prescribed_scheme(*base, *extends, options.output, prescription);
   if (!text) return report(text.error());
-  const Result<Scheme> made = parse_scheme(*text, options.output);
+  const Result<Scheme> made = parse_scheme(text->text, options.output);
   if (!made) return report(unwritten(made.error(), options.output));
   const Result<FrequencyBlocks> blocks = FrequencyAnalysis(*made).blocks(options.valence);
   if (!blocks) return report(unwritten(blocks.error(), options.output));
   const RegularPart regular = find_regular_part(*made);
   const Eigencomponents components = approx_eigencomponents(*blocks, regular);
-  if (Status status = base::write_file(options.output, *text); !status)
+  if (Status status = base::write_file(options.output, text->text); !status)
     return report(status.error());
+  report_warnings(text->unmet);
   if (options.json)
     print_json({{"scheme", made->name},
                 {"file", options.output},

@@ -19,6 +19,8 @@ LARGEST_VALENCE = 2000
 
 def valences_of(valences: int | Iterable[int], least: int = 2) -> list[int]:
     """One or many, checked."""
+    if isinstance(valences, (str, bytes)):
+        raise TypeError(f"valences are whole numbers, not {valences!r}; as 5 or range(3, 13)")
     many = valences if isinstance(valences, Iterable) else [valences]
     checked = []
     for valence in many:
@@ -29,15 +31,20 @@ def valences_of(valences: int | Iterable[int], least: int = 2) -> list[int]:
     return checked
 
 
+def whole_number(name: str, value: Any, least: int, most: int) -> int:
+    """A whole number of a range, checked."""
+    try:
+        number = operator.index(value)
+    except TypeError:
+        raise TypeError(f"{name} {value!r} is no whole number") from None
+    if not least <= number <= most:
+        raise Error(f"{name} {value} is not from {least} to {most}")
+    return number
+
+
 def levels_of(levels: Any) -> int:
     """A number of steps, checked."""
-    try:
-        number = operator.index(levels)
-    except TypeError:
-        raise TypeError(f"levels {levels!r} is no whole number") from None
-    if not 0 <= number <= 64:
-        raise Error(f"levels {levels} is not from 0 to 64")
-    return number
+    return whole_number("levels", levels, 0, 64)
 
 
 def seconds_of(seconds: Optional[float]) -> float:
@@ -70,10 +77,9 @@ class Analyses:
         ``range(3, 13)``, a list of them. ``rings``: how many are analysed; 0: as many as control the
         surface. ``vectors``: also the eigenvectors and the stencils of limit point and tangents.
         """
-        if not 0 <= rings <= 6:
-            raise Error(f"rings {rings} is not from 0 to 6")
+        rings = whole_number("rings", rings, 0, 6)
         many = valences_of(valence)
-        found = [Eigen(one) for one in _limn.eigen(self._data, many, rings, vectors)]
+        found = [Eigen(one) for one in _limn.eigen(self._data, many, rings, bool(vectors))]
         return found if isinstance(valence, Iterable) else found[0]
 
     def eigen_formulas(
@@ -85,13 +91,14 @@ class Analyses:
         """
         if evaluated is None:
             evaluated = [a.partition("=")[0] for a in self._data.set_parameters]
-        formulas: dict[str, Any] = _limn.eigen_formulas(self._data, set(evaluated), rings)
+        formulas: dict[str, Any] = _limn.eigen_formulas(
+            self._data, set(evaluated), whole_number("rings", rings, 0, 6)
+        )
         return formulas
 
     def characteristic_map(self, valence: int, *, steps: int = 4) -> CharacteristicMap:
         """The characteristic map at a valence from 3 on, after so many steps."""
-        if not 0 <= steps <= 8:
-            raise Error(f"steps {steps} is not from 0 to 8")
+        steps = whole_number("steps", steps, 0, 8)
         (number,) = valences_of([valence], 3)
         found = _limn.characteristic_map(self._data, number, steps)
         return CharacteristicMap(scheme=cast("Scheme", self), steps=steps, **found)
@@ -114,10 +121,11 @@ class Analyses:
         valences = sorted(set(valences_of(valence, 3)))
         if not valences and not all:
             raise Error("no valence to certify", "give one, or several, or all=True")
-        if not 64 <= bits <= 4096:
-            raise Error(f"bits {bits} is not from 64 to 4096")
+        bits = whole_number("bits", bits, 64, 4096)
         return Certificate(
-            *_limn.certify(self._data, valences, bits, all, curvature, seconds_of(seconds))
+            *_limn.certify(
+                self._data, valences, bits, bool(all), bool(curvature), seconds_of(seconds)
+            )
         )
 
     def limit_stencil(self, valence: int, *, boundary: bool = False) -> dict[str, Any]:
@@ -143,8 +151,9 @@ class Analyses:
         of the Hölder exponent below which little more is sought; ``seconds``: how long to look
         (None: without end); what was reached is proved all the same.
         """
-        if not 1 <= budget <= 1_000_000 or not 1e-6 <= tolerance <= 1:
-            raise Error("budget is not from 1 to 1000000, or tolerance not from 1e-6 to 1")
+        budget = whole_number("budget", budget, 1, 1_000_000)
+        if not 1e-6 <= tolerance <= 1:
+            raise Error(f"tolerance {tolerance} is not from 1e-6 to 1")
         return Regularity(_limn.regularity(self._data, budget, tolerance, seconds_of(seconds)))
 
     def regular_part(self) -> dict[str, str]:
@@ -169,14 +178,12 @@ class Analyses:
             raise Error(f"frequency ({fx}, {fy}) is not within 1000 cycles per control edge")
         if steps is not None and stages is not None:
             raise Error("steps and stages exclude each other")
-        if steps is not None and not 1 <= steps <= 30:
-            raise Error(f"steps {steps} is not from 1 to 30")
-        if stages is not None and not 0 <= stages <= 64:
-            raise Error(f"stages {stages} is not from 0 to 64")
-        kind = "steps" if steps is not None else "stages" if stages is not None else "limit"
-        found: dict[str, Any] = _limn.artifacts(
-            self._data, (fx, fy), kind, steps or stages or 0
-        )
+        kind, count = "limit", 0
+        if steps is not None:
+            kind, count = "steps", whole_number("steps", steps, 1, 30)
+        if stages is not None:
+            kind, count = "stages", whole_number("stages", stages, 0, 64)
+        found: dict[str, Any] = _limn.artifacts(self._data, (fx, fy), kind, count)
         return found
 
     def artifact_map(self, size: int | tuple[int, int] = 512) -> ArtifactMap:

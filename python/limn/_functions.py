@@ -8,7 +8,7 @@ from typing import Any, Iterable, Mapping, Optional, Sequence, Union
 import numpy.typing as npt
 
 from . import _limn
-from ._analyses import levels_of, seconds_of, valences_of
+from ._analyses import levels_of, seconds_of, valences_of, whole_number
 from ._errors import Error, MeshError
 from ._results import Certificate, Comparison, Fairness, Tuning
 from ._scheme import Scheme
@@ -103,8 +103,7 @@ def fairness(
 
 def spectrum(vertices: npt.ArrayLike, faces: Any, count: int = 10) -> dict[str, list[float]]:
     """The lowest and highest natural frequencies of a mesh: "smallest" and "largest", rising."""
-    if not 1 <= count <= 1000:
-        raise Error(f"count {count} is not from 1 to 1000")
+    count = whole_number("count", count, 1, 1000)
     ends: dict[str, list[float]] = _limn.spectrum(vertices, faces, count)
     return ends
 
@@ -149,8 +148,11 @@ def check_certificate(certificate: Certificate | Path) -> dict[str, Any]:
         text, file = certificate.text, ""
     else:
         file = os.fspath(certificate)
-        with open(file, encoding="utf-8") as opened:
-            text = opened.read()
+        try:
+            with open(file, encoding="utf-8") as opened:
+                text = opened.read()
+        except OSError as fault:
+            raise Error(f"cannot read the file: {fault.strerror}", file=os.fsdecode(file)) from None
     answers: dict[str, Any] = _limn.check_certificate(text, file)
     return answers
 
@@ -237,9 +239,7 @@ def set_thread_limit(threads: int) -> None:
 
     Results are the same bits whatever the number is.
     """
-    if not 0 <= threads <= 4096:
-        raise Error(f"threads {threads} is not from 0 to 4096")
-    _limn.set_thread_limit(threads)
+    _limn.set_thread_limit(whole_number("threads", threads, 0, 4096))
 
 
 def thread_limit() -> int:

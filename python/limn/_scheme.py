@@ -66,6 +66,8 @@ class Scheme(Analyses):
         source: str | os.PathLike[str],
         parameters: Optional[Mapping[str, Number]] = None,
     ) -> None:
+        if parameters is not None and not isinstance(parameters, Mapping):
+            raise TypeError(f'parameters {parameters!r} are no dict, as {{"a": "1/16"}}')
         assignments = [_assignment(name, value) for name, value in (parameters or {}).items()]
         self._data = _limn.SchemeData(os.fsencode(source), assignments)
 
@@ -333,17 +335,20 @@ class Scheme(Analyses):
         """The parameters and lets that ``tune`` can solve for."""
         return _limn.freeable_names(self._data)
 
-    def prescribe(self, valence: int, eigenvalues: Sequence[Number]) -> Scheme:
+    def prescribe(self, valence: int, eigenvalues: str | Sequence[Number]) -> Scheme:
         """A scheme with chosen eigenvalues at one valence: the cup's, then those of frequency 1, 2, …
 
+        A list of numbers and expressions, or a text with commas, as the command takes it.
         For schemes on triangles, shipped or of a file, whose edges look no further than the first
         ring.
         """
-        words = [_assignment("", value).lstrip("=") for value in eigenvalues]
+        many = eigenvalues.split(",") if isinstance(eigenvalues, str) else eigenvalues
+        words = [_assignment("", value).lstrip("=") for value in many]
+        (number,) = valences_of([valence], 3)
         base = self._base()
         if not base:
             raise SchemeError(f"no text can extend {self.name}", "write it to a file first")
-        return Scheme(self._data.prescribe(base, valence, words))
+        return Scheme(self._data.prescribe(base, number, words))
 
     def _base(self) -> str:
         """What a text says after ``extends`` to mean this scheme; empty where it cannot."""

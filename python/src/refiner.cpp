@@ -29,6 +29,18 @@ class Refiner {
   Refiner(std::shared_ptr<Scheme> scheme, const py::object& faces, int levels,
           std::optional<Index> vertices, const py::dict& tags);
 
+  /// pybind11 asks for memory where a method is called of an object whose __init__ never ran, and
+  /// nothing would be constructed in it. `make` asks elsewhere.
+  static void* operator new(std::size_t /*size*/) {
+    throw py::type_error("limn.Refiner: __init__ was not called");
+  }
+  static std::unique_ptr<Refiner> make(std::shared_ptr<Scheme> scheme, const py::object& faces,
+                                       int levels, std::optional<Index> vertices,
+                                       const py::dict& tags) {
+    return std::unique_ptr<Refiner>(
+        ::new Refiner(std::move(scheme), faces, levels, vertices, tags));
+  }
+
   /// The refined points, in `out` or an array of their own.
   py::object evaluate(const py::object& values, const py::object& out);
   /// (P, N).
@@ -346,10 +358,8 @@ py::tuple Refiner::evaluate_limit(const py::object& vertices) {
 
 void bind_refiner(py::module_& module) {
   py::class_<Refiner>(module, "RefinerData")
-      .def(py::init<std::shared_ptr<Scheme>, const py::object&, int, std::optional<Index>,
-                    const py::dict&>(),
-           py::arg("scheme"), py::arg("faces"), py::arg("levels"), py::arg("vertices"),
-           py::arg("tags"))
+      .def(py::init(&Refiner::make), py::arg("scheme"), py::arg("faces"), py::arg("levels"),
+           py::arg("vertices"), py::arg("tags"))
       .def("evaluate", &Refiner::evaluate, py::arg("values"), py::arg("out") = py::none(),
            R"(The refined values from those of the control vertices.
 

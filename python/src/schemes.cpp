@@ -85,11 +85,13 @@ std::string prescribe(const Scheme& scheme, const std::string& base, int valence
     raise({"no eigenvalues", "give the cup's, then those of frequency 1, 2, …"}, Fault::scheme);
   const tune::Prescription wanted{
       valence, eigenvalues.front(), {eigenvalues.begin() + 1, eigenvalues.end()}};
-  return value_of(without_gil([&] {
-                    return tune::prescribed_scheme(scheme, base, scheme.name + "-prescribed.toml",
-                                                   wanted);
-                  }),
-                  Fault::scheme);
+  tune::Prescribed made = value_of(without_gil([&] {
+                                     return tune::prescribed_scheme(
+                                         scheme, base, scheme.name + "-prescribed.toml", wanted);
+                                   }),
+                                   Fault::scheme);
+  warn(made.unmet);
+  return std::move(made.text);
 }
 
 }  // namespace

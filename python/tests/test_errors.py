@@ -148,6 +148,54 @@ def test_certificates_of_any_text(tmp_path):
             limn.check_certificate(path)
 
 
+def test_a_certificate_that_is_not_there(tmp_path):
+    with pytest.raises(limn.Error, match="cannot read"):
+        limn.check_certificate(tmp_path / "none.json")
+
+
+def test_arguments_of_another_type_are_named():
+    loop = limn.Scheme("loop")
+    for name, call in (
+        ("rings", lambda: loop.eigen(5, rings=2.5)),
+        ("rings", lambda: loop.eigen_formulas(rings="1")),
+        ("steps", lambda: loop.artifacts((0.2, 0.1), steps=1.5)),
+        ("stages", lambda: loop.artifacts((0.2, 0.1), stages="2")),
+        ("steps", lambda: loop.characteristic_map(5, steps=None)),
+        ("bits", lambda: loop.certify(5, bits=128.5)),
+        ("budget", lambda: loop.regularity(budget="many")),
+        ("count", lambda: limn.spectrum(*tetrahedron(), 2.5)),
+        ("threads", lambda: limn.set_thread_limit(1.5)),
+        ("valences", lambda: loop.eigen("3")),
+        ("parameters", lambda: limn.Scheme("loop-type", parameters="b=1/8")),
+    ):
+        with pytest.raises(TypeError, match=name) as raised:
+            call()
+        assert "_limn" not in str(raised.value)
+
+
+def test_eigenvalues_as_one_text():
+    loop = limn.Scheme("loop")
+    text = loop.prescribe(7, "1/4,1/2,1/4,1/8")
+    assert text == loop.prescribe(7, ["1/4", "1/2", "1/4", "1/8"])
+    with pytest.raises(limn.SchemeError):
+        loop.prescribe(5, "111")
+
+
+def test_a_refiner_that_was_never_made():
+    class Careless(limn.Refiner):
+        def __init__(self):
+            self.faces
+
+    with pytest.raises(TypeError, match="__init__"):
+        Careless()
+    refiner = limn.Refiner.__new__(limn.Refiner)
+    for name in ("tags", "faces", "vertex_count", "bytes"):
+        with pytest.raises(TypeError, match="__init__"):
+            getattr(refiner, name)
+    with pytest.raises(TypeError, match="__init__"):
+        refiner.evaluate(np.zeros((4, 3)))
+
+
 def test_what_no_repair_mends():
     V = np.eye(3)
     with pytest.raises(limn.MeshError, match="corner 2 of face 0 is vertex 9"):

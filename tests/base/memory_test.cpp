@@ -75,6 +75,7 @@ TEST_F(MemoryTest, ThisProcessHasSome) {
 }
 
 TEST(MemoryText, HasUnits) {
+  EXPECT_EQ(base::bytes_text(256.0 * 1024), "256 KiB");
   EXPECT_EQ(base::bytes_text(12.0 * 1024 * 1024), "12.0 MiB");
   EXPECT_EQ(base::bytes_text(1.5 * 1024 * 1024 * 1024), "1.5 GiB");
 }

@@ -61,7 +61,7 @@ TEST(CharacteristicMap, IsRegularWhereTheLiteratureSaysSo) {
 TEST(CharacteristicMap, ThatFoldsIsFound) {
   const std::vector<std::string> rest{"24/25", "1/50", "1/50", "1/50"};
   const auto text = tune::prescribed_scheme(shipped("loop"), "loop", "folds", {8, "1/50", rest});
-  const Scheme scheme = parse_scheme(text.value(), "folds.toml").value();
+  const Scheme scheme = parse_scheme(text.value().text, "folds.toml").value();
   const CharacteristicMap map = approx_characteristic_map(scheme, 8).value();
   EXPECT_EQ(map.regular, Truth::no);
   EXPECT_NE(map.reason.find("folds"), std::string::npos);

@@ -45,6 +45,43 @@ TEST(Eigencomponents, OfLoopAreTheClosedForms) {
   }
 }
 
+/// Rows that sum to 1 have 1 and their trace less 1: a cup near 1 is no double 1.
+TEST(Eigencomponents, NearOneAreNotOne) {
+  for (const std::string gap : {"1/10^4", "1/10^6", "1/10^7"}) {
+    const Scheme near =
+        parse_scheme("split = \"triangle-dyadic\"\nextends = \"loop\"\nlet.gap = \"" + gap +
+                         "\"\n[[vertex]]\nself = \"3/8 + 1 - gap\"\nring = \"(gap - 3/8)/n\"\n",
+                     "near.toml")
+            .value();
+    const Eigencomponents found = approx_eigencomponents(FrequencyAnalysis(near).blocks(5).value());
+    const double exact = 1 - 1 / std::pow(10, std::stod(gap.substr(gap.find('^') + 1)));
+    EXPECT_NEAR(*found.cup, exact, 1e-15) << gap;
+    EXPECT_EQ(found.verdict.convergent, Truth::yes) << gap;
+  }
+}
+
+/// ((1 + z)³ (1 - z + z²)²/4)⊗: its surfaces are biquadratic B-splines of control points that were
+/// averaged, C1, although -1/2 ties with the tangent's: the surface of its eigenvector is 0.
+TEST(Eigencomponents, OfDependentShiftsRefuseNothing) {
+  std::string rows;
+  const int line[8] = {1, 1, 0, 2, 2, 0, 1, 1};
+  for (const int a : line) {
+    rows += "[";
+    for (const int b : line) rows += "\"" + std::to_string(a * b) + "/16\",";
+    rows += "],\n";
+  }
+  const Scheme scheme =
+      parse_scheme("split = \"quad-dual\"\n[mask]\nrows = [\n" + rows + "]\n", "dual.toml").value();
+  const RegularPart regular = find_regular_part(scheme);
+  EXPECT_FALSE(regular.stable);
+  const FrequencyBlocks blocks = FrequencyAnalysis(scheme).blocks(4).value();
+  const Eigencomponents found = approx_eigencomponents(blocks, regular);
+  EXPECT_EQ(found.verdict.c1_necessary, Truth::undecided);
+  EXPECT_EQ(found.verdict.bounded_curvature, Truth::undecided);
+  EXPECT_TRUE(says(found, "undecided C1: shifts are not proved to be stable"));
+  EXPECT_EQ(approx_eigencomponents(blocks).verdict.c1_necessary, Truth::no);
+}
+
 /// 1/2, and its square twice: bounded, not flat, at every valence.
 TEST(Eigencomponents, OfTheBoundedCatmullClarkAreBounded) {
   for (int n = 3; n <= 40; ++n) {

@@ -24,10 +24,10 @@ TEST(Prescribe, GivesEachFrequencyItsEigenvalue) {
     wanted.cup = draw();
     for (int i = 0; i < n / 2; ++i) wanted.eigenvalues.push_back(draw());
     for (const std::string base : {"loop", "optimal"}) {
-      const Result<std::string> text =
+      const Result<tune::Prescribed> text =
           tune::prescribed_scheme(shipped(base), base, "drawn", wanted);
       ASSERT_TRUE(text.ok()) << text.error().text();
-      const Scheme scheme = parse_scheme(*text, "drawn.toml").value();
+      const Scheme scheme = parse_scheme(text->text, "drawn.toml").value();
       const Eigencomponents found =
           approx_eigencomponents(FrequencyAnalysis(scheme).blocks(n).value());
       const auto value = [](const std::string& part) { return std::stod(part) / 100; };
@@ -43,7 +43,7 @@ TEST(Prescribe, GivesEachFrequencyItsEigenvalue) {
 TEST(Prescribe, LeavesOtherValencesAlone) {
   const auto text =
       tune::prescribed_scheme(shipped("loop"), "loop", "drawn", {7, "1/4", {"1/2", "1/4", "1/8"}});
-  const Scheme scheme = parse_scheme(text.value(), "drawn.toml").value();
+  const Scheme scheme = parse_scheme(text.value().text, "drawn.toml").value();
   for (const int n : {3, 6, 8}) {
     const auto ours = FrequencyAnalysis(scheme).blocks(n).value();
     const auto loops = FrequencyAnalysis(shipped("loop")).blocks(n).value();
@@ -58,7 +58,7 @@ TEST(Prescribe, MakesTheShippedVariants) {
         {"loop-7-shrinking", {"1/4", "1/2", "1/8"}},
         {"loop-7-flat", {"1/2", "1/8", "1/4"}}}) {
     const auto text = tune::prescribed_scheme(shipped("loop"), "loop", "made", {7, "1/4", values});
-    const Scheme scheme = parse_scheme(text.value(), "made.toml").value();
+    const Scheme scheme = parse_scheme(text.value().text, "made.toml").value();
     const auto made = FrequencyAnalysis(scheme).blocks(7).value();
     const auto shipped_blocks = FrequencyAnalysis(shipped(name)).blocks(7).value();
     for (std::size_t i = 0; i < made.blocks.size(); ++i)
@@ -66,10 +66,25 @@ TEST(Prescribe, MakesTheShippedVariants) {
   }
 }
 
+/// The first ring's eigenvalues are prescribed; those of the second, 1/8 and 1/16, stay.
+TEST(Prescribe, StatesOnlyFactsThatHold) {
+  const auto text =
+      tune::prescribed_scheme(shipped("loop"), "loop", "made", {5, "1/16", {"1/2", "1/16"}});
+  ASSERT_EQ(text.value().unmet.size(), 2U);
+  EXPECT_NE(text->unmet[0].message.find("the cup is 0.125, not 1/16"), std::string::npos);
+  EXPECT_NE(text->unmet[1].message.find("the saddle is 0.125, not 1/16"), std::string::npos);
+  EXPECT_NE(text->text.find("tangent = \"1/2\""), std::string::npos);
+  EXPECT_EQ(text->text.find("cup"), std::string::npos);
+  const auto met =
+      tune::prescribed_scheme(shipped("loop"), "loop", "made", {5, "1/4", {"1/2", "1/4"}});
+  EXPECT_TRUE(met.value().unmet.empty());
+  EXPECT_NE(met->text.find("saddle  = \"1/4\""), std::string::npos);
+}
+
 TEST(Prescribe, SaysWhatIsWrong) {
   const auto message = [](const std::string& base, const std::string& name,
                           const tune::Prescription& p) {
-    const Result<std::string> text = tune::prescribed_scheme(shipped(base), base, name, p);
+    const Result<tune::Prescribed> text = tune::prescribed_scheme(shipped(base), base, name, p);
     EXPECT_FALSE(text.ok());
     return text.ok() ? "" : text.error().text();
   };

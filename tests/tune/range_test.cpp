@@ -93,6 +93,27 @@ TEST(Range, OfInequalitiesEndsWhereTheSidesAreEqual) {
   EXPECT_NEAR(at_most.parts.front().high.value, 0, 1e-15);
 }
 
+/// |5/8 - n beta| < 1: the cup reaches 1, which is an eigenvalue already.
+TEST(Range, OfConvergenceEndsWhereTheCupIsOne) {
+  for (const int n : {3, 4, 5, 6}) {
+    const ValenceRange range = ranged(shipped("loop"), "beta", "convergent", n);
+    ASSERT_EQ(range.parts.size(), 1U) << n;
+    EXPECT_NEAR(range.parts.front().low.value, -3 / (8. * n), 1e-14) << n;
+    EXPECT_NEAR(range.parts.front().high.value, 13 / (8. * n), 1e-14) << n;
+  }
+}
+
+TEST(Range, SaysHowTheSidesPassOneAnother) {
+  const auto low_end = [](const std::string& requirement) {
+    return ranged(shipped("loop"), "beta", requirement, 3).parts.at(0).low;
+  };
+  EXPECT_NEAR(low_end("1/(beta-1/7) > 0").value, 1 / 7., 1e-9);
+  EXPECT_NE(low_end("1/(beta-1/7) > 0").reason.find("jump"), std::string::npos);
+  EXPECT_EQ(low_end("beta > 1/7").reason, "the two sides are equal");
+  const std::string never = ranged(shipped("loop"), "beta", "beta > 5", 3).reason;
+  EXPECT_NE(never.find("beta = 4: it fails by 1"), std::string::npos) << never;
+}
+
 /// Round Loop's vertices the regular surface is C2, and curvature is bounded while |5/8 - n beta| ≤
 /// tangent² and the outer rings' 1/8 ≤ tangent²; the saddle forbids it from 7 on. The high pass has
 /// the same eigenvalues, but its regular surface has no bounded curvature.

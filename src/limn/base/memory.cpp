@@ -114,6 +114,7 @@ double available_memory() {
 std::string bytes_text(double bytes) {
   constexpr double kMiB = 1024.0 * 1024.0;
   if (bytes >= 0.1 * 1024 * kMiB) return fmt::format("{:.1f} GiB", bytes / (1024 * kMiB));
+  if (bytes < kMiB) return fmt::format("{:.0f} KiB", bytes / 1024);
   return fmt::format("{:.1f} MiB", bytes / kMiB);
 }
 

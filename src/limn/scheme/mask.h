@@ -16,7 +16,7 @@ namespace limn {
 // (regular/smoothness/regularity.h) and spectrum/ uses it; neither includes the
 // other.
 
-/// What is known of curvature on the regular lattice.
+/// What is known of the regular lattice.
 struct RegularPart {
   /// Whether curvature is bounded wherever the mesh is regular: yes: second differences over h² of
   /// every control net stay bounded, the limit surfaces are C^{1,1}; no: those of φ are not. Both
@@ -24,6 +24,10 @@ struct RegularPart {
   Truth bounded = Truth::undecided;
   /// What the answer rests on, or why there is none; one sentence without a full stop.
   std::string reason = "the regular lattice was not looked at";
+  /// Whether the shifts of φ are proved to be stable, so that no wave on the control points has the
+  /// limit 0. Where they are not, an eigenvector may have the surface 0, and its eigenvalue then
+  /// refutes nothing. True where nobody looked.
+  bool stable = true;
 };
 
 /// Coefficients a(k) by *twice* the offset k from the mask's centre, in the basis of the refined

@@ -5,6 +5,6 @@
 
 namespace limn::scheme {
 
-inline constexpr std::uint64_t kMostSchemeBytes = std::uint64_t{1} << 20;
+inline constexpr std::uint64_t kMostSchemeBytes = std::uint64_t{1} << 18;
 
 }  // namespace limn::scheme

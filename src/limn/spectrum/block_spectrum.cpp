@@ -12,6 +12,7 @@ namespace {
 using Values = std::vector<std::complex<double>>;
 
 constexpr double kZeroBelow = 1e-14;  // of entries, which are of order 1
+constexpr double kRowSum = 1e-13;     // how far a sum that is 1 may be off
 
 bool within(std::complex<double> a, std::complex<double> b, double radius) {
   return std::norm(a - b) < radius * radius;
@@ -52,7 +53,9 @@ bool is_multiple(const Matrix& square, typename Matrix::Scalar lambda, int multi
   const Matrix difference = shifted(square, lambda);
   Matrix power = difference;
   for (int i = 1; i < multiplicity; ++i) power *= difference;
-  return rank_is_within(square.rows() - multiplicity, power, 1e-12);
+  // rounding parts a double one by some 1e-8, and larger ones farther
+  const double threshold = multiplicity > 2 ? 1e-12 : 1e-14;
+  return rank_is_within(square.rows() - multiplicity, power, threshold);
 }
 
 /// λ as an entry of a real or of a complex matrix; a complex one of a real matrix stays as it is.
@@ -112,6 +115,10 @@ class Solver {
  public:
   template <class Matrix>
   void append(const Matrix& square, Values& values) {
+    if (square.rows() == 1) {
+      values.emplace_back(square(0, 0));
+      return;
+    }
     if (square.rows() == 2) {
       const std::complex<double> middle = (square(0, 0) + square(1, 1)) / 2.0;
       const std::complex<double> half = (square(0, 0) - square(1, 1)) / 2.0;
@@ -156,6 +163,12 @@ class SpectrumReader::Work {
             std::abs(turns - std::nearbyint(turns)) < 1e-12)
           partners_.emplace_back(a, b);
       }
+    constant_.assign(at(blocks.blocks.front().rows()), 1);
+    const std::size_t shift = at(shift_of(blocks.blocks.front().rows()));
+    for (const auto& [a, b] : partners_) {  // (1 + 1)/√2, and nothing of the difference
+      constant_[a + shift] = std::sqrt(2.0);
+      constant_[b + shift] = 0;
+    }
   }
 
   BlockSpectrum at(int omega, Near near) {
@@ -168,8 +181,12 @@ class SpectrumReader::Work {
   }
 
  private:
-  [[nodiscard]] Eigen::Index shift() const {
-    return block_.rows() - static_cast<Eigen::Index>(blocks_.orbits.size());
+  static std::size_t at(Eigen::Index i) { return static_cast<std::size_t>(i); }
+
+  /// The rows before the orbits': the centre's, of frequency 0.
+  [[nodiscard]] Eigen::Index shift() const { return shift_of(block_.rows()); }
+  [[nodiscard]] Eigen::Index shift_of(Eigen::Index rows) const {
+    return rows - static_cast<Eigen::Index>(blocks_.orbits.size());
   }
 
   /// Puts the block in real coordinates. A mirror through spoke 0 carries each orbit to one of its
@@ -220,6 +237,26 @@ class SpectrumReader::Work {
     }
   }
 
+  /// The eigenvalue 1 of rows that sum to 1 is known: with it their matrix loses a row, and what is
+  /// left has the others, however near to 1 they are.
+  template <class Matrix>
+  void take_constant(const std::vector<Eigen::Index>& rows, Matrix& square) {
+    const auto size = static_cast<Eigen::Index>(rows.size());
+    Eigen::VectorXd constant(size);
+    for (Eigen::Index i = 0; i < size; ++i) constant(i) = constant_[at(rows[at(i)])];
+    Eigen::Index pivot = 0;
+    if (!(constant.cwiseAbs().maxCoeff(&pivot) > 0)) return;
+    if (!((square * constant - constant).cwiseAbs().maxCoeff() < kRowSum)) return;
+    values_.emplace_back(1);
+    const Matrix whole = square;
+    square.resize(size - 1, size - 1);
+    const auto kept = [&](Eigen::Index i) { return i < pivot ? i : i + 1; };
+    for (Eigen::Index i = 0; i + 1 < size; ++i)
+      for (Eigen::Index j = 0; j + 1 < size; ++j)
+        square(i, j) =
+            whole(kept(i), kept(j)) - constant(kept(i)) / constant(pivot) * whole(pivot, kept(j));
+  }
+
   template <class Matrix>
   std::vector<Eigenvalue> eigenvalues(const Matrix& block, int omega, Near near) {
     connect(block);
@@ -232,9 +269,12 @@ class SpectrumReader::Work {
       if (rows.size() == 1) {
         values_.emplace_back(block(rows.front(), rows.front()));
       } else {
-        const Matrix square = block(rows, rows);
-        solver_.append(square, values_);
-        if (near == Near::joined) join_split_ones(square, values_);
+        Matrix square = block(rows, rows);
+        if (omega == 0) take_constant(rows, square);
+        others_.clear();
+        solver_.append(square, others_);
+        if (near == Near::joined) join_split_ones(square, others_);
+        values_.insert(values_.end(), others_.begin(), others_.end());
       }
       for (const std::complex<double> value : values_) {
         list.push_back({value, omega, rings_[part], 1, 1});
@@ -286,7 +326,8 @@ class SpectrumReader::Work {
   spectrum::BoolMatrix pattern_, known_;
   spectrum::ConnectedParts connected_;  // of known_
   std::vector<int> rings_;              // by part
-  Values values_;
+  Values values_, others_;
+  std::vector<double> constant_;    // what is 1 everywhere, in the coordinates of `mirror`
   std::vector<Eigen::Index> ends_;  // a row of its part for each eigenvalue
   Solver solver_;
 };

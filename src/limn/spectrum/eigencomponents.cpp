@@ -58,19 +58,35 @@ class Judge {
   /// What holds of all eigenvalues but the leaders: `skip` leading ones of ω = 0 and of ω = 1. The
   /// first, and so largest, refusal of each block has a reason.
   template <class Holds, class Reason>
-  Truth over_others(std::size_t skip_0, std::size_t skip_1, Holds holds, Reason reason) {
+  Truth over_others(std::size_t skip_0, std::size_t skip_1, Truth refusal, Holds holds,
+                    Reason reason) {
     Truth all = Truth::yes;
     for (const BlockSpectrum& block : found_.spectra) {
       const std::size_t skip = block.frequency == 0 ? skip_0 : block.frequency == 1 ? skip_1 : 0;
       bool refused = false;
       for (std::size_t i = skip; i < block.eigenvalues.size(); ++i) {
         const Truth truth = holds(block.eigenvalues[i]);
-        all = all && truth;
+        all = all && (truth == Truth::no ? refusal : truth);
         if (truth == Truth::no && !refused) reasons().push_back(reason(block.eigenvalues[i]));
         refused = refused || truth == Truth::no;
       }
     }
     return all;
+  }
+
+  /// What an eigenvalue that is too large says of surfaces. Its eigenvector may have the surface 0.
+  [[nodiscard]] Truth refusal() const {
+    return verdict_.regular_part.stable ? Truth::no : Truth::undecided;
+  }
+
+  /// "not C1: ", or what can be said of it.
+  [[nodiscard]] std::string opening(const char* what, const char* undecided) const {
+    return verdict_.regular_part.stable ? std::string(what)
+                                        : fmt::format(
+                                              "undecided {}: shifts are not proved to be "
+                                              "stable, so that the surface of an "
+                                              "eigenvector may be 0; ",
+                                              undecided);
   }
 
   /// Whether a modulus is less than a bound.
@@ -89,7 +105,7 @@ class Judge {
       return;
     }
     verdict_.convergent = over_others(
-        1, 0, [](const Eigenvalue& other) { return is_less(other.modulus(), 1); },
+        1, 0, Truth::no, [](const Eigenvalue& other) { return is_less(other.modulus(), 1); },
         [](const Eigenvalue& other) {
           return fmt::format("not convergent: {} is not less than 1", described(other));
         });
@@ -105,7 +121,7 @@ class Judge {
   void tangent_plane() {
     const Eigenvalue& leader = found_.spectra[1].eigenvalues.front();
     Truth truth = over_others(
-        1, 1,
+        1, 1, refusal(),
         [&](const Eigenvalue& other) {
           if (compare(other.modulus(), tangent()) == 0 && is_drowned(other, leader))
             return Truth::yes;
@@ -113,8 +129,9 @@ class Judge {
         },
         [&](const Eigenvalue& other) {
           const bool ties = compare(other.modulus(), tangent()) == 0;
-          return fmt::format("not C1: {} {} the tangent's {:.6g}", described(other),
-                             ties ? "ties with" : "leads", tangent());
+          return fmt::format("{}{} {} the tangent's {:.6g}{}", opening("not C1: ", "C1"),
+                             described(other), ties ? "ties with" : "leads", tangent(),
+                             ties ? fmt::format(" to {}", kEqualBelow) : "");
         });
     if (leader.jordan > 1) {
       truth = truth && Truth::undecided;
@@ -132,16 +149,18 @@ class Judge {
       return compare(other.modulus(), square) == 0;
     };
     const Truth others = over_others(
-        1, 1,
+        1, 1, refusal(),
         [&](const Eigenvalue& other) {
           if (ties(other)) return other.jordan == 1 ? Truth::yes : Truth::no;
           return is_less(other.modulus(), square);
         },
         [&](const Eigenvalue& other) {
           if (ties(other))
-            return fmt::format("unbounded curvature: {} is tangent² with a Jordan block of size {}",
-                               described(other), other.jordan);
-          return fmt::format("unbounded curvature: {} exceeds tangent² = {:.6g}", described(other),
+            return fmt::format("{}{} is tangent² with a Jordan block of size {}",
+                               opening("unbounded curvature: ", "curvature"), described(other),
+                               other.jordan);
+          return fmt::format("{}{} exceeds tangent² = {:.6g}",
+                             opening("unbounded curvature: ", "curvature"), described(other),
                              square);
         });
     verdict_.curvature_necessary = others && verdict_.c1_necessary;
@@ -150,7 +169,8 @@ class Judge {
   }
 
   void say_regular_part() {
-    const auto& [bounded, reason] = verdict_.regular_part;
+    const Truth bounded = verdict_.regular_part.bounded;
+    const std::string& reason = verdict_.regular_part.reason;
     if (bounded == Truth::no)
       reasons().push_back("unbounded curvature of the regular surface round it: " + reason);
     else if (bounded == Truth::undecided && verdict_.curvature_necessary != Truth::no)

@@ -46,7 +46,8 @@ struct Verdict {
   Truth convergent = Truth::undecided;  ///< 1 is simple, all others are smaller
   /// The tangent pair leads all others but 1, in every block. no: not C1. Undecided where the
   /// tangent's eigenvalue has a Jordan block that drowns all that ties with it: then the map of the
-  /// chain's eigenvector decides, of which the standard theorem does not speak.
+  /// chain's eigenvector decides, of which the standard theorem does not speak. And where others
+  /// lead, but an eigenvector may have the surface 0 (RegularPart::stable).
   Truth c1_necessary = Truth::undecided;
   /// What bounded curvature needs of the eigenvalues: c1_necessary, and all others are at most
   /// tangent², those that are equal to it without Jordan blocks.

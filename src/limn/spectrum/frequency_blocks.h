@@ -107,9 +107,9 @@ inline constexpr double kEqualBelow = 1e-10;
 /// From kEqualBelow up to this distance nothing is said of two eigenvalues: undecided.
 inline constexpr double kUndecidedBelow = 1e-8;
 
-/// What becomes of eigenvalues closer than about 1e-6, which may be one defective eigenvalue that
-/// rounding split: `joined` gives them their mean, exact if they are one; `apart` leaves them,
-/// exact if they are several.
+/// What becomes of eigenvalues closer than about 1e-7 (of three or more: 1e-5), which may be one
+/// defective eigenvalue that rounding split: `joined` gives them their mean, exact if they are one;
+/// `apart` leaves them, exact if they are several.
 enum class Near { joined, apart };
 
 /// The spectrum of one block, 0 ≤ ω ≤ ⌊n/2⌋, in double precision. Cost: one eigenvalue problem for

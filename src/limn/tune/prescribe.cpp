@@ -1,12 +1,16 @@
 #include "limn/tune/prescribe.h"
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
+#include <optional>
 
 #include <fmt/core.h>
 
 #include "limn/scheme/check.h"
+#include "limn/scheme/evaluate.h"
 #include "limn/scheme/file/scheme_text.h"
+#include "limn/spectrum/eigencomponents.h"
 
 namespace limn::tune {
 namespace {
@@ -99,26 +103,56 @@ std::string rule_cases(const Scheme& scheme, RuleKind kind, std::string_view tab
   return text;
 }
 
-std::string facts(const Prescription& prescription) {
-  std::string text =
-      fmt::format("\n[[facts]]\nvalence = {}\ntangent = \"{}\"\ncup     = \"{}\"\n",
-                  prescription.valence, prescription.eigenvalues.front(), prescription.cup);
-  if (prescription.eigenvalues.size() > 1)
-    text += fmt::format("saddle  = \"{}\"\n", prescription.eigenvalues[1]);
-  return text + "source  = \"prescribed\"\n";
+/// An eigenvalue's text at the valence, where it has one.
+std::optional<double> value_at(const std::string& text, int n) {
+  const Result<Expression> parsed = Expression::parse(text);
+  if (!parsed) return std::nullopt;
+  const Result<double> value =
+      scheme::evaluate<double>(*parsed, [&](const std::string&) { return Result<double>(n); });
+  return value ? std::optional<double>(*value) : std::nullopt;
+}
+
+/// Appends the facts that hold of the scheme as it was read, and lists what does not.
+Status add_facts(const Scheme& made, const Prescription& prescription, Prescribed& result) {
+  constexpr double kEqual = 1e-9;
+  const int n = prescription.valence;
+  const Result<FrequencyBlocks> blocks = FrequencyAnalysis(made).blocks(n);
+  if (!blocks) return blocks.error();
+  const Eigencomponents found = approx_eigencomponents(*blocks, {});
+  std::string facts;
+  const auto add = [&](const char* name, const std::string& text, std::optional<double> leads) {
+    const std::optional<double> wanted = value_at(text, n);
+    if (wanted && leads && std::abs(*wanted - *leads) < kEqual)
+      facts += fmt::format("{:7} = \"{}\"\n", name, text);
+    else if (leads)
+      result.unmet.push_back(
+          {fmt::format("the {} is {:.6g}, not {}: another eigenvalue of its frequency is larger",
+                       name, *leads, text)});
+    else
+      result.unmet.push_back(
+          {fmt::format("there is no {} {}: no real eigenvalue leads its frequency", name, text)});
+  };
+  add("tangent", prescription.eigenvalues.front(), found.tangent);
+  add("cup", prescription.cup, found.cup);
+  if (n > 3) add("saddle", prescription.eigenvalues[1], found.saddle);
+  if (!facts.empty())
+    result.text += fmt::format("\n[[facts]]\nvalence = {}\n{}source  = \"prescribed\"\n", n, facts);
+  return Done{};
 }
 
 }  // namespace
 
-Result<std::string> prescribed_scheme(const Scheme& base, const std::string& base_name,
-                                      const std::string& path, const Prescription& prescription) {
+Result<Prescribed> prescribed_scheme(const Scheme& base, const std::string& base_name,
+                                     const std::string& path, const Prescription& prescription) {
   const std::string name = std::filesystem::path(path).stem().string();
   if (Status status = check(prescription, name); !status) return status.error();
   const Result<std::string> end = regular_end(base);
   if (!end) return end.error();
   const int n = prescription.valence;
-  std::string text = fmt::format("name    = \"{}\"\nsplit   = \"{}\"\nextends = {}\n", name,
-                                 base.split->name, scheme::toml_string(base_name));
+  Prescribed result;
+  std::string& text = result.text;
+  text = fmt::format("name    = \"{}\"\nsplit   = \"{}\"\nextends = {}\n", name, base.split->name,
+                     scheme::toml_string(base_name));
   text += scheme::weights_toml(base);
   text += fmt::format(
       "source  = \"first-ring weights by the inverse DFT of a prescribed spectrum at valence {}\"\n"
@@ -129,14 +163,16 @@ Result<std::string> prescribed_scheme(const Scheme& base, const std::string& bas
       fmt::format("\n[[edge-end]]\nwhen = \"n == {}\"\nself = \"{}\"\nring = \"(1 - ({}){})/n\"\n",
                   n, *end, *end, wave_sum(prescription));
   text += rule_cases(base, RuleKind::edge_end, "edge-end");
-  text += scheme::definitions_toml(base) + facts(prescription);
-  if (const Result<Scheme> read = parse_scheme(text, path); !read) {
+  text += scheme::definitions_toml(base);
+  const Result<Scheme> read = parse_scheme(text, path);
+  if (!read) {
     // without its place, which is in a file that nobody will see
     const std::string& message = read.error().message;
     return refusal("the prescribed rules are no scheme: " + message.substr(0, message.find('\n')),
                    read.error().hint);
   }
-  return text;
+  if (Status status = add_facts(*read, prescription, result); !status) return status.error();
+  return result;
 }
 
 }  // namespace limn::tune

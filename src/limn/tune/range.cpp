@@ -18,6 +18,7 @@ constexpr int kRangeSamples = 257;
 constexpr int kSlowRangeSamples = 65;
 constexpr double kForbidden = 2 * kEqualBelow;  // the margin's stand-in there: near, but not enough
 
+constexpr double kMet = 1e-6;    // of sides within rounding of where they meet
 constexpr double kFlat = 1e-14;  // from sample to sample, by rounding
 
 class RangeSearch {
@@ -228,17 +229,28 @@ class RangeSearch {
     const double beyond = std::clamp(x + std::copysign(1e-5, outside.x - inside.x),
                                      result_.searched.low, result_.searched.high);
     const std::optional<Rational> rational = number::near_rational(x);
-    return {rational ? to_double(*rational) : x, rational, false, why_not(beyond)};
+    return {rational ? to_double(*rational) : x, rational, false,
+            why_not(beyond, [&](double) { return how_it_ends(x); })};
   }
 
-  std::string why_not(double x) {
+  /// At an end of a part where sides are compared.
+  std::string how_it_ends(double x) {
+    const double reach = 1e-12 * (1 + std::abs(x));
+    const bool meet =
+        std::abs(margin_at(x - reach)) < kMet || std::abs(margin_at(x + reach)) < kMet;
+    return meet ? "the two sides are equal" : "the two sides jump past one another, as at a pole";
+  }
+
+  /// `apart(margin)` says it of sides that are compared.
+  template <class Apart>
+  std::string why_not(double x, const Apart& apart) {
     const Result<FrequencyBlocks> blocks = curve_(x);
     if (!blocks) return blocks.error().text();
     const RegularPart regular = tune::allowed_by_lattice(requirement_, scheme_, result_.valence, x);
     const Eigencomponents found = approx_eigencomponents(*blocks, regular);
     if (requirement_.left) {
       const Result<double> value = tune::margin(requirement_, scheme_, x, found);
-      return value ? "the two sides are equal" : value.error().text();
+      return value ? apart(*value) : value.error().text();
     }
     for (const std::string& reason : found.verdict.reasons)
       for (const char* kind : {"not convergent", "not C1", "undecided C1", "unbounded curvature",
@@ -255,8 +267,9 @@ class RangeSearch {
     for (const Sample& sample : samples_)
       if (sample.margin >= most - kEqualBelow) best.push_back(sample.x);
     const double x = best[best.size() / 2];
-    result_.reason = fmt::format("nowhere in [{:.6g}, {:.6g}]; the nearest is {} = {:.6g}: {}", low,
-                                 high, scheme_.name(), x, why_not(x));
+    result_.reason = fmt::format(
+        "nowhere in [{:.6g}, {:.6g}]; the nearest is {} = {:.6g}: {}", low, high, scheme_.name(), x,
+        why_not(x, [](double margin) { return fmt::format("it fails by {:.6g}", -margin); }));
   }
 
   FreedScheme& scheme_;

@@ -101,6 +101,11 @@ class ElementReader {
            body_.fail_at(element.count_place, "2^31 - 1 or more of '" + element.name + "'");
   }
 
+  /// Reads a value of its declared type.
+  bool typed(const PlyProperty& property, double& value, const char* what) {
+    return body_.read(property.type, value, what) && body_.check_type(property.type, value, what);
+  }
+
   bool vertices(const PlyElement& element) {
     const PlyVertexLayout layout(element, header_, options_.attributes);
     mesh_.positions.reserve(static_cast<std::size_t>(element.count));
@@ -116,7 +121,7 @@ class ElementReader {
         const int place = layout.place(k);
         const char* const what = place < 3 ? names[std::max(place, 0)] : property.name.c_str();
         if (place < 0 ? !skip(property)
-                      : !body_.read(property.type, numbers[static_cast<std::size_t>(place)], what))
+                      : !typed(property, numbers[static_cast<std::size_t>(place)], what))
           return false;
       }
       if (!body_.end()) return false;
@@ -162,7 +167,7 @@ class ElementReader {
     if (!integer(property.count_type, count, "the number of texture coordinates")) return false;
     for (std::int64_t k = 0; k < count; ++k) {
       double value = 0;
-      if (!body_.read(property.type, value, "a texture coordinate")) return false;
+      if (!typed(property, value, "a texture coordinate")) return false;
       wedges_.push_back(value);
     }
     return true;
@@ -201,7 +206,7 @@ class ElementReader {
       for (const PlyProperty& property : element.properties) {
         const int role = edge_role_of(property);
         const bool read = role < 0    ? skip(property)
-                          : role == 2 ? body_.read(property.type, sharpness, "a sharpness")
+                          : role == 2 ? typed(property, sharpness, "a sharpness")
                                       : integer(property.type, ends[role], "a vertex index") &&
                                             check_vertex(ends[role]);
         if (!read) return false;

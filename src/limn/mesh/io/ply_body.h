@@ -35,9 +35,12 @@ class AsciiBody {
     in_.skip_line();
     return true;
   }
-  bool read(PlyType type, double& value, const char* what) {
+  bool read(PlyType, double& value, const char* what) {
     if (by_word_) in_.next_content();
-    if (!in_.read_number(value, what)) return false;
+    return in_.read_number(value, what);
+  }
+  /// Whether the value that was read last is of its type.
+  bool check_type(PlyType type, double value, const char* what) {
     if (holds(type, value)) return true;
     return fail(
         std::string(what) + " is " + in_quotes(in_.last_word()) + ", which is no " + name_of(type),
@@ -107,6 +110,7 @@ class BinaryBody {
     if (non_finite_ || value - value == 0) return true;
     return fail(std::string(what) + " is not finite");
   }
+  static bool check_type(PlyType, double, const char*) { return true; }
   /// Precondition: `count` is at most 2^53.
   bool skip(PlyType type, std::int64_t count) {
     last_ = offset_;

@@ -190,8 +190,8 @@ struct Regularity {
 
 /// Of a mask: found once in a process and then remembered (a few hundred masks; from several
 /// threads at once). The search stops as soon as it is decided, and gives up, undecided, where a
-/// wide mask would take long. Cost: at most a few tenths of a second; the reason says what was
-/// proved.
+/// wide mask would take long. Whether shifts are stable is looked at in any case. Cost: at most a few
+/// tenths of a second; the reason says what was proved.
 [[nodiscard]] RegularPart find_regular_part(const Mask& mask);
 
 /// Of a scheme at its present parameters; undecided, with the reason, where it has no regular mask.

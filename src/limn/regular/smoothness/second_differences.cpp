@@ -203,6 +203,7 @@ RegularPart find_regular_part(const Mask& mask) {
     if (const auto found = known.find(key); found != known.end()) return found->second;
   }
   RegularPart part = Decision(mask).run();
+  part.stable = regular::prove_stability(mask).verdict == Truth::yes;
   const std::lock_guard lock(mutex);
   if (known.size() >= kRemembered) known.clear();
   return known.emplace(key, std::move(part)).first->second;
@@ -217,6 +218,7 @@ RegularPart find_regular_part(const Scheme& scheme) {
         mask ? find_regular_part(*mask) : RegularPart{Truth::undecided, mask.error().message};
     if (lattices.size() == 1) return part;
     all.bounded = all.bounded && part.bounded;
+    all.stable = all.stable && part.stable;
     all.reason += fmt::format("{}on {}s: {}", all.reason.empty() ? "" : "; ",
                               scheme::lattice_name(one.split->lattice), part.reason);
   }

@@ -116,7 +116,8 @@ std::string eigen_legend() {
          "curvature       at the vertex, by the eigenvalues and the regular surface round it, if\n"
          "                the surface is C1 there\n"
          "cup, saddle     their eigenvalues against tangent²: flat <, bounded =, unbounded >\n"
-         "All of it in double precision, but for what is said of the regular lattice.\n";
+         "All of it in double precision, but for what is said of the regular lattice;\n"
+         "eigenvalues less than 1e-10 apart count as equal.\n";
 }
 
 }  // namespace limn::report

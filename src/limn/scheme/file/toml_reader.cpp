@@ -11,11 +11,11 @@
 #include "limn/base/printable.h"
 #include "limn/base/utf8.h"
 #include "limn/base/wide_text.h"
+#include "limn/scheme/scheme_size.h"
 
 namespace limn::scheme {
 namespace {
 
-constexpr std::size_t kLargestFile = 1 << 18;
 constexpr int kMostDots = 1024;
 constexpr std::string_view kAdmit =
     "; a table of decimals is admitted by weights = \"decimal\" at the head of the file";
@@ -74,8 +74,8 @@ void TomlReader::fail_at(std::size_t byte, std::string message, std::string hint
 toml::table TomlReader::parse(std::string_view text) {
   if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);  // a byte order mark
   text_ = text;
-  if (text.size() > kLargestFile) {
-    fail(Error{"the scheme file is larger than 256 KiB", {}, file_, 0, 0});
+  if (text.size() > kMostSchemeBytes) {
+    fail(Error{fmt::format("the scheme file is larger than {} KiB", kMostSchemeBytes / 1024), {}, file_, 0, 0});
     return {};
   }
   line_begins_ = {0};
