@@ -14,7 +14,7 @@ namespace limn::base {
 /// The part of it that files tell, below `root` in place of /: for tests.
 [[nodiscard]] double available_memory_of(const std::string& root);
 
-/// "1.5 GiB", "12.0 MiB".
+/// "1.5 GiB", "12.0 MiB", "256 KiB".
 [[nodiscard]] std::string bytes_text(double bytes);
 
 }  // namespace limn::base

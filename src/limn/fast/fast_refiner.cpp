@@ -88,13 +88,11 @@ struct FastRefiner::Scratch<Real>::Arrays {
 };
 
 template <class Real>
-FastRefiner::Scratch<Real>::Scratch() : arrays_(std::make_unique<Arrays>()) {}
+FastRefiner::Scratch<Real>::Scratch() : arrays_(new Arrays) {}
 template <class Real>
-FastRefiner::Scratch<Real>::Scratch(Scratch&&) noexcept = default;
-template <class Real>
-FastRefiner::Scratch<Real>& FastRefiner::Scratch<Real>::operator=(Scratch&&) noexcept = default;
-template <class Real>
-FastRefiner::Scratch<Real>::~Scratch() = default;
+void FastRefiner::Scratch<Real>::Free::operator()(Arrays* arrays) const noexcept {
+  delete arrays;
+}
 template <class Real>
 std::span<const Real> FastRefiner::Scratch<Real>::refined() const {
   return arrays_->refined;

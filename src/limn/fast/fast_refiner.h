@@ -69,10 +69,8 @@ class FastRefiner {
   template <class Real>
   class Scratch {
    public:
+    /// Without memory yet. Moved from, it may only be assigned or destroyed.
     Scratch();
-    Scratch(Scratch&&) noexcept;             ///< the other may then only be assigned or destroyed
-    Scratch& operator=(Scratch&&) noexcept;  ///< as the constructor
-    ~Scratch();
     /// The refined points that evaluate_limit made last on the way to their limits, x, y, z of
     /// each; longer by what another refiner needed.
     [[nodiscard]] std::span<const Real> refined() const;
@@ -80,7 +78,10 @@ class FastRefiner {
    private:
     friend class FastRefiner;
     struct Arrays;
-    std::unique_ptr<Arrays> arrays_;
+    struct Free {
+      void operator()(Arrays* arrays) const noexcept;
+    };
+    std::unique_ptr<Arrays, Free> arrays_;
   };
 
   /// Positions of the refined vertices from those of the control vertices: x, y, z of each, one
