@@ -89,7 +89,7 @@ export function vertexView(app: App): View {
     if (answer.ok) map.replaceChildren(mapPicture(answer.result));
     else map.replaceChildren(h('p', { class: 'none' }, answer.errors[0]?.message ?? 'none'));
     const regular = answer.ok ? String(answer.result.about.regular) : '';
-    say(mapNote, answer.ok ? `regular and injective: ${regular}${answer.result.about.reason ? ` (${answer.result.about.reason})` : ''}` : '');
+    say(mapNote, answer.ok ? `regular, by samples: ${regular}${answer.result.about.reason ? ` (${answer.result.about.reason})` : ''}` : '');
   }
   let width = 0;
   new ResizeObserver(() => {
