@@ -187,13 +187,15 @@ void FastRefiner::evaluate_limit(const Limit& limit, std::span<const Real> contr
                                  std::span<Real> positions, std::span<Real> normals,
                                  Scratch<Real>& scratch) const {
   const std::size_t numbers = 3 * static_cast<std::size_t>(vertex_count());
+  assert(control.size() == 3 * static_cast<std::size_t>(state_->control.vertex_count()));
   assert(positions.size() == numbers && normals.size() == numbers);
   // a point is read with the number after it
   make_room(scratch.arrays_->refined, numbers + 1);
   Real* refined = scratch.arrays_->refined.data();
   const bool near_end = fast::needs_room(control);
   const std::vector<Real> small = near_end ? with_room(control) : std::vector<Real>();
-  evaluate<Real>(near_end ? std::span<const Real>(small) : control, {refined, numbers}, scratch);
+  state_->evaluate(near_end ? small.data() : control.data(), state_->steps.size(), refined,
+                   scratch);
   refined[numbers] = 0;
   const fast::ReadyStep& step = limit.plan_->step;
   fast::make_limit_patches<Real>(step.plan.patches, step.program, refined, positions.data(),
